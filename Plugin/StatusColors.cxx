@@ -1,0 +1,46 @@
+#include "StatusColors.h"
+
+#include "vtkSMSettings.h"
+
+namespace
+{
+/// ParaView looks up array_lookup_tables.<array name> when an array is first used for colouring.
+/// A legend names a value if it has an annotation (value, name, value, name, ...) and the map is
+/// indexed. Never rescaled: the values are categories.
+const char* const Colors = R"json({
+  "array_lookup_tables" :
+  {
+    "NodeStatus" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "keep", "1", "eliminate", "2", "on surface" ],
+      "IndexedColors" : [ 0.65, 0.79, 0.90,  0.55, 0.55, 0.55,  0.84, 0.19, 0.15 ],
+      "IndexedOpacities" : [ 1, 1, 1 ] } },
+    "ElementStatus" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "keep", "1", "eliminate", "2", "to treat" ],
+      "IndexedColors" : [ 0.65, 0.79, 0.90,  0.55, 0.55, 0.55,  0.99, 0.72, 0.26 ],
+      "IndexedOpacities" : [ 1, 1, 1 ] } },
+    "CorrectionApplied" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "none", "2", "type II", "3", "type III" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71,  0.89, 0.40, 0.10 ],
+      "IndexedOpacities" : [ 1, 1, 1 ] } }
+  }
+})json";
+
+/// Below the user's settings and a site's, as ParaView's own defaults for arrays.
+constexpr double Priority = 0.0;
+}
+
+void RegisterStatusColors()
+{
+  vtkSMSettings* settings = vtkSMSettings::GetInstance();
+  // Loaded by client and built-in server alike: once is enough.
+  if (!settings->HasSetting(".array_lookup_tables.NodeStatus", Priority))
+  {
+    settings->AddCollectionFromString(Colors, Priority);
+  }
+}
