@@ -48,7 +48,7 @@ REAR_DOOR = [
     (806, 938, 60),
 ]
 # The side along the roof is a quartic spline instead, with this rise.
-BULGED_PIECE, BULGE, BULGED_KNOTS = 10, 12.0, [0.0] * 5 + [1.0] * 5
+BULGED_PIECE, BULGE, BULGED_KNOTS = 10, 4.0, [0.0] * 5 + [1.0] * 5
 WHEEL_CENTRE, WHEEL_RADIUS, WHEEL_BOTTOM, WHEEL_CORNER = (1250.0, 215.0), 180.0, 145.0, 45.0
 
 

@@ -72,7 +72,7 @@ class IgesFile:
         return self._wrap(values, width=72)
 
     def write(self, path):
-        start = ["Side panel in the spirit of Fig. 9 of Baptista et al. 2006: " + self.name]
+        start = ["Side panel after Fig. 9 of Baptista et al. 2006: " + self.name]
         lines = ["%-72sS%7d" % (line, i + 1) for i, line in enumerate(start)]
         header = self._global()
         lines += ["%-72sG%7d" % (line, i + 1) for i, line in enumerate(header)]
