@@ -1,0 +1,44 @@
+# Sourced by run-example.sh and Testing/run-tests.sh: installs what is missing and builds.
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build="$project/build"
+
+# Installs the packages of debian-packages.txt that are missing; touches nothing if none is.
+install_packages()
+{
+  local package missing=() as_root=()
+  while read -r package; do
+    if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+      missing+=("$package")
+    fi
+  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$project/Plugin/debian-packages.txt")
+  if [ ${#missing[@]} -eq 0 ]; then
+    return
+  fi
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "These packages are missing; run as root, or install them: ${missing[*]}" >&2
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  echo "Installing ${missing[*]}"
+  "${as_root[@]}" apt-get update
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y --no-install-recommends "${missing[@]}"
+}
+
+# build_project [cmake argument...]: the Release build in build/.
+build_project()
+{
+  # ParaView's modules are for Debian's Python, whichever else comes first on the PATH.
+  cmake -S "$project" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
+  cmake --build "$build"
+}
+
+# Runs a command with a display of its own, rendered in software.
+with_display()
+{
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1600x1200x24" "$@"
+}
