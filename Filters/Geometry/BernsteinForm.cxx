@@ -1,0 +1,102 @@
+#include "BernsteinForm.h"
+
+#include <cmath>
+
+namespace nurbs
+{
+namespace
+{
+
+struct BinomialTable
+{
+  double Value[2 * MaximumBezierDegree + 1][2 * MaximumBezierDegree + 1] = {};
+  BinomialTable()
+  {
+    for (int n = 0; n <= 2 * MaximumBezierDegree; ++n)
+    {
+      this->Value[n][0] = this->Value[n][n] = 1.0;
+      for (int k = 1; k < n; ++k)
+      {
+        this->Value[n][k] = this->Value[n - 1][k - 1] + this->Value[n - 1][k];
+      }
+    }
+  }
+};
+const BinomialTable Binomials;
+
+}
+
+void SquaredDistanceForm::Set(int p, int q, Vec4* net, double squaredDistance)
+{
+  const int nu = p + 1, nv = q + 1;
+  this->CountU = 2 * p + 1;
+  this->CountV = 2 * q + 1;
+  std::fill(this->F, this->F + this->CountU * this->CountV, 0.0);
+  const double* cu = Binomials.Value[p];
+  const double* cv = Binomials.Value[q];
+  for (int j = 0; j < nv; ++j)
+  {
+    for (int i = 0; i < nu; ++i)
+    {
+      net[i + j * nu] *= cu[i] * cv[j];
+    }
+  }
+  for (int j = 0; j < nv; ++j)
+  {
+    for (int i = 0; i < nu; ++i)
+    {
+      const Vec4& a = net[i + j * nu];
+      const Vec4 b(a.x(), a.y(), a.z(), -squaredDistance * a.w());
+      this->F[2 * i + 2 * j * this->CountU] += b.dot(a);
+      for (int k = i + j * nu + 1; k < nu * nv; ++k)
+      {
+        this->F[i + k % nu + (j + k / nu) * this->CountU] += 2 * b.dot(net[k]);
+      }
+    }
+  }
+  const double* du = Binomials.Value[2 * p];
+  const double* dv = Binomials.Value[2 * q];
+  for (int j = 0; j < this->CountV; ++j)
+  {
+    for (int i = 0; i < this->CountU; ++i)
+    {
+      this->F[i + j * this->CountU] /= du[i] * dv[j];
+    }
+  }
+}
+
+bool SquaredDistanceForm::IsConvex() const
+{
+  const int nu = this->CountU, nv = this->CountV;
+  const auto f = [&](int i, int j) { return this->F[i + j * nu]; };
+  double uu = HUGE_VAL, vv = HUGE_VAL, uv = 0;
+  for (int j = 0; j < nv; ++j)
+  {
+    for (int i = 0; i + 2 < nu; ++i)
+    {
+      uu = std::min(uu, f(i + 2, j) - 2 * f(i + 1, j) + f(i, j));
+    }
+  }
+  if (nv == 1)
+  {
+    return uu > 0;
+  }
+  for (int j = 0; j + 2 < nv; ++j)
+  {
+    for (int i = 0; i < nu; ++i)
+    {
+      vv = std::min(vv, f(i, j + 2) - 2 * f(i, j + 1) + f(i, j));
+    }
+  }
+  for (int j = 0; j + 1 < nv; ++j)
+  {
+    for (int i = 0; i + 1 < nu; ++i)
+    {
+      uv = std::max(uv, std::abs(f(i + 1, j + 1) - f(i + 1, j) - f(i, j + 1) + f(i, j)));
+    }
+  }
+  const double p = nu - 1, q = nv - 1;
+  return uu > 0 && vv > 0 && uu * vv * (p - 1) * (q - 1) > uv * uv * p * q;
+}
+
+}

@@ -1,0 +1,278 @@
+#include "ClosestPoint.h"
+
+#include "BernsteinForm.h"
+#include "PointInversion.h"
+
+#include <cmath>
+
+namespace nurbs
+{
+
+bool IsInsideTrim(const SurfaceModel& model, int index, double s, double t)
+{
+  const BezierPatch& patch = model.Patches[index];
+  const TrimLoops& loops = model.Data[patch.Face].Loops;
+  if (patch.Curve || loops.Empty())
+  {
+    return true;
+  }
+  const TrimState state = model.Leaves[model.LeafAt(patch, s, t)].Trim;
+  return state == TrimState::Inside ||
+    (state == TrimState::Crossed && loops.Inside(patch.U(s, t), patch.V(s, t)));
+}
+
+namespace
+{
+
+class ClosestPointSearch
+{
+public:
+  ClosestPointSearch(const SurfaceModel& model, const Vec3& p, double maximumSquared)
+    : Model(model)
+    , P(p)
+  {
+    this->Best.Squared = maximumSquared;
+    this->UpdateBound();
+  }
+
+  SurfacePoint Best;
+
+  void TryGuess(const SurfacePoint& guess)
+  {
+    const BezierPatch& patch = this->Model.Patches[guess.Patch];
+    const LeafDomain whole{ 0, 1, 0, 1 };
+    this->Consider(guess.Patch,
+      InvertPoint(patch, this->Model.Net(patch), this->P, guess.S, guess.T, whole), whole);
+  }
+
+  void Run();
+
+private:
+  /// Distances within rounding of the best one are not worth looking for.
+  void UpdateBound()
+  {
+    const double d = std::sqrt(this->Best.Squared);
+    const double bound = d * (1 - 1e-12) - 4e-3 * this->Model.Resolution;
+    this->Bound = bound > 0 ? bound * bound : 0;
+  }
+
+  /// @param domain where the foot is a local minimum
+  void Consider(int patch, const LocalFoot& foot, const LeafDomain& domain)
+  {
+    if (foot.Squared < this->Best.Squared && IsInsideTrim(this->Model, patch, foot.S, foot.T))
+    {
+      this->Best = { patch, foot.S, foot.T, foot.Point, foot.Squared };
+      this->BestDomain = domain;
+      this->UpdateBound();
+    }
+  }
+
+  /// True if the best foot is a local minimum of the domain, as far as its own domain tells.
+  bool BestIsMinimumOf(const LeafDomain& domain) const
+  {
+    const double s = this->Best.S, t = this->Best.T;
+    const bool holds = s >= domain.S0 && s <= domain.S1 && t >= domain.T0 && t <= domain.T1;
+    const LeafDomain& known = this->BestDomain;
+    return holds && known.S0 <= domain.S0 && known.S1 >= domain.S1 && known.T0 <= domain.T0 &&
+      known.T1 >= domain.T1;
+  }
+
+  void VisitLeaf(int index);
+  void SearchLeaf(int index);
+  bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
+
+  const SurfaceModel& Model;
+  const Vec3 P;
+  double Bound = 0; ///< squared
+  LeafDomain BestDomain{ 0, 0, 0, 0 };
+};
+
+void ClosestPointSearch::Run()
+{
+  struct Entry
+  {
+    int Child;
+    float Squared;
+  };
+  const TreePoint point(this->P);
+  Entry stack[TreeStackSize];
+  int size = 0;
+  stack[size++] = { 0, 0.0f };
+  while (size > 0)
+  {
+    const Entry entry = stack[--size];
+    // A distance of zero must be looked at unless the best is zero as well.
+    if (entry.Squared > this->Bound || (entry.Squared == this->Bound && this->Bound == 0 && this->Best.Patch >= 0 && this->Best.Squared == 0))
+    {
+      continue;
+    }
+    if (entry.Child < 0)
+    {
+      this->VisitLeaf(~entry.Child);
+      continue;
+    }
+    const TreeNode& node = this->Model.Nodes[entry.Child];
+    const Eigen::Array4f distances = point.SquaredDistances(node);
+    // Push the farthest first: insertion into the top of the stack, sorted.
+    const int base = size;
+    for (int c = 0; c < 4; ++c)
+    {
+      const float squared = distances[c];
+      if (node.Child[c] == TreeNode::Empty || squared > this->Bound)
+      {
+        continue;
+      }
+      int k = size++;
+      while (k > base && stack[k - 1].Squared < squared)
+      {
+        stack[k] = stack[k - 1];
+        --k;
+      }
+      stack[k] = { node.Child[c], squared };
+    }
+  }
+}
+
+void ClosestPointSearch::VisitLeaf(int index)
+{
+  const Leaf& leaf = this->Model.Leaves[index];
+  if (SquaredDistanceToLeaf(leaf, this->P) > this->Bound)
+  {
+    return;
+  }
+  const BezierPatch& patch = this->Model.Patches[leaf.Patch];
+  const Vec4* net = this->Model.Net(patch);
+  const LeafDomain domain = DomainOf(patch, index);
+  const Vec3 d = this->P - leaf.Center;
+  const double distance = d.norm();
+  const bool certain = distance <= leaf.Reach;
+  if (certain && this->Best.Patch == leaf.Patch && this->BestIsMinimumOf(domain))
+  {
+    return; // a local minimum here is the only one
+  }
+  const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
+  const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
+  const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
+  const LocalFoot foot = InvertPoint(patch, net, this->P, s, t, domain);
+  this->Consider(leaf.Patch, foot, domain);
+  if (!certain || !(foot.Squared <= static_cast<double>(leaf.Reach) * leaf.Reach))
+  {
+    this->SearchLeaf(index);
+  }
+}
+
+void ClosestPointSearch::SearchLeaf(int index)
+{
+  constexpr int MaximumBoxes = 20000; // beyond it the best found so far stands
+  constexpr int StackSize = 128;
+  const Leaf& leaf = this->Model.Leaves[index];
+  const BezierPatch& patch = this->Model.Patches[leaf.Patch];
+  LeafDomain stack[StackSize];
+  int size = 0;
+  stack[size++] = DomainOf(patch, index);
+  for (int boxes = 0; size > 0 && boxes < MaximumBoxes; ++boxes)
+  {
+    const LeafDomain box = stack[--size];
+    LeafDomain halves[2];
+    if (size + 2 <= StackSize && this->SearchBox(patch, leaf.Patch, box, halves))
+    {
+      stack[size++] = halves[1];
+      stack[size++] = halves[0];
+    }
+  }
+}
+
+/// False if nothing in the box is closer than the best; else its two halves, the nearer first.
+bool ClosestPointSearch::SearchBox(
+  const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves)
+{
+  const Vec4* net = this->Model.Net(patch);
+  const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  RestrictNet(patch, net, box.S0, box.S1, box.T0, box.T1, part);
+  Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
+  for (int k = 0; k < size; ++k)
+  {
+    part[k].head<3>() -= part[k].w() * this->P;
+    const Vec3 point = part[k].head<3>() / part[k].w();
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  if (low.cwiseMax(-high).cwiseMax(0.0).squaredNorm() >= this->Bound && this->Bound > 0)
+  {
+    return false;
+  }
+  const auto point = [&](int i, int j) -> Vec3
+  { return part[i + j * (p + 1)].head<3>() / part[i + j * (p + 1)].w(); };
+  const double lengthS = std::max((point(p, 0) - point(0, 0)).norm(), (point(p, q) - point(0, q)).norm()) + (high - low).norm() * (p > 1 ? 1e-3 : 0);
+  const double lengthT = std::max((point(0, q) - point(0, 0)).norm(), (point(p, q) - point(p, 0)).norm()) + (high - low).norm() * (q > 1 ? 1e-3 : 0);
+  const double nearS = std::min(point(0, 0).squaredNorm(), point(0, q).squaredNorm()) -
+    std::min(point(p, 0).squaredNorm(), point(p, q).squaredNorm());
+  const double nearT = std::min(point(0, 0).squaredNorm(), point(p, 0).squaredNorm()) -
+    std::min(point(0, q).squaredNorm(), point(p, q).squaredNorm());
+
+  const double s = 0.5 * (box.S0 + box.S1), t = 0.5 * (box.T0 + box.T1);
+  if ((BezierPoint(patch, net, s, t) - this->P).squaredNorm() < this->Bound)
+  {
+    this->Consider(index, InvertPoint(patch, net, this->P, s, t, box), box);
+  }
+  if ((high - low).norm() < 1e-3 * this->Model.Resolution)
+  {
+    return false;
+  }
+  SquaredDistanceForm form;
+  Vec4 scaled[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  std::copy(part, part + size, scaled);
+  form.Set(p, q, scaled, this->Bound);
+  if (form.Minimum() >= 0)
+  {
+    return false;
+  }
+  if (form.IsConvex())
+  {
+    const LocalFoot foot = InvertPoint(patch, net, this->P, s, t, box);
+    this->Consider(index, foot, box);
+    if (!patch.Rational)
+    {
+      return false;
+    }
+    // With weights the certificate has to hold for the distance that was found.
+    std::copy(part, part + size, scaled);
+    form.Set(p, q, scaled, foot.Squared);
+    if (form.IsConvex())
+    {
+      return false;
+    }
+  }
+  const bool divideS = q == 0 || lengthS >= lengthT;
+  halves[0] = halves[1] = box;
+  if (divideS)
+  {
+    const int nearer = nearS > 0 ? 1 : 0;
+    halves[nearer].S1 = s;
+    halves[1 - nearer].S0 = s;
+  }
+  else
+  {
+    const int nearer = nearT > 0 ? 1 : 0;
+    halves[nearer].T1 = t;
+    halves[1 - nearer].T0 = t;
+  }
+  return true;
+}
+
+}
+
+SurfacePoint FindClosestPoint(
+  const SurfaceModel& model, const Vec3& p, double maximumSquared, const SurfacePoint& guess)
+{
+  ClosestPointSearch search(model, p, maximumSquared);
+  if (guess.Patch >= 0)
+  {
+    search.TryGuess(guess);
+  }
+  search.Run();
+  return search.Best;
+}
+
+}

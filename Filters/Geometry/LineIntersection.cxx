@@ -1,0 +1,462 @@
+#include "LineIntersection.h"
+
+#include "ClosestPoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nurbs
+{
+namespace
+{
+
+class LineSearch
+{
+public:
+  LineSearch(const SurfaceModel& model, const Vec3& a, const Vec3& d, double low, double high,
+    std::vector<LineMeeting>& meetings)
+    : Model(model)
+    , A(a)
+    , D(d)
+    , Low(low)
+    , High(high)
+    , Tolerance(4 * model.Resolution)
+    , Meetings(meetings)
+  {
+    this->E1 = d.unitOrthogonal();
+    this->E2 = d.cross(this->E1);
+  }
+
+  void Run();
+
+private:
+  struct Solution
+  {
+    double S, T;
+    Vec3 Point;
+    double Distance; ///< from the line
+    bool Converged;
+  };
+
+  void VisitLeaf(int index);
+  bool BoxMeetsLeaf(const Leaf& leaf) const;
+  void SearchLeaf(int index);
+  bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
+  Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
+  Solution Approach(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
+  bool Report(int patch, const Solution& solution, bool touch);
+
+  const SurfaceModel& Model;
+  const Vec3 A, D;
+  const double Low, High, Tolerance;
+  Vec3 E1, E2;
+  int Touches = 0; ///< found in the present leaf
+  std::vector<LineMeeting>& Meetings;
+};
+
+/// Separating axes of the segment and the boxes, four at a time.
+void LineSearch::Run()
+{
+  const Vec3 middle = this->A + 0.5 * (this->Low + this->High) * this->D;
+  const Vec3 half = 0.5 * (this->High - this->Low) * this->D;
+  const float slack = static_cast<float>(
+    1e-6 * (middle.cwiseAbs().maxCoeff() + half.cwiseAbs().maxCoeff()) + this->Tolerance);
+  const Eigen::Vector3f m = middle.cast<float>(), e = half.cast<float>();
+  int stack[TreeStackSize];
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const TreeNode& node = this->Model.Nodes[stack[--size]];
+    Eigen::Array4f c[3], h[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      c[axis] = m[axis] - 0.5f * (node.Low[axis] + node.High[axis]);
+      h[axis] = 0.5f * (node.High[axis] - node.Low[axis]) + slack;
+    }
+    Eigen::Array<bool, 4, 1> meets = c[0].abs() <= h[0] + std::abs(e[0]);
+    meets = meets && (c[1].abs() <= h[1] + std::abs(e[1]));
+    meets = meets && (c[2].abs() <= h[2] + std::abs(e[2]));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+      meets = meets &&
+        ((c[j] * e[k] - c[k] * e[j]).abs() <= h[j] * std::abs(e[k]) + h[k] * std::abs(e[j]));
+    }
+    for (int child = 0; child < 4; ++child)
+    {
+      if (!meets[child] || node.Child[child] == TreeNode::Empty)
+      {
+        continue;
+      }
+      if (node.Child[child] >= 0)
+      {
+        stack[size++] = node.Child[child];
+      }
+      else
+      {
+        this->VisitLeaf(~node.Child[child]);
+      }
+    }
+  }
+}
+
+bool LineSearch::BoxMeetsLeaf(const Leaf& leaf) const
+{
+  const Vec3 x = leaf.X.cast<double>(), y = leaf.Y.cast<double>(), z = leaf.Z.cast<double>();
+  const Vec3 base = this->A - leaf.Center;
+  const Vec3 a(x.dot(base), y.dot(base), z.dot(base));
+  const Vec3 d(x.dot(this->D), y.dot(this->D), z.dot(this->D));
+  double low = this->Low - this->Tolerance, high = this->High + this->Tolerance;
+  const double slack = this->Tolerance + 1e-6 * leaf.Radius;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double boxLow = leaf.Low[axis] - slack, boxHigh = leaf.High[axis] + slack;
+    if (std::abs(d[axis]) < 1e-12)
+    {
+      // Parallel to a pair of sides up to the rounding of the float axes.
+      const double drift = 1e-6 * leaf.Radius;
+      if (a[axis] < boxLow - drift || a[axis] > boxHigh + drift)
+      {
+        return false;
+      }
+      continue;
+    }
+    double near = (boxLow - a[axis]) / d[axis], far = (boxHigh - a[axis]) / d[axis];
+    if (near > far)
+    {
+      std::swap(near, far);
+    }
+    low = std::max(low, near);
+    high = std::min(high, far);
+  }
+  return low <= high;
+}
+
+/// Newton on eqs. 12-14 with k eliminated: the two distances from the line, unbounded steps.
+LineSearch::Solution LineSearch::Solve(
+  const BezierPatch& patch, double s, double t, const LeafDomain& box) const
+{
+  const Vec4* net = this->Model.Net(patch);
+  const double marginS = 0.5 * (box.S1 - box.S0), marginT = 0.5 * (box.T1 - box.T0);
+  Solution x{ std::clamp(s, box.S0, box.S1), std::clamp(t, box.T0, box.T1), Vec3::Zero(), 0,
+    false };
+  double before = 1;
+  for (int i = 0; i < 25; ++i)
+  {
+    SurfaceJet jet;
+    EvaluateBezier(patch, net, x.S, x.T, jet);
+    const Vec3 r = jet.S - this->A;
+    const double g1 = this->E1.dot(r), g2 = this->E2.dot(r);
+    const double a = this->E1.dot(jet.Su), b = this->E1.dot(jet.Sv);
+    const double c = this->E2.dot(jet.Su), d = this->E2.dot(jet.Sv);
+    const double det = a * d - b * c;
+    if (!(std::abs(det) > 1e-14 * (std::abs(a * d) + std::abs(b * c))))
+    {
+      return x;
+    }
+    const double ds = (b * g2 - d * g1) / det, dt = (c * g1 - a * g2) / det;
+    const double length = std::max(std::abs(ds), std::abs(dt));
+    const double s1 = std::clamp(x.S + ds, box.S0 - marginS, box.S1 + marginS);
+    const double t1 = std::clamp(x.T + dt, box.T0 - marginT, box.T1 + marginT);
+    if (length < 1e-7 && (length < 0.1 * before || length < 1e-13))
+    {
+      x.S = s1;
+      x.T = t1;
+      x.Converged = true;
+      return x;
+    }
+    before = length;
+    x.S = s1;
+    x.T = t1;
+  }
+  return x;
+}
+
+/// Least distance from the line inside the box (Gauss-Newton, damped).
+LineSearch::Solution LineSearch::Approach(
+  const BezierPatch& patch, double s, double t, const LeafDomain& box) const
+{
+  const Vec4* net = this->Model.Net(patch);
+  Solution x{ s, t, Vec3::Zero(), 0, false };
+  SurfaceJet jet;
+  EvaluateBezier(patch, net, s, t, jet);
+  const auto squared = [&](const Vec3& point)
+  {
+    const Vec3 r = point - this->A;
+    return std::pow(this->E1.dot(r), 2) + std::pow(this->E2.dot(r), 2);
+  };
+  double value = squared(jet.S);
+  double damping = 1e-12;
+  for (int i = 0; i < 60; ++i)
+  {
+    const Vec3 r = jet.S - this->A;
+    const double g1 = this->E1.dot(r), g2 = this->E2.dot(r);
+    const double a = this->E1.dot(jet.Su), b = this->E1.dot(jet.Sv);
+    const double c = this->E2.dot(jet.Su), d = this->E2.dot(jet.Sv);
+    // Full Hessian of half the squared distance; the tangent direction has no other curvature.
+    double h11 = a * a + c * c + g1 * this->E1.dot(jet.Suu) + g2 * this->E2.dot(jet.Suu);
+    double h22 = b * b + d * d + g1 * this->E1.dot(jet.Svv) + g2 * this->E2.dot(jet.Svv);
+    double h12 = a * b + c * d + g1 * this->E1.dot(jet.Suv) + g2 * this->E2.dot(jet.Suv);
+    if (!(h11 > 0 && h22 > 0 && h11 * h22 - h12 * h12 > 0))
+    {
+      h11 = a * a + c * c;
+      h22 = b * b + d * d;
+      h12 = a * b + c * d;
+    }
+    h11 += damping * (h11 + h22);
+    h22 += damping * (h11 + h22);
+    const double f1 = a * g1 + c * g2, f2 = b * g1 + d * g2, det = h11 * h22 - h12 * h12;
+    if (!(det > 0))
+    {
+      break;
+    }
+    const double s1 = std::clamp(x.S + (h12 * f2 - h22 * f1) / det, box.S0, box.S1);
+    const double t1 = std::clamp(x.T + (h12 * f1 - h11 * f2) / det, box.T0, box.T1);
+    if (s1 == x.S && t1 == x.T)
+    {
+      break;
+    }
+    SurfaceJet next;
+    EvaluateBezier(patch, net, s1, t1, next);
+    const double nextValue = squared(next.S);
+    if (nextValue < value)
+    {
+      const double gain = value - nextValue;
+      jet = next;
+      value = nextValue;
+      x.S = s1;
+      x.T = t1;
+      damping = std::max(damping * 0.1, 1e-14);
+      if (gain < 1e-16 * value)
+      {
+        break;
+      }
+    }
+    else
+    {
+      damping *= 100;
+      if (damping > 1e6)
+      {
+        break;
+      }
+    }
+  }
+  return x;
+}
+
+/// Puts the solution into the patch and keeps it if it still lies on the line and segment.
+bool LineSearch::Report(int index, const Solution& solution, bool touch)
+{
+  const BezierPatch& patch = this->Model.Patches[index];
+  LineMeeting meeting;
+  meeting.Patch = index;
+  meeting.S = std::clamp(solution.S, 0.0, 1.0);
+  meeting.T = std::clamp(solution.T, 0.0, 1.0);
+  meeting.Point = BezierPoint(patch, this->Model.Net(patch), meeting.S, meeting.T);
+  meeting.Touch = touch;
+  const Vec3 r = meeting.Point - this->A;
+  meeting.K = this->D.dot(r);
+  const double away = (r - meeting.K * this->D).norm();
+  const double slack = this->Tolerance + 1e-14 * std::abs(meeting.K);
+  const bool clamped = meeting.S != solution.S || meeting.T != solution.T;
+  if (away > (clamped ? std::max(slack, this->Model.Gap) : 10 * slack) || meeting.K < this->Low - slack ||
+    meeting.K > this->High + slack)
+  {
+    return false;
+  }
+  this->Meetings.push_back(meeting);
+  return true;
+}
+
+void LineSearch::VisitLeaf(int index)
+{
+  const Leaf& leaf = this->Model.Leaves[index];
+  const BezierPatch& patch = this->Model.Patches[leaf.Patch];
+  if (patch.Curve || !this->BoxMeetsLeaf(leaf))
+  {
+    return;
+  }
+  const LeafDomain box = DomainOf(patch, index);
+  const Vec3 normal = leaf.Z.cast<double>();
+  const double slope = normal.dot(this->D);
+  // The map to the plane across the line is then a contraction away from an affine one.
+  if (leaf.Deviation < 0.3 * std::abs(slope))
+  {
+    const double k = normal.dot(leaf.Center - this->A) / slope;
+    const Vec3 d = this->A + k * this->D - leaf.Center;
+    const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
+    const double s = 0.5 * (box.S0 + box.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
+    const double t = 0.5 * (box.T0 + box.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
+    const Solution solution = this->Solve(patch, s, t, box);
+    if (solution.Converged)
+    {
+      // A root in a neighbouring leaf is that leaf's; at the rim both report it.
+      const double rimS = 1e-6 * (box.S1 - box.S0), rimT = 1e-6 * (box.T1 - box.T0);
+      if (solution.S >= box.S0 - rimS && solution.S <= box.S1 + rimS &&
+        solution.T >= box.T0 - rimT && solution.T <= box.T1 + rimT)
+      {
+        this->Report(leaf.Patch, solution, false);
+      }
+      return;
+    }
+  }
+  this->SearchLeaf(index);
+}
+
+void LineSearch::SearchLeaf(int index)
+{
+  constexpr int StackSize = 128;
+  const Leaf& leaf = this->Model.Leaves[index];
+  const BezierPatch& patch = this->Model.Patches[leaf.Patch];
+  LeafDomain stack[StackSize];
+  int size = 0;
+  stack[size++] = DomainOf(patch, index);
+  this->Touches = 0;
+  // A line within the surface touches everywhere: after some touches the rest is let go.
+  int budget = 8192;
+  for (; size > 0 && budget > 0; --budget)
+  {
+    LeafDomain halves[2];
+    const LeafDomain box = stack[--size];
+    const int before = this->Touches;
+    if (size + 2 <= StackSize && this->SearchBox(patch, leaf.Patch, box, halves))
+    {
+      stack[size++] = halves[1];
+      stack[size++] = halves[0];
+    }
+    if (this->Touches > before)
+    {
+      budget = std::min(budget, 512 / this->Touches);
+    }
+  }
+}
+
+bool LineSearch::SearchBox(
+  const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves)
+{
+  const Vec4* net = this->Model.Net(patch);
+  const int p = patch.DegreeU, q = patch.DegreeV, nu = p + 1, size = nu * (q + 1);
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  RestrictNet(patch, net, box.S0, box.S1, box.T0, box.T1, part);
+  // Distances from two planes through the line and along it; homogeneous and affine.
+  Vec2 g[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
+  double kLow = HUGE_VAL, kHigh = -HUGE_VAL;
+  for (int i = 0; i < size; ++i)
+  {
+    const double w = part[i].w();
+    const Vec3 r = part[i].head<3>() - w * this->A;
+    g[i] = Vec2(this->E1.dot(r), this->E2.dot(r));
+    low = low.cwiseMin(g[i] / w);
+    high = high.cwiseMax(g[i] / w);
+    kLow = std::min(kLow, this->D.dot(r) / w);
+    kHigh = std::max(kHigh, this->D.dot(r) / w);
+  }
+  if ((low.array() > this->Tolerance).any() || (high.array() < -this->Tolerance).any() ||
+    kLow > this->High + this->Tolerance || kHigh < this->Low - this->Tolerance)
+  {
+    return false;
+  }
+  // Mean gradients and how far the others are from them.
+  Vec2 meanS = Vec2::Zero(), meanT = Vec2::Zero();
+  for (int j = 0; j <= q; ++j)
+  {
+    meanS += (g[p + j * nu] - g[j * nu]) / (q + 1);
+  }
+  for (int i = 0; i <= p; ++i)
+  {
+    meanT += (g[i + q * nu] - g[i]) / (p + 1);
+  }
+  Eigen::Matrix2d m;
+  m << meanS, meanT;
+  const double det = m.determinant();
+  const double s = 0.5 * (box.S0 + box.S1), t = 0.5 * (box.T0 + box.T1);
+  if (std::abs(det) > 1e-10 * meanS.norm() * meanT.norm())
+  {
+    const Eigen::Matrix2d inverse = m.inverse();
+    double deviation = 0;
+    Vec2 lowUnit = Vec2::Constant(HUGE_VAL), highUnit = -lowUnit;
+    const Vec2 unitTolerance = inverse.cwiseAbs() * Vec2::Constant(this->Tolerance * part[0].w());
+    for (int j = 0; j <= q; ++j)
+    {
+      for (int i = 0; i <= p; ++i)
+      {
+        const Vec2 x = inverse * g[i + j * nu];
+        lowUnit = lowUnit.cwiseMin(x);
+        highUnit = highUnit.cwiseMax(x);
+        if (i < p)
+        {
+          const Vec2 d = inverse * (p * (g[i + 1 + j * nu] - g[i + j * nu])) - Vec2::UnitX();
+          deviation = std::max(deviation, d.lpNorm<1>());
+        }
+        if (j < q)
+        {
+          const Vec2 d = inverse * (q * (g[i + (j + 1) * nu] - g[i + j * nu])) - Vec2::UnitY();
+          deviation = std::max(deviation, d.lpNorm<1>());
+        }
+      }
+    }
+    if (((lowUnit - 2 * unitTolerance).array() > 0).any() ||
+      ((highUnit + 2 * unitTolerance).array() < 0).any())
+    {
+      return false;
+    }
+    if (deviation < 0.3)
+    {
+      const Solution solution = this->Solve(patch, s, t, box);
+      if (solution.Converged)
+      {
+        const double rimS = 1e-6 * (box.S1 - box.S0) + 1e-12, rimT = 1e-6 * (box.T1 - box.T0) + 1e-12;
+        if (solution.S >= box.S0 - rimS && solution.S <= box.S1 + rimS &&
+          solution.T >= box.T0 - rimT && solution.T <= box.T1 + rimT)
+        {
+          this->Report(index, solution, false);
+        }
+        return false;
+      }
+    }
+  }
+  const double extent = std::max((high - low).norm(), kHigh - kLow);
+  const auto point = [&](int i, int j) -> Vec3
+  { return part[i + j * nu].head<3>() / part[i + j * nu].w(); };
+  // Small enough for a touch; or flat against the line everywhere.
+  if (extent < 1e-5 * this->Model.Scale || (high - low).minCoeff() < this->Tolerance)
+  {
+    Solution solution = this->Approach(patch, s, t, box);
+    const Vec3 r = BezierPoint(patch, net, solution.S, solution.T) - this->A;
+    if ((r - this->D.dot(r) * this->D).norm() <= this->Tolerance && this->Report(index, solution, true))
+    {
+      ++this->Touches;
+      return false;
+    }
+    if (extent < 1e-9 * this->Model.Scale)
+    {
+      return false;
+    }
+  }
+  const double lengthS =
+    std::max((point(p, 0) - point(0, 0)).norm(), (point(p, q) - point(0, q)).norm());
+  const double lengthT =
+    std::max((point(0, q) - point(0, 0)).norm(), (point(p, q) - point(p, 0)).norm());
+  halves[0] = halves[1] = box;
+  if (lengthS >= lengthT)
+  {
+    halves[0].S1 = halves[1].S0 = s;
+  }
+  else
+  {
+    halves[0].T1 = halves[1].T0 = t;
+  }
+  return true;
+}
+
+}
+
+void FindMeetings(const SurfaceModel& model, const Vec3& a, const Vec3& d, double low, double high,
+  std::vector<LineMeeting>& meetings)
+{
+  LineSearch(model, a, d, low, high, meetings).Run();
+}
+
+}

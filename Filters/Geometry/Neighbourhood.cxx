@@ -1,0 +1,473 @@
+#include "Neighbourhood.h"
+
+#include "ClosestPoint.h"
+#include "PointInversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nurbs
+{
+
+Vec3 FacePoint(const SurfaceModel& model, int face, const Vec2& uv)
+{
+  const BezierPatch& patch = model.Patches[model.PatchAt(face, uv.x(), uv.y())];
+  return BezierPoint(patch, model.Net(patch), (uv.x() - patch.U0) / (patch.U1 - patch.U0),
+    (uv.y() - patch.V0) / (patch.V1 - patch.V0));
+}
+
+Vec3 UnitNormal(const SurfaceModel& model, const BezierPatch& patch, double s, double t)
+{
+  const Vec4* net = model.Net(patch);
+  SurfaceJet jet;
+  EvaluateBezier(patch, net, s, t, jet);
+  constexpr double Small = 1e-8;
+  const double twist = jet.Suv.norm();
+  const double size = (jet.Su.norm() + twist) * (jet.Sv.norm() + twist);
+  Vec3 n = jet.Su.cross(jet.Sv);
+  if (n.norm() > Small * size)
+  {
+    return n.normalized();
+  }
+  // Collapsed edge: the first derivative of S_u x S_v on the way inside (de l'Hospital).
+  const double ds = 0.5 - s, dt = 0.5 - t;
+  n = ds * (jet.Suu.cross(jet.Sv) + jet.Su.cross(jet.Suv)) +
+    dt * (jet.Suv.cross(jet.Sv) + jet.Su.cross(jet.Svv));
+  if (n.norm() > Small * size)
+  {
+    return n.normalized();
+  }
+  for (double step : { 1e-4, 1e-3, 1e-2, 1e-1 })
+  {
+    EvaluateBezier(patch, net, s + step * ds, t + step * dt, jet);
+    n = jet.Su.cross(jet.Sv);
+    if (n.norm() > 1e-12 * jet.Su.norm() * jet.Sv.norm() && n.norm() > 0)
+    {
+      return n.normalized();
+    }
+  }
+  return Vec3::Zero();
+}
+
+namespace
+{
+
+/// A place where a patch comes within the gap of the point.
+struct Contact
+{
+  int Patch;
+  LocalFoot Foot;
+};
+
+class SectorFinder
+{
+public:
+  SectorFinder(const SurfaceModel& model, const Vec3& x)
+    : Model(model)
+    , X(x)
+  {
+  }
+
+  std::vector<Sector> Find()
+  {
+    this->FindContacts();
+    for (const Contact& contact : this->Contacts)
+    {
+      if (this->Model.Patches[contact.Patch].Curve)
+      {
+        this->AddLoopSector(contact);
+      }
+    }
+    const std::size_t loopSectors = this->Sectors.size();
+    for (const Contact& contact : this->Contacts)
+    {
+      if (!this->Model.Patches[contact.Patch].Curve)
+      {
+        this->AddPatchSector(contact, loopSectors);
+      }
+    }
+    return std::move(this->Sectors);
+  }
+
+private:
+  void FindContacts();
+  void AddLoopSector(const Contact& contact);
+  void AddPatchSector(const Contact& contact, std::size_t loopSectors);
+  void AddCollapsedSector(const Contact& contact, int side);
+  void AddRay(Sector& sector, const BezierPatch& patch, double s0, double t0, double s1, double t1,
+    bool insideIsLeft);
+  bool SamePlace(int face, const Vec2& a, const Vec2& b) const;
+
+  const SurfaceModel& Model;
+  const Vec3 X;
+  std::vector<Contact> Contacts;
+  std::vector<Sector> Sectors;
+};
+
+void SectorFinder::FindContacts()
+{
+  const SurfaceModel& model = this->Model;
+  model.ForLeavesNear(this->X, model.Gap,
+    [&](int index)
+    {
+      const Leaf& leaf = model.Leaves[index];
+      const BezierPatch& patch = model.Patches[leaf.Patch];
+      const LeafDomain domain = DomainOf(patch, index);
+      const Vec3 d = this->X - leaf.Center;
+      const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
+      const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
+      const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
+      LocalFoot foot = InvertPoint(patch, model.Net(patch), this->X, s, t, domain);
+      if (foot.Squared > model.Gap * model.Gap)
+      {
+        return;
+      }
+      for (Contact& other : this->Contacts)
+      {
+        // The same place seen from a neighbouring leaf; opposite ends of a patch are not.
+        if (other.Patch == leaf.Patch && std::abs(other.Foot.S - foot.S) < 0.5 &&
+          std::abs(other.Foot.T - foot.T) < 0.5)
+        {
+          if (foot.Squared < other.Foot.Squared)
+          {
+            other.Foot = foot;
+          }
+          return;
+        }
+      }
+      this->Contacts.push_back({ leaf.Patch, foot });
+    });
+}
+
+/// Both points are near X already; they are one place unless a seam lies between them.
+bool SectorFinder::SamePlace(int face, const Vec2& a, const Vec2& b) const
+{
+  const FaceData& data = this->Model.Data[face];
+  return std::abs(a.x() - b.x()) < 0.1 * (data.SpansU.Breaks.back() - data.SpansU.Breaks.front()) &&
+    std::abs(a.y() - b.y()) < 0.1 * (data.SpansV.Breaks.back() - data.SpansV.Breaks.front());
+}
+
+void SectorFinder::AddLoopSector(const Contact& contact)
+{
+  const SurfaceModel& model = this->Model;
+  const BezierPatch& curve = model.Patches[contact.Patch];
+  const TrimLoops& loops = model.Data[curve.Face].Loops;
+  Sector sector;
+  sector.Face = curve.Face;
+  sector.Parameters = Vec2(curve.U(contact.Foot.S, 0), curve.V(contact.Foot.S, 0));
+  for (const Sector& other : this->Sectors)
+  {
+    if (other.Face == sector.Face && this->SamePlace(sector.Face, other.Parameters, sector.Parameters))
+    {
+      return;
+    }
+  }
+  const TrimLoops::Edge& edge = loops.LoopEdge(curve.Loop, curve.LoopEdge);
+  const Vec3 first = FacePoint(model, curve.Face, edge.From);
+  const Vec3 last = FacePoint(model, curve.Face, edge.To);
+  Vec2 forward = edge.To, backward = edge.From;
+  sector.Straight = true;
+  const double toFirst = (contact.Foot.Point - first).norm();
+  const double toLast = (contact.Foot.Point - last).norm();
+  if (toFirst <= model.Gap && toFirst <= toLast)
+  {
+    sector.Parameters = edge.From;
+    backward = loops.LoopEdge(curve.Loop, curve.LoopEdge - 1).From;
+    sector.Straight = false;
+  }
+  else if (toLast <= model.Gap)
+  {
+    sector.Parameters = edge.To;
+    forward = loops.LoopEdge(curve.Loop, curve.LoopEdge + 1).To;
+    sector.Straight = false;
+  }
+  const FaceData& data = model.Data[curve.Face];
+  sector.Parameters.x() = std::clamp(
+    sector.Parameters.x(), data.SpansU.Breaks.front(), data.SpansU.Breaks.back());
+  sector.Parameters.y() = std::clamp(
+    sector.Parameters.y(), data.SpansV.Breaks.front(), data.SpansV.Breaks.back());
+  const BezierPatch& patch =
+    model.Patches[model.PatchAt(curve.Face, sector.Parameters.x(), sector.Parameters.y())];
+  const double s = (sector.Parameters.x() - patch.U0) / (patch.U1 - patch.U0);
+  const double t = (sector.Parameters.y() - patch.V0) / (patch.V1 - patch.V0);
+  SurfaceJet jet;
+  EvaluateBezier(patch, model.Net(patch), s, t, jet);
+  const Vec3 normal = UnitNormal(model, patch, s, t);
+  const auto tangent = [&](const Vec2& to) -> Vec3
+  {
+    const Vec2 d = (to - sector.Parameters);
+    const Vec3 x =
+      d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
+    return x.norm() > 0 ? Vec3(x.normalized()) : x;
+  };
+  const bool left = loops.InsideIsLeft(curve.Loop);
+  const Vec3 a = tangent(forward), b = tangent(backward);
+  double angle = M_PI;
+  if (!sector.Straight)
+  {
+    angle = std::atan2(a.cross(b).dot(normal), a.dot(b)); // from forward round to backward
+    angle = angle < 0 ? angle + 2 * M_PI : angle;
+    angle = left ? angle : 2 * M_PI - angle;
+    sector.Straight = std::abs(angle - M_PI) < 0.3; // a vertex of a polygon along a curve
+  }
+  sector.Weighted = angle * normal;
+  sector.Rays[0] = { sector.Parameters, forward, a, left };
+  sector.Rays[1] = { sector.Parameters, backward, b, !left };
+  sector.RayCount = 2;
+  this->Sectors.push_back(sector);
+}
+
+void SectorFinder::AddRay(Sector& sector, const BezierPatch& patch, double s0, double t0, double s1,
+  double t1, bool insideIsLeft)
+{
+  const Vec4* net = this->Model.Net(patch);
+  SurfaceJet jet;
+  EvaluateBezier(patch, net, s0, t0, jet);
+  Vec3 direction = (s1 - s0) * jet.Su + (t1 - t0) * jet.Sv;
+  const Vec3 chord = BezierPoint(patch, net, s1, t1) - jet.S;
+  if (!(direction.norm() > 1e-6 * chord.norm()))
+  {
+    direction = BezierPoint(patch, net, s0 + 1e-3 * (s1 - s0), t0 + 1e-3 * (t1 - t0)) - jet.S;
+  }
+  if (!(direction.norm() > 0))
+  {
+    return;
+  }
+  const Vec2 from(patch.U(s0, t0), patch.V(s0, t0)), to(patch.U(s1, t1), patch.V(s1, t1));
+  const TrimLoops& loops = this->Model.Data[patch.Face].Loops;
+  const Vec2 ahead = from + 1e-6 * (to - from);
+  if (loops.Empty() || loops.Inside(ahead.x(), ahead.y()))
+  {
+    sector.Rays[sector.RayCount++] = { from, to, direction.normalized(), insideIsLeft };
+  }
+}
+
+void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSectors)
+{
+  const SurfaceModel& model = this->Model;
+  const BezierPatch& patch = model.Patches[contact.Patch];
+  const Vec4* net = model.Net(patch);
+  double s = contact.Foot.S, t = contact.Foot.T;
+  const double sideS[4] = { 0, 1, s, s }, sideT[4] = { t, t, 0, 1 };
+  bool on[4];
+  for (int side = 0; side < 4; ++side)
+  {
+    const double away = std::abs(side < 2 ? s - sideS[side] : t - sideT[side]);
+    on[side] = away < 0.5 &&
+      (away == 0 ||
+        (BezierPoint(patch, net, sideS[side], sideT[side]) - contact.Foot.Point).norm() <= model.Gap);
+  }
+  for (int side = 0; side < 4; ++side)
+  {
+    if (on[side] && patch.Collapsed[side])
+    {
+      return this->AddCollapsedSector(contact, side);
+    }
+  }
+  if (on[0] || on[1])
+  {
+    s = on[0] ? 0 : 1;
+  }
+  if (on[2] || on[3])
+  {
+    t = on[2] ? 0 : 1;
+  }
+  Sector sector;
+  sector.Face = patch.Face;
+  sector.Parameters = Vec2(patch.U(s, t), patch.V(s, t));
+  for (std::size_t k = 0; k < loopSectors; ++k)
+  {
+    if (this->Sectors[k].Face == patch.Face &&
+      this->SamePlace(patch.Face, this->Sectors[k].Parameters, sector.Parameters))
+    {
+      return; // the loop says what of the face is here
+    }
+  }
+  if (!IsInsideTrim(model, contact.Patch, contact.Foot.S, contact.Foot.T))
+  {
+    return;
+  }
+  const bool onS = on[0] || on[1], onT = on[2] || on[3];
+  double angle = onS || onT ? M_PI : 2 * M_PI;
+  const auto border = [&](int side)
+  { return on[side] && patch.Sides[side] == SideKind::Border && !patch.Collapsed[side]; };
+  if (onS && onT)
+  {
+    SurfaceJet jet;
+    EvaluateBezier(patch, net, s, t, jet);
+    const Vec3 a = s == 0 ? jet.Su : Vec3(-jet.Su), b = t == 0 ? jet.Sv : Vec3(-jet.Sv);
+    angle = std::atan2(a.cross(b).norm(), a.dot(b));
+    const bool even = (s == 0) == (t == 0);
+    if (border(s == 0 ? 0 : 1))
+    {
+      this->AddRay(sector, patch, s, t, s, 1 - t, !even);
+    }
+    if (border(t == 0 ? 2 : 3))
+    {
+      this->AddRay(sector, patch, s, t, 1 - s, t, even);
+    }
+  }
+  else if (onS && border(s == 0 ? 0 : 1))
+  {
+    this->AddRay(sector, patch, s, t, s, 1, s == 1);
+    this->AddRay(sector, patch, s, t, s, 0, s == 0);
+    sector.Straight = true;
+  }
+  else if (onT && border(t == 0 ? 2 : 3))
+  {
+    this->AddRay(sector, patch, s, t, 1, t, t == 0);
+    this->AddRay(sector, patch, s, t, 0, t, t == 1);
+    sector.Straight = true;
+  }
+  sector.Weighted = angle * UnitNormal(model, patch, s, t);
+  this->Sectors.push_back(sector);
+}
+
+/// A pole: the sector opens over the whole length of the collapsed side.
+void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
+{
+  constexpr int Samples = 16;
+  const SurfaceModel& model = this->Model;
+  const BezierPatch& patch = model.Patches[contact.Patch];
+  const Vec4* net = model.Net(patch);
+  const TrimLoops& loops = model.Data[patch.Face].Loops;
+  const double end = side % 2, inwards = side % 2 == 0 ? 1 : -1;
+  const auto place = [&](double along, double depth)
+  {
+    const double across = end + inwards * depth;
+    return side < 2 ? Vec2(across, along) : Vec2(along, across);
+  };
+  const auto direction = [&](double along) -> Vec3
+  {
+    const Vec2 x = place(along, 0);
+    SurfaceJet jet;
+    EvaluateBezier(patch, net, x.x(), x.y(), jet);
+    Vec3 d = inwards * (side < 2 ? jet.Su : jet.Sv);
+    const Vec2 deep = place(along, 1e-3);
+    const Vec3 chord = BezierPoint(patch, net, deep.x(), deep.y()) - jet.S;
+    return d.norm() > chord.norm() ? d : chord;
+  };
+  Sector sector;
+  sector.Face = patch.Face;
+  Vec3 last = direction(0);
+  for (int k = 0; k < Samples; ++k)
+  {
+    const Vec3 next = direction((k + 1.0) / Samples);
+    const Vec2 middle = place((k + 0.5) / Samples, 0), inner = place((k + 0.5) / Samples, 1e-6);
+    if (loops.Empty() ||
+      loops.Inside(patch.U(inner.x(), inner.y()), patch.V(inner.x(), inner.y())))
+    {
+      sector.Weighted += std::atan2(last.cross(next).norm(), last.dot(next)) *
+        UnitNormal(model, patch, middle.x(), middle.y());
+    }
+    last = next;
+  }
+  const Vec2 middle = place(0.5, 0);
+  sector.Parameters = Vec2(patch.U(middle.x(), middle.y()), patch.V(middle.x(), middle.y()));
+  // The sides that run down from the pole, at along = 0 and 1.
+  const int sides[2] = { side < 2 ? 2 : 0, side < 2 ? 3 : 1 };
+  for (int k = 0; k < 2; ++k)
+  {
+    if (patch.Sides[sides[k]] == SideKind::Border && !patch.Collapsed[sides[k]])
+    {
+      const Vec2 from = place(k, 0), to = place(k, 1);
+      // Left of the ray is inside where (ray, inwards from it) is counter-clockwise.
+      const Vec2 d = to - from, in = place(0.5, 0.5) - from;
+      this->AddRay(
+        sector, patch, from.x(), from.y(), to.x(), to.y(), d.x() * in.y() - d.y() * in.x() > 0);
+    }
+  }
+  this->Sectors.push_back(sector);
+}
+
+}
+
+std::vector<Sector> FindSectors(const SurfaceModel& model, const Vec3& x)
+{
+  return SectorFinder(model, x).Find();
+}
+
+const BorderRay* FindPartner(
+  const std::vector<Sector>& sectors, const Sector& sector, const BorderRay& ray)
+{
+  for (const Sector& other : sectors)
+  {
+    for (int k = 0; k < other.RayCount && &other != &sector; ++k)
+    {
+      if (other.Rays[k].Direction.dot(ray.Direction) > 0.95)
+      {
+        return &other.Rays[k];
+      }
+    }
+  }
+  return nullptr;
+}
+
+namespace
+{
+
+/// True if nothing else has a border along the ray a little way from the point.
+bool IsFree(const SurfaceModel& model, const Sector& sector, const BorderRay& ray, const Vec3& x)
+{
+  double part = 1e-3;
+  Vec2 uv = ray.From + part * (ray.To - ray.From);
+  Vec3 y = FacePoint(model, sector.Face, uv);
+  while (part < 0.5 && (y - x).norm() < 20 * model.Gap)
+  {
+    part = std::min(0.5, 4 * part);
+    uv = ray.From + part * (ray.To - ray.From);
+    y = FacePoint(model, sector.Face, uv);
+  }
+  const std::vector<Sector> sectors = FindSectors(model, y);
+  const FaceData& data = model.Data[sector.Face];
+  const Vec2 size(data.SpansU.Breaks.back() - data.SpansU.Breaks.front(),
+    data.SpansV.Breaks.back() - data.SpansV.Breaks.front());
+  for (const Sector& self : sectors)
+  {
+    if (self.Face == sector.Face &&
+      (self.Parameters - uv).cwiseQuotient(size).cwiseAbs().maxCoeff() < 0.1)
+    {
+      for (int k = 0; k < self.RayCount; ++k)
+      {
+        if (FindPartner(sectors, self, self.Rays[k]))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+}
+
+Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x)
+{
+  Neighbourhood result;
+  const std::vector<Sector> sectors = FindSectors(model, x);
+  for (const Sector& sector : sectors)
+  {
+    result.Normal += model.Data[sector.Face].Sign * sector.Weighted;
+    bool matched = sector.RayCount == 0;
+    if (sector.Straight && sector.RayCount == 2)
+    {
+      matched = FindPartner(sectors, sector, sector.Rays[0]) ||
+        FindPartner(sectors, sector, sector.Rays[1]);
+      result.Border = result.Border || !matched;
+      continue;
+    }
+    for (int k = 0; k < sector.RayCount && !result.Border; ++k)
+    {
+      result.Border = !FindPartner(sectors, sector, sector.Rays[k]) &&
+        IsFree(model, sector, sector.Rays[k], x);
+    }
+  }
+  const double length = result.Normal.norm();
+  if (length > 0)
+  {
+    result.Normal /= length;
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,166 @@
+#include "NurbsSurface.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace nurbs
+{
+namespace
+{
+
+std::string DegreeDefect(const char* axis, int degree)
+{
+  std::ostringstream text;
+  if (degree < 1 || degree > MaximumDegree)
+  {
+    text << "degree " << axis << " is " << degree << ": give one from 1 to " << MaximumDegree;
+  }
+  return text.str();
+}
+
+std::string CountDefect(const char* axis, int degree, int count, std::size_t knots)
+{
+  std::ostringstream text;
+  if (count < degree + 1)
+  {
+    text << count << " control points along " << axis << " are too few for degree " << degree
+         << ": give at least " << degree + 1;
+  }
+  else if (knots != static_cast<std::size_t>(count) + degree + 1)
+  {
+    text << "knot vector " << axis << " has " << knots << " values: " << count
+         << " control points of degree " << degree << " need " << count + degree + 1;
+  }
+  return text.str();
+}
+
+std::string KnotDefect(const char* axis, int degree, int count, const std::vector<double>& knots)
+{
+  std::ostringstream text;
+  for (std::size_t i = 0; i < knots.size(); ++i)
+  {
+    if (!std::isfinite(knots[i]))
+    {
+      text << "knot " << axis << "[" << i << "] is not finite: give a finite number";
+      return text.str();
+    }
+    if (i > 0 && knots[i] < knots[i - 1])
+    {
+      text << "knot " << axis << "[" << i << "] = " << knots[i] << " is less than the one before, "
+           << knots[i - 1] << ": give knots that do not decrease";
+      return text.str();
+    }
+  }
+  // A domain that is a rounding error wide cannot be told from an empty one.
+  const double first = knots[degree], last = knots[count];
+  if (!(last - first > 1e-14 * (std::abs(first) + std::abs(last))))
+  {
+    text << "the domain along " << axis << ", knots " << axis << "[" << degree << "] to " << axis
+         << "[" << count << "], is empty: give knots that rise";
+    return text.str();
+  }
+  // More than p + 1 equal knots leave control points without influence and the basis undefined.
+  int run = 1;
+  for (std::size_t i = 1; i < knots.size(); ++i)
+  {
+    run = knots[i] == knots[i - 1] ? run + 1 : 1;
+    if (run > degree + 1)
+    {
+      text << "knot " << axis << "[" << i << "] = " << knots[i] << " is repeated more than "
+           << degree + 1 << " times: remove the surplus ones and their control points";
+      return text.str();
+    }
+  }
+  return text.str();
+}
+
+std::string NetDefect(const NurbsSurface& surface)
+{
+  std::ostringstream text;
+  const std::size_t expected = static_cast<std::size_t>(surface.CountU) * surface.CountV;
+  if (surface.ControlPoints.size() != expected)
+  {
+    text << "the control net has " << surface.ControlPoints.size() << " points: " << surface.CountU
+         << " x " << surface.CountV << " = " << expected << " are needed";
+    return text.str();
+  }
+  for (std::size_t k = 0; k < expected; ++k)
+  {
+    const Vec4& point = surface.ControlPoints[k];
+    const auto place = [&]()
+    {
+      text << "control point (" << k % surface.CountU << ", " << k / surface.CountU << ")";
+    };
+    if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z()))
+    {
+      place();
+      text << " is not finite: give finite coordinates";
+      return text.str();
+    }
+    if (!std::isfinite(point.w()) || !(point.w() > 0))
+    {
+      place();
+      text << " has the weight " << point.w() << ": give a finite weight above zero";
+      return text.str();
+    }
+  }
+  return text.str();
+}
+
+std::string LoopDefect(const NurbsSurface& surface)
+{
+  std::ostringstream text;
+  for (std::size_t loop = 0; loop < surface.TrimLoops.size(); ++loop)
+  {
+    const auto& points = surface.TrimLoops[loop];
+    if (points.size() < 3)
+    {
+      text << "trim loop " << loop << " has " << points.size() << " points: give at least 3";
+      return text.str();
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (!points[i].allFinite())
+      {
+        text << "point " << i << " of trim loop " << loop
+             << " is not finite: give finite parameters";
+        return text.str();
+      }
+    }
+  }
+  return text.str();
+}
+
+}
+
+std::string FindDefect(const NurbsSurface& surface)
+{
+  std::string defect = DegreeDefect("U", surface.DegreeU);
+  if (defect.empty())
+  {
+    defect = DegreeDefect("V", surface.DegreeV);
+  }
+  if (defect.empty())
+  {
+    defect = CountDefect("U", surface.DegreeU, surface.CountU, surface.KnotsU.size());
+  }
+  if (defect.empty())
+  {
+    defect = CountDefect("V", surface.DegreeV, surface.CountV, surface.KnotsV.size());
+  }
+  if (defect.empty())
+  {
+    defect = KnotDefect("U", surface.DegreeU, surface.CountU, surface.KnotsU);
+  }
+  if (defect.empty())
+  {
+    defect = KnotDefect("V", surface.DegreeV, surface.CountV, surface.KnotsV);
+  }
+  if (defect.empty())
+  {
+    defect = NetDefect(surface);
+  }
+  return defect.empty() ? LoopDefect(surface) : defect;
+}
+
+}

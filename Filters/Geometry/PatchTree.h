@@ -1,0 +1,71 @@
+/**
+ * @file PatchTree.h
+ * @brief Leaves (nearly flat parts of Bezier patches in oriented boxes) and their box tree.
+ *
+ * Boxes of inner nodes are kept in single precision, rounded outwards, four to a node, so that
+ * one node is tested with one set of vector instructions.
+ */
+#ifndef PatchTree_h
+#define PatchTree_h
+
+#include "BezierPatch.h"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace nurbs
+{
+/// What the trim loops leave of a leaf.
+enum class TrimState : unsigned char
+{
+  Inside,
+  Crossed,
+  Outside
+};
+
+/**
+ * One cell of the uniform grid laid over a patch. Reach and Deviation are certificates drawn
+ * from the control net (see MeasureLeaf); both make one Newton run per leaf sufficient.
+ */
+struct Leaf
+{
+  Vec3 Center;          ///< a point of the surface inside the leaf
+  Eigen::Vector3f X, Y, Z; ///< axes of the oriented box; Z is the normal at Center
+  Eigen::Vector3f Low, High;
+  float Inverse[4];  ///< (s, t) = middle + Inverse (x, y) in the plane of the box
+  float Reach;       ///< for points within it the squared distance is quasi-convex in (s, t)
+  float Deviation;   ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
+  float Radius;      ///< of a ball about Center that holds the leaf
+  int Patch;
+  TrimState Trim;
+};
+
+struct TreeNode
+{
+  Eigen::Array4f Low[3], High[3];
+  int Child[4]; ///< a node, or ~leaf, or Empty
+  static constexpr int Empty = 0x7fffffff;
+};
+
+/// Parameter rectangle of a leaf.
+struct LeafDomain
+{
+  double S0, S1, T0, T1;
+};
+LeafDomain DomainOf(const BezierPatch& patch, int leaf);
+
+/// Chooses how finely a patch has to be divided for its leaves to be nearly flat.
+void ChooseGrid(const Vec4* net, BezierPatch& patch);
+
+/// Box, inverse map and certificates of one leaf; part is the net restricted to it.
+void MeasureLeaf(
+  const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
+  Eigen::AlignedBox3f& box);
+
+/// Four-way tree over the boxes of the leaves listed.
+std::vector<TreeNode> BuildTree(std::vector<int> leaves, const std::vector<Eigen::AlignedBox3f>& boxes);
+
+}
+
+#endif

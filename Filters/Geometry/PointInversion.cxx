@@ -1,0 +1,168 @@
+#include "PointInversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nurbs
+{
+namespace
+{
+
+/// One Newton step of eqs. 9-11 in the variables that no bound holds.
+struct Step
+{
+  double S = 0, T = 0;
+};
+
+/// A parameter a rounding error away from a bound is on it; else the bound is never held.
+double SnapToBounds(double x, double low, double high)
+{
+  constexpr double Rounding = 4e-16;
+  return x <= low + Rounding ? low : (x >= high - Rounding ? high : x);
+}
+
+Step NewtonStep(const SurfaceJet& jet, const Vec3& r, bool heldS, bool heldT)
+{
+  const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
+  const double e = jet.Su.squaredNorm(), h = jet.Sv.squaredNorm();
+  const double a = e + r.dot(jet.Suu), c = h + r.dot(jet.Svv);
+  Step step;
+  // Where the Hessian is not positive the part without curvature (Gauss-Newton) still descends.
+  if (heldS && heldT)
+  {
+    return step;
+  }
+  if (heldT)
+  {
+    step.S = a > 1e-3 * e ? -f / a : (e > 0 ? -f / e : 0);
+    return step;
+  }
+  if (heldS)
+  {
+    step.T = c > 1e-3 * h ? -g / c : (h > 0 ? -g / h : 0);
+    return step;
+  }
+  const double m = jet.Su.dot(jet.Sv), b = m + r.dot(jet.Suv);
+  const double det = a * c - b * b;
+  if (a > 0 && c > 0 && det > 1e-6 * a * c)
+  {
+    step.S = (b * g - c * f) / det;
+    step.T = (b * f - a * g) / det;
+    return step;
+  }
+  const double metric = e * h - m * m;
+  if (metric > 1e-8 * e * h)
+  {
+    step.S = (m * g - h * f) / metric;
+    step.T = (m * f - e * g) / metric;
+    return step;
+  }
+  step.S = e > 0 ? -0.5 * f / (e + 1e-12 * h) : 0;
+  step.T = h > 0 ? -0.5 * g / (h + 1e-12 * e) : 0;
+  return step;
+}
+
+}
+
+LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, double s, double t,
+  const LeafDomain& domain)
+{
+  constexpr int MaximumSteps = 60;
+  constexpr double Small = 1e-7; // the step after one this small is below rounding
+  LocalFoot foot;
+  foot.S = std::clamp(s, domain.S0, domain.S1);
+  foot.T = std::clamp(t, domain.T0, domain.T1);
+  SurfaceJet jet;
+  EvaluateBezier(patch, net, foot.S, foot.T, jet);
+  Vec3 r = jet.S - p;
+  foot.Squared = r.squaredNorm();
+  foot.Point = jet.S;
+  double before = 1.0;
+  for (int i = 0; i < MaximumSteps; ++i)
+  {
+    const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
+    bool heldS = (foot.S <= domain.S0 && f >= 0) || (foot.S >= domain.S1 && f <= 0);
+    bool heldT = (foot.T <= domain.T0 && g >= 0) || (foot.T >= domain.T1 && g <= 0);
+    Step step = NewtonStep(jet, r, heldS, heldT);
+    // A step that would leave through a bound where the point already lies slides along it.
+    const auto leaves = [](double x, double dx, double low, double high)
+    { return (x <= low && dx < 0) || (x >= high && dx > 0); };
+    if (!heldS && leaves(foot.S, step.S, domain.S0, domain.S1))
+    {
+      heldS = true;
+      step = NewtonStep(jet, r, heldS, heldT);
+    }
+    if (!heldT && leaves(foot.T, step.T, domain.T0, domain.T1))
+    {
+      heldT = true;
+      step = NewtonStep(jet, r, heldS, heldT);
+    }
+    double length = std::max(std::abs(step.S), std::abs(step.T));
+    if (!(length > 0))
+    {
+      break;
+    }
+    // Cut the step at the first bound it meets.
+    double fraction = 1.0;
+    const auto cut = [&fraction](double x, double dx, double low, double high)
+    {
+      if (x + dx < low)
+      {
+        fraction = std::min(fraction, (low - x) / dx);
+      }
+      if (x + dx > high)
+      {
+        fraction = std::min(fraction, (high - x) / dx);
+      }
+    };
+    cut(foot.S, step.S, domain.S0, domain.S1);
+    cut(foot.T, step.T, domain.T0, domain.T1);
+    const Vec3 first = step.S * jet.Su + step.T * jet.Sv;
+    const Vec3 second = (0.5 * step.S * step.S) * jet.Suu + (step.S * step.T) * jet.Suv +
+      (0.5 * step.T * step.T) * jet.Svv;
+    // The last step is taken by Taylor's formula; its remainder goes like second^2 / first.
+    if (fraction == 1.0 && length < Small && (length < 0.1 * before || length < 1e-14) &&
+      second.squaredNorm() <= 1e-17 * first.norm() * std::max(jet.Su.norm(), jet.Sv.norm()))
+    {
+      foot.S += step.S;
+      foot.T += step.T;
+      foot.Point = jet.S + first + second;
+      foot.Squared = (foot.Point - p).squaredNorm();
+      break;
+    }
+    bool moved = false;
+    for (int halving = 0; halving < 40; ++halving, fraction *= 0.5)
+    {
+      const double ns = SnapToBounds(foot.S + fraction * step.S, domain.S0, domain.S1);
+      const double nt = SnapToBounds(foot.T + fraction * step.T, domain.T0, domain.T1);
+      if (ns == foot.S && nt == foot.T)
+      {
+        break;
+      }
+      SurfaceJet next;
+      EvaluateBezier(patch, net, ns, nt, next);
+      const Vec3 nr = next.S - p;
+      const double squared = nr.squaredNorm();
+      // Equality up to rounding is progress: the gradient decides then, not the value.
+      if (squared <= foot.Squared * (1 + 1e-15) || (halving == 0 && length < 1e-6 && squared <= foot.Squared * (1 + 1e-12)))
+      {
+        before = fraction * length;
+        foot.S = ns;
+        foot.T = nt;
+        foot.Squared = squared;
+        foot.Point = next.S;
+        jet = next;
+        r = nr;
+        moved = true;
+        break;
+      }
+    }
+    if (!moved)
+    {
+      break;
+    }
+  }
+  return foot;
+}
+
+}

@@ -1,0 +1,154 @@
+#include "ShellOrientation.h"
+
+#include "Neighbourhood.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace nurbs
+{
+namespace
+{
+
+/// Sets of faces, each with its orientation relative to the root of its set.
+class OrientedSets
+{
+public:
+  explicit OrientedSets(int count)
+    : Parent(count)
+    , Sign(count, 1)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  int Find(int face, int& sign) const
+  {
+    sign = 1;
+    while (this->Parent[face] != face)
+    {
+      sign *= this->Sign[face];
+      face = this->Parent[face];
+    }
+    return face;
+  }
+  /// A contradiction (a Moebius band) leaves what was found first.
+  void Join(int a, int b, int relative)
+  {
+    int signA, signB;
+    const int rootA = this->Find(a, signA), rootB = this->Find(b, signB);
+    if (rootA != rootB)
+    {
+      this->Parent[rootB] = rootA;
+      this->Sign[rootB] = signA * signB * relative;
+    }
+  }
+
+private:
+  std::vector<int> Parent;
+  std::vector<int> Sign;
+};
+
+/// Votes of all places where two faces share an edge: > 0 if they are oriented alike.
+using Votes = std::map<std::pair<int, int>, int>;
+
+void VoteAt(const SurfaceModel& model, const Vec3& x, int face, Votes& votes)
+{
+  const std::vector<Sector> sectors = FindSectors(model, x);
+  for (const Sector& sector : sectors)
+  {
+    for (const Sector& other : sectors)
+    {
+      if (sector.Face != face || other.Face == face)
+      {
+        continue;
+      }
+      for (int i = 0; i < sector.RayCount; ++i)
+      {
+        for (int j = 0; j < other.RayCount; ++j)
+        {
+          if (sector.Rays[i].Direction.dot(other.Rays[j].Direction) > 0.95)
+          {
+            // Along one direction the inside is left of one face and right of the other.
+            votes[std::minmax(face, other.Face)] +=
+              sector.Rays[i].InsideIsLeft != other.Rays[j].InsideIsLeft ? 1 : -1;
+          }
+        }
+      }
+    }
+  }
+}
+
+Votes CollectVotes(const SurfaceModel& model)
+{
+  constexpr int CurvesPerFace = 64; // a loop of thousands of points need not vote with each
+  Votes votes;
+  std::vector<int> curves(model.Faces.size(), 0), seen(model.Faces.size(), 0);
+  for (const BezierPatch& patch : model.Patches)
+  {
+    curves[patch.Face] += patch.Curve;
+  }
+  for (const BezierPatch& patch : model.Patches)
+  {
+    const Vec4* net = model.Net(patch);
+    if (patch.Curve)
+    {
+      const int stride = 1 + curves[patch.Face] / CurvesPerFace;
+      if (seen[patch.Face]++ % stride == 0)
+      {
+        VoteAt(model, BezierPoint(patch, net, 0.5, 0), patch.Face, votes);
+      }
+      continue;
+    }
+    const double s[4] = { 0, 1, 0.5, 0.5 }, t[4] = { 0.5, 0.5, 0, 1 };
+    for (int side = 0; side < 4; ++side)
+    {
+      if (patch.Sides[side] == SideKind::Border && !patch.Collapsed[side])
+      {
+        VoteAt(model, BezierPoint(patch, net, s[side], t[side]), patch.Face, votes);
+      }
+    }
+  }
+  return votes;
+}
+
+}
+
+void OrientShells(SurfaceModel& model)
+{
+  const int count = static_cast<int>(model.Faces.size());
+  if (count < 2)
+  {
+    return;
+  }
+  const Votes votes = CollectVotes(model);
+  std::vector<std::pair<int, std::pair<int, int>>> order;
+  for (const auto& vote : votes)
+  {
+    order.push_back({ -std::abs(vote.second), vote.first });
+  }
+  std::sort(order.begin(), order.end()); // the clearest first
+  OrientedSets sets(count);
+  for (const auto& entry : order)
+  {
+    sets.Join(entry.second.first, entry.second.second, votes.at(entry.second) >= 0 ? 1 : -1);
+  }
+  std::vector<int> largest(count, -1);
+  int sign;
+  for (int face = 0; face < count; ++face)
+  {
+    int& best = largest[sets.Find(face, sign)];
+    if (best < 0 || model.Data[face].Area > model.Data[best].Area)
+    {
+      best = face;
+    }
+  }
+  for (int face = 0; face < count; ++face)
+  {
+    int reference;
+    const int root = sets.Find(face, sign);
+    sets.Find(largest[root], reference);
+    model.Data[face].Sign = sign * reference;
+  }
+}
+
+}

@@ -1,0 +1,17 @@
+/**
+ * @file ShellOrientation.h
+ * @brief Makes the normals of the faces alike across shared edges.
+ */
+#ifndef ShellOrientation_h
+#define ShellOrientation_h
+
+namespace nurbs
+{
+struct SurfaceModel;
+
+/// Sets FaceData::Sign; in each connected shell the face of largest area keeps its normal.
+void OrientShells(SurfaceModel& model);
+
+}
+
+#endif

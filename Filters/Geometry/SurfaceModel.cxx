@@ -1,0 +1,220 @@
+#include "SurfaceModel.h"
+
+#include "ShellOrientation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nurbs
+{
+
+SurfaceModel::SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance)
+  : Faces(std::move(faces))
+{
+  Box3 hull;
+  for (const NurbsSurface& face : this->Faces)
+  {
+    for (const Vec4& point : face.ControlPoints)
+    {
+      hull.extend(Vec3(point.head<3>()));
+    }
+  }
+  this->Origin = hull.center();
+  this->Scale = std::max(hull.diagonal().norm(), 1e-300);
+  this->Resolution = 1e-12 * this->Scale +
+    4e-16 * std::max(hull.min().cwiseAbs().maxCoeff(), hull.max().cwiseAbs().maxCoeff());
+  this->Gap = std::max(gapTolerance, 0.0) * (1 + 1e-9) + this->Resolution;
+  this->Data.resize(this->Faces.size());
+  for (std::size_t face = 0; face < this->Faces.size(); ++face)
+  {
+    this->AddFace(static_cast<int>(face));
+  }
+  this->AddLeaves();
+  OrientShells(*this);
+}
+
+int SurfaceModel::PatchAt(int face, double u, double v) const
+{
+  const FaceData& data = this->Data[face];
+  const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
+  return data.FirstPatch + data.SpansV.Find(v) * countU + data.SpansU.Find(u);
+}
+
+int SurfaceModel::LeafAt(const BezierPatch& patch, double s, double t) const
+{
+  const int i = std::clamp(static_cast<int>(s * patch.GridU), 0, patch.GridU - 1);
+  const int j = std::clamp(static_cast<int>(t * patch.GridV), 0, patch.GridV - 1);
+  return patch.FirstLeaf + j * patch.GridU + i;
+}
+
+void SurfaceModel::AddFace(int face)
+{
+  FaceData& data = this->Data[face];
+  const NurbsSurface& surface = this->Faces[face];
+  data.FirstPatch = static_cast<int>(this->Patches.size());
+  data.Loops = TrimLoops(surface);
+  Decompose(
+    surface, face, this->Origin, data.SpansU, data.SpansV, this->Patches, this->Nets);
+  this->AddTrimCurves(face, data.FirstPatch, static_cast<int>(this->Patches.size()));
+}
+
+/// Every loop edge, parted at the knots it crosses, becomes Bezier curves on the patches.
+void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
+{
+  const FaceData& data = this->Data[face];
+  const auto& breaksU = data.SpansU.Breaks;
+  const auto& breaksV = data.SpansV.Breaks;
+  const Vec2 low(breaksU.front(), breaksV.front()), high(breaksU.back(), breaksV.back());
+  std::vector<double> cuts;
+  for (const TrimLoops::Edge& edge : data.Loops.AllEdges())
+  {
+    double t0, t1;
+    // Points a rounding error outside the rectangle are meant to be on its border.
+    const Vec2 slack = 1e-9 * (high - low);
+    if (!ClipToRectangle(edge.From, edge.To, low - slack, high + slack, t0, t1))
+    {
+      continue;
+    }
+    cuts.assign({ t0, t1 });
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double d = edge.To[axis] - edge.From[axis];
+      for (double knot : axis == 0 ? breaksU : breaksV)
+      {
+        const double t = d != 0 ? (knot - edge.From[axis]) / d : -1;
+        if (t > t0 + 1e-12 && t < t1 - 1e-12)
+        {
+          cuts.push_back(t);
+        }
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+    {
+      const auto at = [&](double t) -> Vec2
+      { return (edge.From + t * (edge.To - edge.From)).cwiseMax(low).cwiseMin(high); };
+      const Vec2 a = at(cuts[k]), b = at(cuts[k + 1]), middle = 0.5 * (a + b);
+      if (a == b)
+      {
+        continue;
+      }
+      const int index = this->PatchAt(face, middle.x(), middle.y());
+      if (index < firstPatch || index >= lastPatch)
+      {
+        continue;
+      }
+      const BezierPatch patch = this->Patches[index];
+      const auto local = [&](const Vec2& x)
+      {
+        return Vec2(std::clamp((x.x() - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0),
+          std::clamp((x.y() - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0));
+      };
+      BezierPatch curve = CurveOnPatch(patch, this->Nets, local(a), local(b), this->Nets);
+      curve.Loop = edge.Loop;
+      curve.LoopEdge = edge.Index;
+      this->Patches.push_back(curve);
+    }
+  }
+}
+
+void SurfaceModel::AddLeaves()
+{
+  std::size_t count = 0;
+  for (BezierPatch& patch : this->Patches)
+  {
+    ChooseGrid(this->Net(patch), patch);
+    patch.FirstLeaf = static_cast<int>(count);
+    count += static_cast<std::size_t>(patch.GridU) * patch.GridV;
+  }
+  this->Leaves.resize(count);
+  std::vector<Eigen::AlignedBox3f> boxes(count);
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  for (std::size_t index = 0; index < this->Patches.size(); ++index)
+  {
+    const BezierPatch& patch = this->Patches[index];
+    for (int k = 0; k < patch.GridU * patch.GridV; ++k)
+    {
+      const LeafDomain domain = DomainOf(patch, patch.FirstLeaf + k);
+      RestrictNet(patch, this->Net(patch), domain.S0, domain.S1, domain.T0, domain.T1, part);
+      Leaf& leaf = this->Leaves[patch.FirstLeaf + k];
+      leaf.Patch = static_cast<int>(index);
+      leaf.Trim = TrimState::Inside;
+      MeasureLeaf(patch, domain, part, leaf, boxes[patch.FirstLeaf + k]);
+    }
+  }
+  this->FindTrimStates();
+  std::vector<int> used;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    if (this->Leaves[k].Trim != TrimState::Outside)
+    {
+      used.push_back(static_cast<int>(k));
+      this->Bounds.extend(boxes[k].min().cast<double>());
+      this->Bounds.extend(boxes[k].max().cast<double>());
+    }
+  }
+  this->Bounds.translate(this->Origin);
+  this->Nodes = BuildTree(std::move(used), boxes);
+}
+
+void SurfaceModel::FindTrimStates()
+{
+  // Leaves touched by a loop are crossed; the others are inside or outside as a whole.
+  for (const BezierPatch& curve : this->Patches)
+  {
+    if (!curve.Curve)
+    {
+      continue;
+    }
+    const Vec2 a(curve.U0, curve.V0), b(curve.U1, curve.V1), middle = 0.5 * (a + b);
+    const BezierPatch& patch = this->Patches[this->PatchAt(curve.Face, middle.x(), middle.y())];
+    const Vec2 size(patch.U1 - patch.U0, patch.V1 - patch.V0), origin(patch.U0, patch.V0);
+    const Vec2 p = (a - origin).cwiseQuotient(size), q = (b - origin).cwiseQuotient(size);
+    const auto cell = [](double x, int n) { return std::clamp(static_cast<int>(std::floor(x * n)), 0, n - 1); };
+    const Vec2 low = p.cwiseMin(q).array() - 1e-9, high = p.cwiseMax(q).array() + 1e-9;
+    for (int j = cell(low.y(), patch.GridV); j <= cell(high.y(), patch.GridV); ++j)
+    {
+      for (int i = cell(low.x(), patch.GridU); i <= cell(high.x(), patch.GridU); ++i)
+      {
+        const Vec2 cellLow(i / double(patch.GridU) - 1e-9, j / double(patch.GridV) - 1e-9);
+        const Vec2 cellHigh((i + 1) / double(patch.GridU) + 1e-9, (j + 1) / double(patch.GridV) + 1e-9);
+        double t0, t1;
+        if (ClipToRectangle(p, q, cellLow, cellHigh, t0, t1))
+        {
+          this->Leaves[patch.FirstLeaf + j * patch.GridU + i].Trim = TrimState::Crossed;
+        }
+      }
+    }
+  }
+  for (std::size_t k = 0; k < this->Leaves.size(); ++k)
+  {
+    Leaf& leaf = this->Leaves[k];
+    const BezierPatch& patch = this->Patches[leaf.Patch];
+    const FaceData& data = this->Data[patch.Face];
+    const LeafDomain d = DomainOf(patch, static_cast<int>(k));
+    const double s = 0.5 * (d.S0 + d.S1), t = 0.5 * (d.T0 + d.T1);
+    double share = 1.0;
+    if (patch.Curve)
+    {
+      continue;
+    }
+    if (!data.Loops.Empty())
+    {
+      if (leaf.Trim == TrimState::Crossed)
+      {
+        share = 0.5;
+      }
+      else if (!data.Loops.Inside(patch.U(s, t), patch.V(s, t)))
+      {
+        leaf.Trim = TrimState::Outside;
+        share = 0.0;
+      }
+    }
+    SurfaceJet jet;
+    EvaluateBezier(patch, this->Net(patch), s, t, jet);
+    this->Data[patch.Face].Area +=
+      share * jet.Su.cross(jet.Sv).norm() * (d.S1 - d.S0) * (d.T1 - d.T0);
+  }
+}
+
+}

@@ -1,0 +1,134 @@
+/**
+ * @file SurfaceModel.h
+ * @brief The data that all queries share: faces, patches, leaves and their tree.
+ *
+ * Everything here is about a local origin, so that models far from zero keep their digits.
+ */
+#ifndef SurfaceModel_h
+#define SurfaceModel_h
+
+#include "PatchTree.h"
+#include "TrimLoops.h"
+#include "TrimmingSurface.h"
+
+namespace nurbs
+{
+struct FaceData
+{
+  KnotSpans SpansU, SpansV;
+  int FirstPatch = 0;
+  TrimLoops Loops;
+  double Sign = 1.0; ///< of S_u x S_v, so that the shell is oriented alike
+  double Area = 0.0;
+};
+
+struct SurfaceModel
+{
+  SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance);
+
+  std::vector<NurbsSurface> Faces;
+  std::vector<FaceData> Data;
+  std::vector<BezierPatch> Patches;
+  std::vector<Vec4> Nets;
+  std::vector<Leaf> Leaves;
+  std::vector<TreeNode> Nodes;
+  Vec3 Origin = Vec3::Zero();
+  double Scale = 1.0;       ///< diagonal of the bounding box
+  double Gap = 0.0;         ///< distance up to which borders count as one, rounding included
+  double Resolution = 0.0;  ///< distance below which points are the same (1e-12 Scale)
+  Box3 Bounds;
+
+  const Vec4* Net(const BezierPatch& patch) const { return this->Nets.data() + patch.Net; }
+  int PatchAt(int face, double u, double v) const;
+  int LeafAt(const BezierPatch& patch, double s, double t) const;
+
+  /**
+   * Visits all leaves whose boxes come within radius of p (local coordinates). The visitor is
+   * given the leaf's index.
+   */
+  template <typename Visitor>
+  void ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) const;
+
+private:
+  void AddFace(int face);
+  void AddTrimCurves(int face, int firstPatch, int lastPatch);
+  void AddLeaves();
+  void FindTrimStates();
+};
+
+/// Squared distance from p to the oriented box of a leaf, never too large; p - Center in double.
+inline float SquaredDistanceToLeaf(const Leaf& leaf, const Vec3& p)
+{
+  const Eigen::Vector3f d = (p - leaf.Center).cast<float>();
+  const float slack = 4e-7f * d.cwiseAbs().sum();
+  const Eigen::Vector3f local(leaf.X.dot(d), leaf.Y.dot(d), leaf.Z.dot(d));
+  const Eigen::Vector3f e =
+    (leaf.Low - local).cwiseMax(local - leaf.High).array().operator-(slack).matrix().cwiseMax(
+      Eigen::Vector3f::Zero());
+  return e.squaredNorm() * (1 - 1e-6f);
+}
+
+/// A point prepared for distances to the float boxes of the tree.
+struct TreePoint
+{
+  explicit TreePoint(const Vec3& p)
+  {
+    const double slack = 2e-7 * p.cwiseAbs().maxCoeff();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = static_cast<float>(p[axis] + slack);
+      this->High[axis] = static_cast<float>(p[axis] - slack);
+    }
+  }
+  /// Squared distances to the four boxes of a node, never too large.
+  Eigen::Array4f SquaredDistances(const TreeNode& node) const
+  {
+    Eigen::Array4f sum = Eigen::Array4f::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Eigen::Array4f e =
+        (node.Low[axis] - this->Low[axis]).max(this->High[axis] - node.High[axis]).max(0.0f);
+      sum += e * e;
+    }
+    return sum * (1 - 1e-6f);
+  }
+  float Low[3], High[3];
+};
+
+/// Deep enough for any tree: three more entries a level at most.
+constexpr int TreeStackSize = 256;
+
+template <typename Visitor>
+void SurfaceModel::ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) const
+{
+  const TreePoint point(p);
+  const float limit = static_cast<float>(radius * radius * (1 + 1e-6));
+  int stack[TreeStackSize];
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const TreeNode& node = this->Nodes[stack[--size]];
+    const Eigen::Array4f distances = point.SquaredDistances(node);
+    for (int c = 0; c < 4; ++c)
+    {
+      const int child = node.Child[c];
+      if (child == TreeNode::Empty || !(distances[c] <= limit))
+      {
+        continue;
+      }
+      if (child >= 0)
+      {
+        stack[size++] = child;
+      }
+      else if (SquaredDistanceToLeaf(this->Leaves[~child], p) <= limit)
+      {
+        visit(~child);
+      }
+    }
+  }
+}
+
+}
+
+#endif

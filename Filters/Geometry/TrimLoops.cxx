@@ -1,0 +1,205 @@
+#include "TrimLoops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nurbs
+{
+namespace
+{
+
+double SignedArea(const std::vector<Vec2>& loop)
+{
+  double area = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Vec2 a = loop[i] - loop[0], b = loop[(i + 1) % loop.size()] - loop[0];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  return area;
+}
+
+/// One loop whose every edge lies along one side of the rectangle and that encloses all of it.
+bool IsWholeRectangle(const NurbsSurface& surface)
+{
+  if (surface.TrimLoops.size() != 1)
+  {
+    return false;
+  }
+  const auto& loop = surface.TrimLoops[0];
+  const Vec2 low(surface.FirstU(), surface.FirstV()), high(surface.LastU(), surface.LastV());
+  const Vec2 tolerance = 1e-9 * (high - low);
+  const auto sides = [&](const Vec2& x)
+  {
+    int mask = 0;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      mask |= (std::abs(x[axis] - low[axis]) <= tolerance[axis]) << (2 * axis);
+      mask |= (std::abs(x[axis] - high[axis]) <= tolerance[axis]) << (2 * axis + 1);
+    }
+    return mask;
+  };
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    if ((sides(loop[i]) & sides(loop[(i + 1) % loop.size()])) == 0)
+    {
+      return false;
+    }
+  }
+  const double whole = (high - low).prod();
+  return std::abs(std::abs(SignedArea(loop)) - whole) <= 1e-8 * whole;
+}
+
+}
+
+TrimLoops::TrimLoops(const NurbsSurface& surface)
+{
+  if (surface.TrimLoops.empty() || IsWholeRectangle(surface))
+  {
+    return;
+  }
+  for (std::size_t loop = 0; loop < surface.TrimLoops.size(); ++loop)
+  {
+    const auto& points = surface.TrimLoops[loop];
+    this->FirstEdge.push_back(static_cast<int>(this->Edges.size()));
+    int index = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
+      if (a != b) // a repeated point makes no edge
+      {
+        this->Edges.push_back({ a, b, static_cast<int>(loop), index++ });
+      }
+    }
+  }
+  this->FirstEdge.push_back(static_cast<int>(this->Edges.size()));
+  this->BuildBands();
+  // Inside is on the left of a counter-clockwise loop that lies in an even number of others.
+  for (std::size_t loop = 0; loop < surface.TrimLoops.size(); ++loop)
+  {
+    bool left = SignedArea(surface.TrimLoops[loop]) > 0;
+    if (this->FirstEdge[loop] < this->FirstEdge[loop + 1])
+    {
+      // Probe beside the middle of the longest edge; this also holds for loops that touch.
+      const auto longest = std::max_element(this->Edges.begin() + this->FirstEdge[loop],
+        this->Edges.begin() + this->FirstEdge[loop + 1],
+        [](const Edge& x, const Edge& y)
+        { return (x.To - x.From).squaredNorm() < (y.To - y.From).squaredNorm(); });
+      const Vec2 d = longest->To - longest->From;
+      const Vec2 middle = 0.5 * (longest->From + longest->To), normal(-d.y(), d.x());
+      for (double step : { 1e-7, 1e-5, 1e-3 })
+      {
+        const Vec2 a = middle + step * normal, b = middle - step * normal;
+        const bool insideLeft = this->Inside(a.x(), a.y());
+        if (insideLeft != this->Inside(b.x(), b.y()))
+        {
+          left = insideLeft;
+          break;
+        }
+      }
+    }
+    this->LeftInside.push_back(left);
+  }
+}
+
+void TrimLoops::BuildBands()
+{
+  if (this->Edges.empty())
+  {
+    return;
+  }
+  this->Low = this->High = this->Edges[0].From.y();
+  for (const Edge& edge : this->Edges)
+  {
+    this->Low = std::min(this->Low, edge.From.y());
+    this->High = std::max(this->High, edge.From.y());
+  }
+  const int bands = std::clamp(static_cast<int>(this->Edges.size()) / 2, 1, 4096);
+  this->Scale = this->High > this->Low ? bands / (this->High - this->Low) : 0.0;
+  const auto band = [&](double v)
+  { return std::clamp(static_cast<int>((v - this->Low) * this->Scale), 0, bands - 1); };
+  this->BandStart.assign(bands + 1, 0);
+  const auto forBands = [&](const Edge& edge, const auto& visit)
+  {
+    const int a = band(edge.From.y()), b = band(edge.To.y());
+    for (int k = std::min(a, b); k <= std::max(a, b); ++k)
+    {
+      visit(k);
+    }
+  };
+  for (const Edge& edge : this->Edges)
+  {
+    forBands(edge, [&](int k) { ++this->BandStart[k + 1]; });
+  }
+  for (int k = 0; k < bands; ++k)
+  {
+    this->BandStart[k + 1] += this->BandStart[k];
+  }
+  this->BandEdges.resize(this->BandStart.back());
+  std::vector<int> next(this->BandStart.begin(), this->BandStart.end() - 1);
+  for (std::size_t e = 0; e < this->Edges.size(); ++e)
+  {
+    forBands(this->Edges[e], [&](int k) { this->BandEdges[next[k]++] = static_cast<int>(e); });
+  }
+}
+
+bool TrimLoops::Inside(double u, double v) const
+{
+  if (this->Edges.empty())
+  {
+    return true;
+  }
+  if (v < this->Low || v > this->High)
+  {
+    return false;
+  }
+  const int bands = static_cast<int>(this->BandStart.size()) - 1;
+  const int band = std::clamp(static_cast<int>((v - this->Low) * this->Scale), 0, bands - 1);
+  bool inside = false;
+  for (int k = this->BandStart[band]; k < this->BandStart[band + 1]; ++k)
+  {
+    const Edge& edge = this->Edges[this->BandEdges[k]];
+    if ((edge.From.y() > v) != (edge.To.y() > v))
+    {
+      const double x = edge.From.x() +
+        (v - edge.From.y()) / (edge.To.y() - edge.From.y()) * (edge.To.x() - edge.From.x());
+      inside ^= u < x;
+    }
+  }
+  return inside;
+}
+
+const TrimLoops::Edge& TrimLoops::LoopEdge(int loop, int index) const
+{
+  const int first = this->FirstEdge[loop], count = this->FirstEdge[loop + 1] - first;
+  return this->Edges[first + ((index % count) + count) % count];
+}
+
+bool ClipToRectangle(
+  const Vec2& a, const Vec2& b, const Vec2& low, const Vec2& high, double& t0, double& t1)
+{
+  t0 = 0;
+  t1 = 1;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double d = b[axis] - a[axis];
+    if (d == 0)
+    {
+      if (a[axis] < low[axis] || a[axis] > high[axis])
+      {
+        return false;
+      }
+      continue;
+    }
+    double near = (low[axis] - a[axis]) / d, far = (high[axis] - a[axis]) / d;
+    if (near > far)
+    {
+      std::swap(near, far);
+    }
+    t0 = std::max(t0, near);
+    t1 = std::min(t1, far);
+  }
+  return t0 < t1;
+}
+
+}

@@ -1,0 +1,312 @@
+#include "TrimmingSurface.h"
+
+#include "ClosestPoint.h"
+#include "LineIntersection.h"
+#include "Neighbourhood.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nurbs
+{
+
+struct TrimmingSurface::Implementation
+{
+  Implementation(std::vector<NurbsSurface> faces, double gapTolerance)
+    : Model(std::move(faces), gapTolerance)
+  {
+  }
+
+  SurfaceModel Model;
+
+  Vec2 FaceParameters(const BezierPatch& patch, double s, double t) const;
+  Foot Finish(const Vec3& p, const SurfacePoint& found) const;
+  bool IsPlain(const BezierPatch& patch, double s, double t) const;
+  Vec3 NormalAt(int patch, double s, double t, const Vec3& point, bool& border) const;
+};
+
+/// True if one normal tells all: off the borders, creases and poles of the patch.
+bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s, double t) const
+{
+  if (patch.Curve)
+  {
+    return false;
+  }
+  constexpr double Rim = 1e-9; // relative to the patch: seen from afar the point is on the side
+  const bool on[4] = { s <= Rim, s >= 1 - Rim, t <= Rim, t >= 1 - Rim };
+  for (int side = 0; side < 4; ++side)
+  {
+    if (on[side] && (patch.Sides[side] != SideKind::Smooth || patch.Collapsed[side]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Vec3 TrimmingSurface::Implementation::NormalAt(
+  int index, double s, double t, const Vec3& point, bool& border) const
+{
+  const BezierPatch& patch = this->Model.Patches[index];
+  border = false;
+  if (this->IsPlain(patch, s, t))
+  {
+    const Vec3 n = UnitNormal(this->Model, patch, s, t);
+    if (n.squaredNorm() > 0)
+    {
+      return this->Model.Data[patch.Face].Sign * n;
+    }
+  }
+  const Neighbourhood around = ExamineNeighbourhood(this->Model, point);
+  border = around.Border;
+  return around.Normal;
+}
+
+/// (u, v) of a patch point. Before a jump the last value that still belongs to the patch.
+Vec2 TrimmingSurface::Implementation::FaceParameters(
+  const BezierPatch& patch, double s, double t) const
+{
+  Vec2 uv(patch.U(s, t), patch.V(s, t));
+  const NurbsSurface& face = this->Model.Faces[patch.Face];
+  if (!patch.Curve && s == 1 && patch.Sides[1] == SideKind::Border && patch.U1 < face.LastU())
+  {
+    uv.x() = std::nextafter(patch.U1, patch.U0);
+  }
+  if (!patch.Curve && t == 1 && patch.Sides[3] == SideKind::Border && patch.V1 < face.LastV())
+  {
+    uv.y() = std::nextafter(patch.V1, patch.V0);
+  }
+  return uv;
+}
+
+Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& found) const
+{
+  Foot foot;
+  if (found.Patch < 0)
+  {
+    return foot;
+  }
+  const BezierPatch& patch = this->Model.Patches[found.Patch];
+  bool border;
+  foot.Normal = this->NormalAt(found.Patch, found.S, found.T, found.Point, border);
+  foot.Kind = border ? FootKind::Border : FootKind::Interior;
+  foot.Face = patch.Face;
+  const Vec2 uv = this->FaceParameters(patch, found.S, found.T);
+  foot.U = uv.x();
+  foot.V = uv.y();
+  foot.Point = this->Model.Origin + found.Point;
+  const Vec3 d = p - found.Point;
+  foot.Distance = d.norm();
+  foot.SignedDistance = d.dot(foot.Normal) < 0 ? -foot.Distance : foot.Distance;
+  return foot;
+}
+
+TrimmingSurface::TrimmingSurface(std::vector<NurbsSurface> faces, double gapTolerance)
+  : Impl(std::make_unique<Implementation>(std::move(faces), gapTolerance))
+{
+}
+
+TrimmingSurface::~TrimmingSurface() = default;
+
+void TrimmingSurface::Flip()
+{
+  for (FaceData& data : this->Impl->Model.Data)
+  {
+    data.Sign = -data.Sign;
+  }
+}
+
+Foot TrimmingSurface::ClosestPoint(const Vec3& p, double maxDistance) const
+{
+  return this->ClosestPoint(p, Foot(), maxDistance);
+}
+
+Foot TrimmingSurface::ClosestPoint(const Vec3& p, const Foot& guess, double maxDistance) const
+{
+  const SurfaceModel& model = this->Impl->Model;
+  const Vec3 local = p - model.Origin;
+  SurfacePoint start;
+  if (guess.Kind != FootKind::None && guess.Face >= 0 && guess.Face < this->NumberOfFaces())
+  {
+    start.Patch = model.PatchAt(guess.Face, guess.U, guess.V);
+    const BezierPatch& patch = model.Patches[start.Patch];
+    start.S = std::clamp((guess.U - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0);
+    start.T = std::clamp((guess.V - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0);
+  }
+  const double squared = maxDistance >= 0 ? maxDistance * maxDistance : 0;
+  return this->Impl->Finish(local, FindClosestPoint(model, local, squared, start));
+}
+
+std::vector<LineHit> TrimmingSurface::Intersect(
+  const Vec3& a, const Vec3& b, double kMin, double kMax) const
+{
+  const SurfaceModel& model = this->Impl->Model;
+  std::vector<LineHit> hits;
+  const double length = (b - a).norm();
+  if (!(kMax >= kMin) || !std::isfinite(length))
+  {
+    return hits;
+  }
+  const Vec3 start = a + kMin * (b - a) - model.Origin;
+  const double span = (kMax - kMin) * length;
+  std::vector<LineMeeting> meetings;
+  if (!(length > 0))
+  {
+    const SurfacePoint point = FindClosestPoint(
+      model, start, 16 * model.Resolution * model.Resolution, SurfacePoint());
+    if (point.Patch >= 0)
+    {
+      meetings.push_back({ 0.0, point.Patch, point.S, point.T, point.Point, false });
+    }
+  }
+  else
+  {
+    const Vec3 direction = (b - a) / length;
+    const Box3 box = Box3(model.Bounds.min() - model.Origin, model.Bounds.max() - model.Origin);
+    // Clipped to a ball about the model, single precision is enough for the tree.
+    const double middle = direction.dot(box.center() - start);
+    const double radius = 0.51 * box.diagonal().norm() + 8 * model.Resolution;
+    const double low = std::max(0.0, middle - radius), high = std::min(span, middle + radius);
+    const double slack = 4 * model.Resolution;
+    if (high - low < -slack)
+    {
+      return hits;
+    }
+    FindMeetings(model, start, direction, low, std::max(low, high), meetings);
+  }
+  std::sort(meetings.begin(), meetings.end(),
+    [](const LineMeeting& x, const LineMeeting& y)
+    { return x.K != y.K ? x.K < y.K : (x.Patch != y.Patch ? x.Patch < y.Patch : x.S < y.S); });
+
+  double last = -HUGE_VAL;
+  bool lastTouch = false;
+  for (const LineMeeting& meeting : meetings)
+  {
+    const BezierPatch& patch = model.Patches[meeting.Patch];
+    if (!IsInsideTrim(model, meeting.Patch, meeting.S, meeting.T))
+    {
+      // On the loop itself rounding and the chords of the polygon decide nothing.
+      const SurfacePoint near =
+        FindClosestPoint(model, meeting.Point, model.Gap * model.Gap, SurfacePoint());
+      if (near.Patch < 0)
+      {
+        continue;
+      }
+    }
+    const double same = std::max(
+      (meeting.Touch || lastTouch) ? 1e-5 * model.Scale : 1e-9 * model.Scale, 2 * model.Gap);
+    if (meeting.K - last <= same)
+    {
+      continue;
+    }
+    last = meeting.K;
+    lastTouch = meeting.Touch;
+    LineHit hit;
+    bool border;
+    hit.K = length > 0 ? std::clamp(kMin + meeting.K / length, kMin, kMax) : kMin;
+    hit.Face = patch.Face;
+    const Vec2 uv = this->Impl->FaceParameters(patch, meeting.S, meeting.T);
+    hit.U = uv.x();
+    hit.V = uv.y();
+    hit.Point = model.Origin + meeting.Point;
+    hit.Normal = this->Impl->NormalAt(meeting.Patch, meeting.S, meeting.T, meeting.Point, border);
+    hits.push_back(hit);
+  }
+  return hits;
+}
+
+bool TrimmingSurface::MayIntersect(const Box3& box) const
+{
+  const SurfaceModel& model = this->Impl->Model;
+  if (box.isEmpty())
+  {
+    return false;
+  }
+  const Vec3 center = box.center() - model.Origin, half = 0.5 * box.sizes();
+  const double slack =
+    2e-7 * (center.cwiseAbs().maxCoeff() + half.maxCoeff()) + model.Resolution;
+  float low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = static_cast<float>(center[axis] - half[axis] - slack);
+    high[axis] = static_cast<float>(center[axis] + half[axis] + slack);
+  }
+  int stack[TreeStackSize];
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const TreeNode& node = model.Nodes[stack[--size]];
+    const Eigen::Array<bool, 4, 1> meets = (node.Low[0] <= high[0]) && (node.High[0] >= low[0]) &&
+      (node.Low[1] <= high[1]) && (node.High[1] >= low[1]) && (node.Low[2] <= high[2]) &&
+      (node.High[2] >= low[2]);
+    for (int c = 0; c < 4; ++c)
+    {
+      const int child = node.Child[c];
+      if (!meets[c] || child == TreeNode::Empty)
+      {
+        continue;
+      }
+      if (child >= 0)
+      {
+        stack[size++] = child;
+        continue;
+      }
+      // Separating axes of the leaf's oriented box.
+      const Leaf& leaf = model.Leaves[~child];
+      const Eigen::Vector3f d = (center - leaf.Center).cast<float>();
+      const Eigen::Vector3f h = half.cast<float>();
+      const float rim = 1e-6f * (d.cwiseAbs().sum() + h.sum()) + static_cast<float>(slack);
+      const auto apart = [&](const Eigen::Vector3f& axis, int k)
+      {
+        const float x = axis.dot(d), reach = axis.cwiseAbs().dot(h) + rim;
+        return x - reach > leaf.High[k] || x + reach < leaf.Low[k];
+      };
+      if (!apart(leaf.Z, 2) && !apart(leaf.X, 0) && !apart(leaf.Y, 1))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+const Box3& TrimmingSurface::Bounds() const
+{
+  return this->Impl->Model.Bounds;
+}
+
+int TrimmingSurface::NumberOfFaces() const
+{
+  return static_cast<int>(this->Impl->Model.Faces.size());
+}
+
+const NurbsSurface& TrimmingSurface::Face(int i) const
+{
+  return this->Impl->Model.Faces[i];
+}
+
+double TrimmingSurface::RadiusOfCurvature(const Foot& foot) const
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (foot.Face < 0 || foot.Face >= this->NumberOfFaces())
+  {
+    return infinity;
+  }
+  const SurfaceJet jet = EvaluateJet(this->Face(foot.Face), foot.U, foot.V);
+  const Vec3 n = jet.Su.cross(jet.Sv);
+  const double area = n.squaredNorm();
+  if (!(area > 0))
+  {
+    return infinity;
+  }
+  // First and second fundamental forms; k^2 - 2 H k + K = 0.
+  const double E = jet.Su.squaredNorm(), F = jet.Su.dot(jet.Sv), G = jet.Sv.squaredNorm();
+  const Vec3 unit = n / std::sqrt(area);
+  const double L = jet.Suu.dot(unit), M = jet.Suv.dot(unit), N = jet.Svv.dot(unit);
+  const double H = 0.5 * (E * N - 2 * F * M + G * L) / area, K = (L * N - M * M) / area;
+  const double k = std::abs(H) + std::sqrt(std::max(0.0, H * H - K));
+  return k > 0 ? 1.0 / k : infinity;
+}
+
+}
