@@ -1,82 +1,221 @@
 #include "vtkTrimHexahedralGrid.h"
 
-#include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
+#include "MeshBlocks.h"
+#include "NURBSFieldData.h"
+#include "TrimPipeline.h"
+#include "TrimmedGrid.h"
+
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkWeakPointer.h"
+
+#include <cmath>
+
+namespace
+{
+
+/// Borders of faces that lie nearer than this share of the surface's diagonal are one edge.
+constexpr double GapShare = 1e-5;
+
+std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
+{
+  nurbs::Box3 box;
+  for (const auto& face : faces)
+  {
+    for (const auto& point : face.ControlPoints)
+    {
+      box.extend(nurbs::Vec3(point[0], point[1], point[2]));
+    }
+  }
+  return std::make_unique<nurbs::TrimmingSurface>(
+    std::move(faces), GapShare * box.diagonal().norm());
+}
+
+}
+
+/// What depends on one input alone is kept until that input changes.
+struct vtkTrimHexahedralGrid::Cache
+{
+  vtkWeakPointer<vtkUnstructuredGrid> Grid;
+  vtkMTimeType GridTime = 0;
+  trim::HexMesh Mesh;
+  trim::MeshBlocks Blocks;
+
+  vtkWeakPointer<vtkDataObject> SurfaceData;
+  vtkMTimeType SurfaceTime = 0;
+  std::unique_ptr<nurbs::TrimmingSurface> Surface;
+
+  bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
+  {
+    if (this->Grid == grid && this->GridTime == grid->GetMTime())
+    {
+      return true;
+    }
+    this->Grid = nullptr;
+    if (grid->GetNumberOfCells() == 0)
+    {
+      error = "The input grid has no cells: connect a grid of hexahedra.";
+      return false;
+    }
+    if (!trim::ViewGrid(grid, this->Mesh, error))
+    {
+      return false;
+    }
+    this->Blocks = trim::BuildMeshBlocks(this->Mesh);
+    this->Grid = grid;
+    this->GridTime = grid->GetMTime();
+    return true;
+  }
+
+  bool TakeSurface(vtkDataObject* data, std::string& error)
+  {
+    if (this->SurfaceData == data && this->SurfaceTime == data->GetMTime())
+    {
+      return true;
+    }
+    this->SurfaceData = nullptr;
+    std::vector<nurbs::NurbsSurface> faces;
+    if (!nurbs::ReadTrimmingSurface(data, faces, error))
+    {
+      return false;
+    }
+    this->Surface = MakeSurface(std::move(faces));
+    this->SurfaceData = data;
+    this->SurfaceTime = data->GetMTime();
+    return true;
+  }
+};
 
 vtkStandardNewMacro(vtkTrimHexahedralGrid);
 
+//------------------------------------------------------------------------------
 vtkTrimHexahedralGrid::vtkTrimHexahedralGrid()
+  : Kept(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
+//------------------------------------------------------------------------------
 vtkTrimHexahedralGrid::~vtkTrimHexahedralGrid() = default;
 
+//------------------------------------------------------------------------------
 int vtkTrimHexahedralGrid::FillInputPortInformation(int port, vtkInformation* info)
 {
+  // Optional, so that a missing one is reported by RequestData, with the remedy.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   if (port == 0)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    return 1;
   }
-  else
-  {
-    // This order: with vtkDataSet alone the executive would loop over the blocks.
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  }
+  // This order: with vtkDataSet alone the executive would loop over the blocks of a composite.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
+//------------------------------------------------------------------------------
 int vtkTrimHexahedralGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  for (int port = 0; port < 2; ++port)
+  vtkDataObject* surfaceData = vtkDataObject::GetData(inputVector[1]);
+  vtkUnstructuredGrid* trimmed = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkUnstructuredGrid* statuses = vtkUnstructuredGrid::GetData(outputVector, 1);
+  // On errors the outputs stay empty and 1 is returned: the executive would add a line of its
+  // own to the one error that tells what to do.
+  if (!input)
   {
-    vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector, port);
-    output->ShallowCopy(input);
-    const vtkIdType points = input->GetNumberOfPoints();
-    const vtkIdType cells = input->GetNumberOfCells();
-    for (const char* name : { "NodeStatus", "CorrectionApplied" })
+    vtkErrorMacro("No grid is connected to the first input: connect a grid of hexahedra.");
+    return 1;
+  }
+  if (!surfaceData)
+  {
+    vtkErrorMacro("No trimming surface is connected to the second input: connect a CAD Surface "
+                  "Reader or a NURBS Surface Source.");
+    return 1;
+  }
+  std::string error;
+  if (!this->Kept->TakeGrid(input, error) || !this->Kept->TakeSurface(surfaceData, error))
+  {
+    vtkErrorMacro(<< error);
+    return 1;
+  }
+  const trim::HexMesh& mesh = this->Kept->Mesh;
+  nurbs::TrimmingSurface& surface = *this->Kept->Surface;
+
+  // Asked from every thread, but only one of them looks; negative: no news of the progress.
+  const trim::Progress progress = [this](double done) {
+    if (vtkSMPTools::GetSingleThread())
     {
-      vtkNew<vtkUnsignedCharArray> array;
-      array->SetName(name);
-      array->SetNumberOfTuples(points);
-      for (vtkIdType i = 0; i < points; ++i)
+      if (done >= 0.0)
       {
-        array->SetValue(i, static_cast<unsigned char>(i * 3 / points));
+        this->UpdateProgress(done);
       }
-      output->GetPointData()->AddArray(array);
+      this->CheckAbort();
     }
-    vtkNew<vtkUnsignedCharArray> status;
-    status->SetName("ElementStatus");
-    status->SetNumberOfTuples(cells);
-    for (vtkIdType i = 0; i < cells; ++i)
-    {
-      status->SetValue(i, static_cast<unsigned char>(i * 3 / cells));
-    }
-    output->GetCellData()->AddArray(status);
-    output->GetCellData()->SetActiveScalars("ElementStatus");
-    vtkNew<vtkIdTypeArray> kept;
-    kept->SetName("Kept");
-    kept->InsertNextValue(cells);
-    output->GetFieldData()->AddArray(kept);
-    this->UpdateProgress(0.5 * (port + 1));
+    return this->GetAbortOutput() || this->GetAbortExecute();
+  };
+
+  trim::TrimOptions options;
+  options.Ladder.CorrectionType = static_cast<trim::Correction>(this->CorrectionType);
+  options.Ladder.Treatment = static_cast<trim::Optimization>(this->Optimization);
+  options.Ladder.EliminationFraction = this->EliminationFraction;
+  options.InvertSide = this->InvertSide;
+  options.UseKeepPoint = this->UseKeepPoint;
+  options.KeepPoint = trim::Vec3(this->KeepPoint[0], this->KeepPoint[1], this->KeepPoint[2]);
+  options.Tolerance = this->Tolerance;
+
+  if (progress(0.05))
+  {
+    return 1;
+  }
+  const trim::TrimResult result =
+    trim::Trim(mesh, this->Kept->Blocks, surface, options, progress);
+  if (!result.Error.empty())
+  {
+    vtkErrorMacro(<< result.Error);
+    return 1;
+  }
+  if (result.Aborted)
+  {
+    return 1;
+  }
+  trim::WriteOptions write;
+  write.RenumberNodes = this->RenumberNodes;
+  write.QualityOfAllElements = this->QualityOfAllElements;
+  trim::WriteTrimmedGrid(input, mesh, result, surface, write, progress, trimmed);
+  trim::WriteStatusGrid(input, result, statuses);
+  if (progress(1.0))
+  {
+    trimmed->Initialize();
+    statuses->Initialize();
+    return 1;
+  }
+  for (const auto& warning : result.Warnings)
+  {
+    vtkWarningMacro(<< warning);
   }
   return 1;
 }
 
+//------------------------------------------------------------------------------
 void vtkTrimHexahedralGrid::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "CorrectionType: " << this->CorrectionType << endl;
+  os << indent << "Optimization: " << this->Optimization << endl;
+  os << indent << "InvertSide: " << this->InvertSide << endl;
+  os << indent << "UseKeepPoint: " << this->UseKeepPoint << endl;
+  os << indent << "KeepPoint: " << this->KeepPoint[0] << " " << this->KeepPoint[1] << " "
+     << this->KeepPoint[2] << endl;
+  os << indent << "EliminationFraction: " << this->EliminationFraction << endl;
+  os << indent << "RenumberNodes: " << this->RenumberNodes << endl;
+  os << indent << "QualityOfAllElements: " << this->QualityOfAllElements << endl;
+  os << indent << "Tolerance: " << this->Tolerance << endl;
 }

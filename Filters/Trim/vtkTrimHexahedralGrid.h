@@ -1,9 +1,42 @@
-// Skeleton: properties and ports only; the lead replaces it.
+/**
+ * @class vtkTrimHexahedralGrid
+ * @brief trims a grid of hexahedra exactly along a NURBS surface
+ *
+ * Nodes are moved onto the surface, so that the result still consists of hexahedra (and a few
+ * wedges) and ends exactly at the cut, after A.J. Baptista, J.L. Alves, D.M. Rodrigues,
+ * L.F. Menezes, Trimming of 3D solid finite element meshes using parametric surfaces:
+ * application to sheet metal forming (2006).
+ *
+ * Input port 0: an unstructured grid of hexahedra and wedges; the output of an earlier trim is
+ * a valid input. Input port 1: poly data that carries a NURBS surface in its field data (see
+ * NURBSFieldData.h), or a composite of such; together they are one trimming surface.
+ *
+ * Output port 0: the trimmed grid. Output port 1: the whole input grid with its statuses. Both
+ * carry
+ * - NodeStatus (unsigned char, points): 0 keep, 1 eliminate, 2 on surface, of the original
+ *   position;
+ * - SignedDistance (float, points): to the surface, negative on the kept side; NaN far away;
+ * - ElementStatus (unsigned char, cells): 0 keep, 1 eliminate, 2 to treat;
+ * - EliminatedFraction (float, cells): the share of the element beyond the surface;
+ * - Displacement (3 floats, points): how far the correction moved the node;
+ * - CorrectionApplied (unsigned char, points): 0 none, 2 type II, 3 type III.
+ *
+ * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
+ * where it was not computed), every array of the input, and a summary in its field data.
+ *
+ * @warning Wedges that the trim makes have their nodes 0-1-2 oriented so that their normal
+ * points to nodes 3-4-5: the Jacobian of vtkWedge's shape functions is positive, as
+ * vtkMeshQuality and the solver codes expect; vtkCellSizeFilter reports a negative volume.
+ *
+ * @sa vtkCADSurfaceReader vtkNURBSSurfaceSource
+ */
 #ifndef vtkTrimHexahedralGrid_h
 #define vtkTrimHexahedralGrid_h
 
-#include "NURBSTrimFilterModule.h" // for export macro
+#include "NURBSTrimFilterModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
 
 class NURBSTRIMFILTER_EXPORT vtkTrimHexahedralGrid : public vtkUnstructuredGridAlgorithm
 {
@@ -12,32 +45,105 @@ public:
   vtkTypeMacro(vtkTrimHexahedralGrid, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  vtkSetClampMacro(CorrectionType, int, 1, 3);
+  enum CorrectionTypes
+  {
+    ELIMINATE_ELEMENTS = 1,
+    PROJECT_NODES = 2,
+    SLIDE_ALONG_EDGES = 3
+  };
+
+  enum Optimizations
+  {
+    NO_OPTIMIZATION = 0,
+    DISTRIBUTE_NODES = 1,
+    DEGENERATE_TO_WEDGES = 2
+  };
+
+  ///@{
+  /**
+   * How the elements at the cut are corrected: 1 eliminates whole elements (type I), 2 projects
+   * nodes onto the surface within their skin (type II, eqs. 16-17), 3 slides them along mesh
+   * edges (type III, eq. 18). Default: 2.
+   */
+  vtkSetClampMacro(CorrectionType, int, ELIMINATE_ELEMENTS, SLIDE_ALONG_EDGES);
   vtkGetMacro(CorrectionType, int);
-  vtkSetClampMacro(Optimization, int, 0, 2);
+  ///@}
+
+  ///@{
+  /**
+   * What is done with elements that became pentahedra (Fig. 7): 0 nothing, 1 the two nodes of
+   * the superfluous edge are distributed between their neighbours, 2 the edge is dropped, which
+   * leaves a wedge. With 1 an element whose corner would open beyond a straight angle becomes a
+   * wedge all the same. Default: 2.
+   */
+  vtkSetClampMacro(Optimization, int, NO_OPTIMIZATION, DEGENERATE_TO_WEDGES);
   vtkGetMacro(Optimization, int);
+  ///@}
+
+  ///@{
+  /**
+   * Turns round which side goes. Off: the side that the normal of the surface points to is
+   * eliminated, or the one without the KeepPoint. Default: off.
+   */
   vtkSetMacro(InvertSide, bool);
   vtkGetMacro(InvertSide, bool);
   vtkBooleanMacro(InvertSide, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Keeps the side that holds KeepPoint (x y z), whatever the normal of the surface. Default:
+   * off, at the origin.
+   */
   vtkSetMacro(UseKeepPoint, bool);
   vtkGetMacro(UseKeepPoint, bool);
   vtkBooleanMacro(UseKeepPoint, bool);
   vtkSetVector3Macro(KeepPoint, double);
   vtkGetVector3Macro(KeepPoint, double);
-  vtkSetClampMacro(EliminationFraction, double, 0, 1);
+  ///@}
+
+  ///@{
+  /**
+   * An element goes when more than this share (0 to 1) of its through-thickness column lies
+   * beyond the surface. Default: 0.5.
+   */
+  vtkSetClampMacro(EliminationFraction, double, 0.0, 1.0);
   vtkGetMacro(EliminationFraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Renumbers the nodes so that the largest node-number difference within an element is as
+   * small as may be. Off: the order of the input. Default: on.
+   */
   vtkSetMacro(RenumberNodes, bool);
   vtkGetMacro(RenumberNodes, bool);
   vtkBooleanMacro(RenumberNodes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Computes ScaledJacobian for every element, not only for those that the trim touched.
+   * Default: off.
+   */
   vtkSetMacro(QualityOfAllElements, bool);
   vtkGetMacro(QualityOfAllElements, bool);
   vtkBooleanMacro(QualityOfAllElements, bool);
-  vtkSetClampMacro(Tolerance, double, 0, 1);
+  ///@}
+
+  ///@{
+  /**
+   * Distance under which a node is on the surface, relative to the diagonal of the grid's
+   * bounding box. Default: 1e-9.
+   */
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
+  ///@}
 
 protected:
   vtkTrimHexahedralGrid();
   ~vtkTrimHexahedralGrid() override;
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -45,15 +151,18 @@ private:
   vtkTrimHexahedralGrid(const vtkTrimHexahedralGrid&) = delete;
   void operator=(const vtkTrimHexahedralGrid&) = delete;
 
-  int CorrectionType = 2;
-  int Optimization = 2;
+  int CorrectionType = PROJECT_NODES;
+  int Optimization = DEGENERATE_TO_WEDGES;
   bool InvertSide = false;
   bool UseKeepPoint = false;
-  double KeepPoint[3] = { 0, 0, 0 };
+  double KeepPoint[3] = { 0.0, 0.0, 0.0 };
   double EliminationFraction = 0.5;
   bool RenumberNodes = true;
   bool QualityOfAllElements = false;
   double Tolerance = 1e-9;
+
+  struct Cache;
+  std::unique_ptr<Cache> Kept;
 };
 
 #endif

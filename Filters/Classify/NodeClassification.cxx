@@ -1,0 +1,310 @@
+#include "NodeClassification.h"
+
+#include "DisjointSets.h"
+#include "ElementTopology.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <unordered_map>
+
+namespace trim
+{
+namespace
+{
+using nurbs::Foot;
+using nurbs::FootKind;
+
+/// Cells whose boxes meet the surface, ascending.
+std::vector<Id> FindCandidateCells(
+  const HexMesh& mesh, const MeshBlocks& blocks, const nurbs::TrimmingSurface& surface)
+{
+  const Id count = blocks.NumberOfBlocks();
+  std::vector<std::vector<Id>> found(count);
+  vtkSMPTools::For(0, count, 64, [&](Id begin, Id end) {
+    for (Id b = begin; b < end; ++b)
+    {
+      if (!surface.MayIntersect(blocks.Boxes[b]))
+      {
+        continue;
+      }
+      const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+      for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
+      {
+        if (surface.MayIntersect(CellBox(mesh, c)))
+        {
+          found[b].push_back(c);
+        }
+      }
+    }
+  });
+  std::vector<Id> cells;
+  for (const auto& list : found)
+  {
+    cells.insert(cells.end(), list.begin(), list.end());
+  }
+  return cells;
+}
+
+/// The nodes of the candidate cells with what the projection says of them.
+struct NearNodes
+{
+  std::vector<Id> Ids; ///< ascending
+  std::vector<Foot> Feet;
+
+  int Find(Id node) const
+  {
+    const auto it = std::lower_bound(this->Ids.begin(), this->Ids.end(), node);
+    return static_cast<int>(it - this->Ids.begin());
+  }
+};
+
+NearNodes ProjectNearNodes(const HexMesh& mesh, const std::vector<Id>& cells,
+  const nurbs::TrimmingSurface& surface, const std::function<bool()>& aborted)
+{
+  NearNodes near;
+  std::array<Id, 8> nodes;
+  for (const Id c : cells)
+  {
+    const int count = mesh.Cell(c, nodes);
+    near.Ids.insert(near.Ids.end(), nodes.begin(), nodes.begin() + count);
+  }
+  std::sort(near.Ids.begin(), near.Ids.end());
+  near.Ids.erase(std::unique(near.Ids.begin(), near.Ids.end()), near.Ids.end());
+  near.Feet.resize(near.Ids.size());
+  vtkSMPTools::For(0, static_cast<Id>(near.Ids.size()), 256, [&](Id begin, Id end) {
+    if (aborted())
+    {
+      return;
+    }
+    for (Id i = begin; i < end; ++i)
+    {
+      near.Feet[i] = surface.ClosestPoint(mesh.Point(near.Ids[i]));
+    }
+  });
+  return near;
+}
+
+unsigned char StatusFromFoot(const Foot& foot, double tolerance)
+{
+  if (foot.Distance <= tolerance)
+  {
+    return NodeOnSurface;
+  }
+  if (foot.Kind != FootKind::Interior || foot.SignedDistance == 0.0)
+  {
+    return NodeUnknown;
+  }
+  return foot.SignedDistance < 0.0 ? NodeKeep : NodeEliminate;
+}
+
+/// Joins nodes of one side: all nodes of a cell that the surface does not meet.
+template <typename Index>
+void UniteCells(const HexMesh& mesh, const std::vector<Id>& candidates, DisjointSets<Index>& sets)
+{
+  std::array<Id, 8> nodes;
+  auto next = candidates.begin();
+  for (Id c = 0; c < mesh.NumberOfCells; ++c)
+  {
+    if (next != candidates.end() && *next == c)
+    {
+      ++next;
+      continue;
+    }
+    const int count = mesh.Cell(c, nodes);
+    for (int i = 1; i < count; ++i)
+    {
+      sets.Unite(static_cast<Index>(nodes[0]), static_cast<Index>(nodes[i]));
+    }
+  }
+}
+
+/**
+ * Nodes whose closest point lies on the border of the surface have no side of their own: they
+ * take it from the edges of their cells. An edge that the surface does not meet joins its ends;
+ * on one that it does, the first hit's normal tells the side.
+ */
+template <typename Index>
+void ResolveBorderNodes(const HexMesh& mesh, const std::vector<Id>& candidates,
+  const nurbs::TrimmingSurface& surface, const NearNodes& near, NodeClassification& result,
+  DisjointSets<Index>& sets)
+{
+  std::array<Id, 8> nodes;
+  for (const Id c : candidates)
+  {
+    const int count = mesh.Cell(c, nodes);
+    const auto& topology = TopologyOf(count);
+    for (int e = 0; e < topology.NumberOfEdges; ++e)
+    {
+      const Id ends[2] = { nodes[topology.Edges[e].First], nodes[topology.Edges[e].Second] };
+      for (int side = 0; side < 2; ++side)
+      {
+        const Id x = ends[side];
+        const Id y = ends[1 - side];
+        if (near.Feet[near.Find(x)].Kind == FootKind::Interior ||
+          result.Status[x] == NodeOnSurface || result.Status[y] == NodeOnSurface)
+        {
+          continue;
+        }
+        const Vec3 a = mesh.Point(x);
+        const Vec3 b = mesh.Point(y);
+        const auto hits = surface.Intersect(a, b);
+        if (hits.empty())
+        {
+          sets.Unite(static_cast<Index>(x), static_cast<Index>(y));
+        }
+        else if (result.Status[x] == NodeUnknown)
+        {
+          result.Status[x] = hits.front().Normal.dot(b - a) > 0.0 ? NodeKeep : NodeEliminate;
+        }
+      }
+    }
+  }
+}
+
+/// Where the surface ends inside the grid: the border point nearest to a projected node.
+std::string EndOfSurface(const NearNodes& near, const Vec3& fallback)
+{
+  Vec3 place = fallback;
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& foot : near.Feet)
+  {
+    if (foot.Kind == FootKind::Border && foot.Distance < best)
+    {
+      best = foot.Distance;
+      place = foot.Point;
+    }
+  }
+  return "The trimming surface ends inside the grid, at " + PlaceText(place) +
+    ", and so does not part it: extend the surface beyond the grid or close it.";
+}
+
+/// Side of a part that the surface does not meet, by the most decisive of some of its nodes.
+unsigned char SideOfFarPart(
+  const HexMesh& mesh, const std::vector<Id>& samples, const nurbs::TrimmingSurface& surface)
+{
+  double best = -1.0;
+  unsigned char status = NodeKeep;
+  for (const Id node : samples)
+  {
+    const Foot foot = surface.ClosestPoint(mesh.Point(node));
+    const double cosine =
+      foot.Distance > 0.0 ? std::abs(foot.SignedDistance) / foot.Distance : 0.0;
+    const double weight = cosine + (foot.Kind == FootKind::Interior ? 1.0 : 0.0);
+    if (weight > best)
+    {
+      best = weight;
+      // On the border the signed distance may be zero: the normal decides what it can.
+      const double side = (mesh.Point(node) - foot.Point).dot(foot.Normal);
+      status = side > 0.0 ? NodeEliminate : NodeKeep;
+    }
+  }
+  return status;
+}
+
+template <typename Index>
+bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface,
+  const NearNodes& near, NodeClassification& result, DisjointSets<Index>& sets,
+  std::string& error)
+{
+  std::vector<unsigned char> ofRoot(mesh.NumberOfPoints, NodeUnknown);
+  for (const Id node : near.Ids)
+  {
+    const unsigned char status = result.Status[node];
+    if (status != NodeKeep && status != NodeEliminate)
+    {
+      continue;
+    }
+    unsigned char& root = ofRoot[sets.Find(static_cast<Index>(node))];
+    if (root != NodeUnknown && root != status)
+    {
+      error = EndOfSurface(near, mesh.Point(node));
+      return false;
+    }
+    root = status;
+  }
+  std::unordered_map<Index, std::vector<Id>> farParts;
+  constexpr std::size_t samplesPerPart = 16;
+  for (Id i = 0; i < mesh.NumberOfPoints; ++i)
+  {
+    if (result.Status[i] != NodeUnknown)
+    {
+      continue;
+    }
+    const Index root = sets.Find(static_cast<Index>(i));
+    result.Status[i] = ofRoot[root];
+    if (ofRoot[root] == NodeUnknown)
+    {
+      auto& samples = farParts[root];
+      if (samples.size() < samplesPerPart)
+      {
+        samples.push_back(i);
+      }
+    }
+  }
+  if (!farParts.empty())
+  {
+    for (const auto& part : farParts)
+    {
+      ofRoot[part.first] = SideOfFarPart(mesh, part.second, surface);
+    }
+    for (Id i = 0; i < mesh.NumberOfPoints; ++i)
+    {
+      if (result.Status[i] == NodeUnknown)
+      {
+        result.Status[i] = ofRoot[sets.Find(static_cast<Index>(i))];
+      }
+    }
+  }
+  return true;
+}
+
+template <typename Index>
+bool Classify(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NearNodes& near,
+  NodeClassification& result, std::string& error)
+{
+  DisjointSets<Index> sets(static_cast<Index>(mesh.NumberOfPoints));
+  UniteCells(mesh, result.CandidateCells, sets);
+  ResolveBorderNodes(mesh, result.CandidateCells, surface, near, result, sets);
+  return CarryStatus(mesh, surface, near, result, sets, error);
+}
+
+}
+
+std::string PlaceText(const Vec3& p)
+{
+  char text[128];
+  std::snprintf(text, sizeof(text), "(%.9g, %.9g, %.9g)", p.x(), p.y(), p.z());
+  return text;
+}
+
+bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks,
+  const nurbs::TrimmingSurface& surface, double tolerance, const std::function<bool()>& aborted,
+  NodeClassification& result, std::string& error)
+{
+  result = NodeClassification{};
+  result.Status.assign(mesh.NumberOfPoints, NodeUnknown);
+  result.SignedDistance.assign(
+    mesh.NumberOfPoints, std::numeric_limits<float>::quiet_NaN());
+  result.CandidateCells = FindCandidateCells(mesh, blocks, surface);
+  result.SurfaceMissesGrid = result.CandidateCells.empty();
+
+  const NearNodes near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
+  for (std::size_t i = 0; i < near.Ids.size(); ++i)
+  {
+    const Foot& foot = near.Feet[i];
+    result.Status[near.Ids[i]] = StatusFromFoot(foot, tolerance);
+    if (foot.Kind == FootKind::Interior)
+    {
+      result.SignedDistance[near.Ids[i]] = static_cast<float>(foot.SignedDistance);
+    }
+  }
+  return mesh.NumberOfPoints < std::numeric_limits<vtkTypeInt32>::max()
+    ? Classify<vtkTypeInt32>(mesh, surface, near, result, error)
+    : Classify<vtkTypeInt64>(mesh, surface, near, result, error);
+}
+
+}

@@ -1,0 +1,44 @@
+/**
+ * @file Status.h
+ * @brief The values of STATUS(nodes) and STATUS(elements) (paper, section 2.2).
+ */
+#ifndef Status_h
+#define Status_h
+
+namespace trim
+{
+
+enum NodeStatus : unsigned char
+{
+  NodeKeep = 0,
+  NodeEliminate = 1,
+  NodeOnSurface = 2,
+  NodeUnknown = 3 ///< only while classifying
+};
+
+enum ElementStatus : unsigned char
+{
+  ElementKeep = 0,
+  ElementEliminate = 1,
+  ElementToTreat = 2
+};
+
+/**
+ * Element status from the statuses of its nodes. The paper leaves open eliminate and on surface
+ * without a keep: there is nothing to keep, so it is eliminate.
+ */
+inline ElementStatus StatusOfElement(const unsigned char* nodeStatus, int count)
+{
+  bool keep = false;
+  bool eliminate = false;
+  for (int i = 0; i < count; ++i)
+  {
+    keep |= nodeStatus[i] == NodeKeep;
+    eliminate |= nodeStatus[i] == NodeEliminate;
+  }
+  return !eliminate ? ElementKeep : keep ? ElementToTreat : ElementEliminate;
+}
+
+}
+
+#endif

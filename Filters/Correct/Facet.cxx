@@ -1,0 +1,100 @@
+#include "Facet.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trim
+{
+namespace
+{
+
+/// Coefficients of p = p0 + a u + b v.
+Eigen::Vector2d LeastSquares(const Vec3& u, const Vec3& v, const Vec3& d)
+{
+  Eigen::Matrix2d m;
+  m << u.dot(u), u.dot(v), u.dot(v), v.dot(v);
+  return m.inverse() * Eigen::Vector2d(u.dot(d), v.dot(d));
+}
+
+double OutsideUnit(double s)
+{
+  return std::max({ 0.0, -s, s - 1.0 });
+}
+
+}
+
+Facet::Facet(const Band& band, const BandFace& face)
+  : Count(face.Count)
+{
+  for (int i = 0; i < face.Count; ++i)
+  {
+    this->Corner[i] = band.Point[face.Node[i]];
+  }
+}
+
+FacetFoot Facet::Project(const Vec3& x) const
+{
+  const auto& c = this->Corner;
+  FacetFoot foot;
+  if (this->Count == 3)
+  {
+    const Vec3 u = c[1] - c[0];
+    const Vec3 v = c[2] - c[0];
+    const Eigen::Vector2d st = LeastSquares(u, v, x - c[0]);
+    foot.Normal = u.cross(v).normalized();
+    foot.Point = x - foot.Normal * foot.Normal.dot(x - c[0]);
+    foot.Outside = std::max({ 0.0, -st[0], -st[1], st[0] + st[1] - 1.0 });
+    return foot;
+  }
+  const Vec3 u = c[1] - c[0];
+  const Vec3 v = c[3] - c[0];
+  const Vec3 w = c[2] - c[1] - c[3] + c[0];
+  // Gauss-Newton on the bilinear map; a plane parallelogram is done in one step.
+  Eigen::Vector2d st(0.5, 0.5);
+  for (int i = 0; i < 20; ++i)
+  {
+    const Vec3 p = c[0] + st[0] * u + st[1] * v + st[0] * st[1] * w;
+    const Eigen::Vector2d step =
+      LeastSquares(u + st[1] * w, v + st[0] * w, x - p).cwiseMax(-1.0).cwiseMin(1.0);
+    st += step;
+    st = st.cwiseMax(-2.0).cwiseMin(3.0);
+    if (step.squaredNorm() < 1e-30)
+    {
+      break;
+    }
+  }
+  const Vec3 su = u + st[1] * w;
+  const Vec3 sv = v + st[0] * w;
+  foot.Normal = su.cross(sv).normalized();
+  const Vec3 p = c[0] + st[0] * u + st[1] * v + st[0] * st[1] * w;
+  // The tangent plane's foot: equal to p where the iteration converged, and exact on planes.
+  foot.Point = x - foot.Normal * foot.Normal.dot(x - p);
+  foot.Outside = std::max(OutsideUnit(st[0]), OutsideUnit(st[1]));
+  return foot;
+}
+
+double Facet::LeadsInto(int corner, const Vec3& direction) const
+{
+  const Vec3& at = this->Corner[corner];
+  const Vec3 u = this->Corner[(corner + 1) % this->Count] - at;
+  const Vec3 v = this->Corner[(corner + this->Count - 1) % this->Count] - at;
+  const double length = direction.norm();
+  if (length == 0.0)
+  {
+    return 0.0;
+  }
+  const Eigen::Vector2d st = LeastSquares(u, v, direction);
+  return std::min(st[0] * u.norm(), st[1] * v.norm()) / length;
+}
+
+Vec3 Facet::NormalAt(int corner) const
+{
+  const Vec3& at = this->Corner[corner];
+  return (this->Corner[(corner + 1) % this->Count] - at)
+    .cross(this->Corner[(corner + this->Count - 1) % this->Count] - at)
+    .normalized();
+}
+
+}

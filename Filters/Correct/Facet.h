@@ -1,0 +1,44 @@
+/**
+ * @file Facet.h
+ * @brief The surface of one face of an element: a plane triangle or a bilinear quadrilateral.
+ */
+#ifndef Facet_h
+#define Facet_h
+
+#include "Band.h"
+
+namespace trim
+{
+
+/// Closest point on the (unbounded) surface of a facet.
+struct FacetFoot
+{
+  Vec3 Point;
+  Vec3 Normal; ///< unit
+  double Outside = 0; ///< how far beyond the facet's own edges, in its parameters; 0: inside
+};
+
+class Facet
+{
+public:
+  Facet(const Band& band, const BandFace& face);
+
+  FacetFoot Project(const Vec3& x) const;
+
+  /**
+   * How well a direction leads from a corner node into the facet: the smaller of its two
+   * components along the facet's edges there, over its length; >= 0 inside.
+   */
+  double LeadsInto(int corner, const Vec3& direction) const;
+
+  /// Unit normal at a corner.
+  Vec3 NormalAt(int corner) const;
+
+private:
+  int Count;
+  std::array<Vec3, 4> Corner;
+};
+
+}
+
+#endif

@@ -1,0 +1,42 @@
+/**
+ * @file Moves.h
+ * @brief The correction stage over all moving nodes of the band (paper, Fig. 5 d-f).
+ */
+#ifndef Moves_h
+#define Moves_h
+
+#include "NodeMover.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/// What the validity ladder has set for a pillar of nodes against the asked correction.
+enum class CorrectionChoice : unsigned char
+{
+  AsAsked,
+  Other, ///< type III for type II and the reverse
+  Leave  ///< the pillar stays where it is
+};
+
+struct Moves
+{
+  std::vector<Vec3> Position;      ///< of every band node, moved or not
+  std::vector<Correction> Applied; ///< None: not moved
+  std::vector<char> Failed;        ///< nodes that should have moved and could not
+};
+
+/**
+ * Moves the nodes onto the surface.
+ *
+ * @param moving see FindMovingNodes.
+ * @param asked Project or Slide.
+ * @param choice by pillar (index: smallest node of the pillar).
+ */
+Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover,
+  const std::vector<char>& moving, Correction asked, const std::vector<CorrectionChoice>& choice);
+
+}
+
+#endif

@@ -1,0 +1,152 @@
+#include "NodeConstraint.h"
+
+#include "Status.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trim
+{
+namespace
+{
+
+/// Cosine of the dihedral angle (45 degrees) above which an edge is a ridge: bends with radii of
+/// two elements turn by about 30 degrees from face to face.
+constexpr double RidgeCosine = 0.7071;
+/// A border that turns by more than 30 degrees at a node has a corner there.
+constexpr double CornerCosine = 0.866;
+
+Vec3 FaceNormal(const Band& band, const BandFace& face)
+{
+  const auto& p = band.Point;
+  const Vec3 normal = face.Count == 4
+    ? (p[face.Node[2]] - p[face.Node[0]]).cross(p[face.Node[3]] - p[face.Node[1]])
+    : (p[face.Node[1]] - p[face.Node[0]]).cross(p[face.Node[2]] - p[face.Node[0]]);
+  return normal.normalized();
+}
+
+bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatus)
+{
+  for (int i = 0; i < face.Count; ++i)
+  {
+    if (nodeStatus[face.Node[i]] != NodeEliminate)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The edges of a face that meet at a node.
+std::array<int, 2> EdgesAt(const Band& band, const BandFace& face, int node)
+{
+  int at = 0;
+  while (face.Node[at] != node)
+  {
+    ++at;
+  }
+  return { band.FindEdge(node, face.Node[(at + 1) % face.Count]),
+    band.FindEdge(node, face.Node[(at + face.Count - 1) % face.Count]) };
+}
+
+void AddUnique(std::vector<int>& list, int value)
+{
+  if (std::find(list.begin(), list.end(), value) == list.end())
+  {
+    list.push_back(value);
+  }
+}
+
+/// Faces of a set that share an edge at the node under more than the ridge angle.
+void AddCreases(
+  const Band& band, const std::vector<int>& faces, int node, std::vector<int>& ridgeEdges)
+{
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const auto& a = band.Faces[faces[i]];
+      const auto& b = band.Faces[faces[j]];
+      for (const int ea : EdgesAt(band, a, node))
+      {
+        const auto eb = EdgesAt(band, b, node);
+        if ((ea == eb[0] || ea == eb[1]) &&
+          std::abs(FaceNormal(band, a).dot(FaceNormal(band, b))) < RidgeCosine)
+        {
+          AddUnique(ridgeEdges, ea);
+        }
+      }
+    }
+  }
+}
+
+void SetKind(const Band& band, int node, NodeConstraint& constraint)
+{
+  const auto& ridges = constraint.RidgeEdges;
+  if (ridges.empty())
+  {
+    constraint.Kind = constraint.Faces.empty() ? ConstraintKind::Free : ConstraintKind::Faces;
+    return;
+  }
+  constraint.Kind = ridges.size() <= 2 ? ConstraintKind::Ridge : ConstraintKind::Fixed;
+  if (ridges.size() == 2)
+  {
+    const Vec3& p = band.Point[node];
+    const Vec3 in = (p - band.Point[band.OtherEnd(ridges[0], node)]).normalized();
+    const Vec3 out = (band.Point[band.OtherEnd(ridges[1], node)] - p).normalized();
+    constraint.SharpCorner = in.dot(out) < CornerCosine;
+  }
+}
+
+}
+
+NodeConstraint ConstrainNode(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, int node)
+{
+  NodeConstraint constraint;
+  std::vector<int> exterior;
+  bool sheet = false;
+  for (const int f : band.FacesOfNode(node))
+  {
+    const auto& face = band.Faces[f];
+    const bool layer = columns.IsLayerFace(band, f);
+    sheet |= columns.HasThickness(face.Element[0]);
+    if (layer)
+    {
+      constraint.Faces.push_back(f);
+    }
+    else if (face.Exterior && !GoesWhole(face, nodeStatus))
+    {
+      exterior.push_back(f);
+    }
+  }
+  if (sheet)
+  {
+    for (const int f : exterior)
+    {
+      for (const int edge : EdgesAt(band, band.Faces[f], node))
+      {
+        if (!columns.IsThicknessEdge(band, edge))
+        {
+          AddUnique(constraint.RidgeEdges, edge);
+        }
+      }
+    }
+    // Folds of the skin without a radius hold their nodes; inner layers fold alike.
+    std::vector<int> oneSide;
+    for (const int f : constraint.Faces)
+    {
+      oneSide.push_back(f);
+    }
+    AddCreases(band, oneSide, node, constraint.RidgeEdges);
+  }
+  else
+  {
+    constraint.Faces = exterior;
+    AddCreases(band, exterior, node, constraint.RidgeEdges);
+  }
+  SetKind(band, node, constraint);
+  return constraint;
+}
+
+}

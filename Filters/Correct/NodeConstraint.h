@@ -1,0 +1,46 @@
+/**
+ * @file NodeConstraint.h
+ * @brief Where a node may move: on its skin, along its ridge, or nowhere (paper, Fig. 6 and the
+ * end of section 2.3).
+ *
+ * A node on an exterior face stays on that face, a node on a ridge on that ridge, a corner
+ * where it is. In a sheet the faces between layers guide the inner nodes as the skin guides
+ * its own, and the ridges are the lateral border of the sheet, layer by layer.
+ */
+#ifndef NodeConstraint_h
+#define NodeConstraint_h
+
+#include "Band.h"
+#include "Columns.h"
+
+#include <vector>
+
+namespace trim
+{
+
+enum class ConstraintKind : unsigned char
+{
+  Free,  ///< inside a solid block
+  Faces, ///< on the faces
+  Ridge, ///< along the ridge edges
+  Fixed  ///< more than two ridges meet: a corner of the model
+};
+
+struct NodeConstraint
+{
+  ConstraintKind Kind = ConstraintKind::Free;
+  std::vector<int> Faces;      ///< band faces that the node may slide on
+  std::vector<int> RidgeEdges; ///< band edges that the node may slide along
+  bool SharpCorner = false;    ///< its ridge turns by more than a vertex of a smooth border
+};
+
+/**
+ * The constraint of one node. Exterior faces that lie wholly beyond the surface do not hold a
+ * node: they go with what is cut off.
+ */
+NodeConstraint ConstrainNode(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, int node);
+
+}
+
+#endif

@@ -1,0 +1,347 @@
+#include "NodeMover.h"
+
+#include "Facet.h"
+#include "Status.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trim
+{
+namespace
+{
+
+/// No node moves farther than this many of its longest edges.
+constexpr double LongestMove = 3.0;
+/// How many ridge edges a node may slide along to either side.
+constexpr int LongestRidgeWalk = 4;
+/// Below this sine of the angle between surface and facet their meeting line is not taken.
+constexpr double SmallestSine = 0.05;
+/// How far beyond a facet's edges, in its parameters, still counts as inside.
+constexpr double InsideSlack = 1e-9;
+
+int CornerOf(const BandFace& face, int node)
+{
+  return static_cast<int>(
+    std::find(face.Node.begin(), face.Node.begin() + face.Count, node) - face.Node.begin());
+}
+
+}
+
+NodeMover::NodeMover(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double precision)
+  : TheBand(band)
+  , TheColumns(columns)
+  , NodeStatus(nodeStatus)
+  , Surface(surface)
+  , Precision(precision)
+{
+}
+
+double NodeMover::Reach(int node) const
+{
+  double longest = 0.0;
+  for (const int edge : this->TheBand.EdgesOfNode(node))
+  {
+    longest = std::max(longest,
+      (this->TheBand.Point[node] - this->TheBand.Point[this->TheBand.OtherEnd(edge, node)]).norm());
+  }
+  return LongestMove * longest;
+}
+
+NodeMove NodeMover::Project(int node) const
+{
+  const auto constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  NodeMove move;
+  switch (constraint.Kind)
+  {
+    case ConstraintKind::Free:
+    {
+      const auto foot = this->Surface.ClosestPoint(this->TheBand.Point[node]);
+      move.Found = foot.Kind == nurbs::FootKind::Interior && foot.Distance <= this->Reach(node);
+      move.Target = foot.Point;
+      move.By = Correction::Project;
+      return move;
+    }
+    case ConstraintKind::Faces:
+      return this->ProjectOnFaces(node, constraint);
+    case ConstraintKind::Ridge:
+      return this->SlideAlongRidge(node, constraint);
+    default:
+      return move;
+  }
+}
+
+NodeMove NodeMover::SlideAlongRidge(int node, const NodeConstraint& constraint) const
+{
+  NodeMove move;
+  if (constraint.SharpCorner && this->NodeStatus[node] == NodeKeep)
+  {
+    // A corner that is kept stays: moving it would cut it off.
+    return move;
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const int first : constraint.RidgeEdges)
+  {
+    int edge = first;
+    int from = node;
+    double walked = 0.0;
+    for (int step = 0; step < LongestRidgeWalk && walked < best; ++step)
+    {
+      const int to = this->TheBand.OtherEnd(edge, from);
+      const Vec3& a = this->TheBand.Point[from];
+      const Vec3& b = this->TheBand.Point[to];
+      const double length = (b - a).norm();
+      const auto hits = this->Surface.Intersect(a, b);
+      if (!hits.empty())
+      {
+        const double distance = walked + length * std::clamp(hits.front().K, 0.0, 1.0);
+        if (distance < best)
+        {
+          best = distance;
+          move.Found = true;
+          move.Target = hits.front().Point;
+          move.By = Correction::Slide;
+        }
+        break;
+      }
+      walked += length;
+      const auto next = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, to);
+      if (next.Kind != ConstraintKind::Ridge || next.RidgeEdges.size() != 2 || next.SharpCorner)
+      {
+        break;
+      }
+      edge = next.RidgeEdges[0] == edge ? next.RidgeEdges[1] : next.RidgeEdges[0];
+      from = to;
+    }
+  }
+  return move;
+}
+
+NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) const
+{
+  NodeMove move;
+  const Vec3& n = this->TheBand.Point[node];
+  const auto foot = this->Surface.ClosestPoint(n);
+  if (foot.Kind == nurbs::FootKind::None)
+  {
+    return move;
+  }
+  // P1 -> P2: of the facets round the node the one that the way to P2 leads into; on a bent
+  // skin another one would leave it.
+  double bestLead = -std::numeric_limits<double>::infinity();
+  int bestFace = -1;
+  Vec3 p2 = n;
+  Vec3 planeNormal = Vec3::Zero();
+  for (const int f : constraint.Faces)
+  {
+    const auto& face = this->TheBand.Faces[f];
+    const int corner = CornerOf(face, node);
+    const Facet facet(this->TheBand, face);
+    const Vec3 normal = facet.NormalAt(corner);
+    const Vec3 along = foot.Normal - normal * normal.dot(foot.Normal);
+    Vec3 way = foot.Point - n;
+    way -= normal * normal.dot(way);
+    if (along.norm() < SmallestSine)
+    {
+      continue;
+    }
+    if (way.norm() < 1e-6 * foot.Distance || foot.Distance < this->Precision)
+    {
+      way = foot.SignedDistance > 0.0 ? Vec3(-along) : along;
+    }
+    const double lead = facet.LeadsInto(corner, way);
+    if (lead > bestLead)
+    {
+      bestLead = lead;
+      bestFace = f;
+      p2 = foot.Distance < this->Precision ? n : Vec3(n + way);
+      planeNormal = normal.cross(way).normalized();
+    }
+  }
+  if (bestFace < 0)
+  {
+    return move;
+  }
+  // P3, on the very facet it lies in.
+  std::vector<int> faces{ bestFace };
+  for (const int f : constraint.Faces)
+  {
+    if (f != bestFace)
+    {
+      faces.push_back(f);
+    }
+  }
+  move.Found = this->Meet(node, faces, p2, n, planeNormal, move.Target);
+  move.By = Correction::Project;
+  return move;
+}
+
+NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNormal) const
+{
+  const auto constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  NodeMove move;
+  move.By = Correction::Project;
+  if (constraint.Kind == ConstraintKind::Faces)
+  {
+    move.Found =
+      this->Meet(node, constraint.Faces, through, through, planeNormal, move.Target);
+  }
+  else if (constraint.Kind == ConstraintKind::Free)
+  {
+    const auto foot = this->Surface.ClosestPoint(through);
+    move.Found = foot.Kind == nurbs::FootKind::Interior;
+    move.Target = foot.Point;
+  }
+  return move;
+}
+
+bool NodeMover::MeetFacet(int face, const Vec3& guess, const Vec3& planePoint,
+  const Vec3& planeNormal, Vec3& meeting, double& outside) const
+{
+  const Facet facet(this->TheBand, this->TheBand.Faces[face]);
+  Vec3 x = guess;
+  nurbs::Foot foot;
+  for (int i = 0; i < 40; ++i)
+  {
+    foot = i == 0 ? this->Surface.ClosestPoint(x)
+                  : this->Surface.ClosestPoint(x, foot, std::numeric_limits<double>::infinity());
+    const auto on = facet.Project(x);
+    outside = on.Outside;
+    Eigen::Matrix3d m;
+    m.row(0) = foot.Normal;
+    m.row(1) = on.Normal;
+    m.row(2) = planeNormal;
+    if (std::abs(m.determinant()) < SmallestSine * SmallestSine)
+    {
+      return false;
+    }
+    // Solved for the step, not the position, so that a grid far from the origin loses nothing.
+    const Vec3 step = m.inverse() *
+      Vec3(foot.Normal.dot(foot.Point - x), on.Normal.dot(on.Point - x),
+        planeNormal.dot(planePoint - x));
+    x += step;
+    if (step.norm() <= 1e-3 * this->Precision)
+    {
+      foot = this->Surface.ClosestPoint(x, foot, std::numeric_limits<double>::infinity());
+      break;
+    }
+  }
+  meeting = x;
+  return foot.Distance <= 0.1 * this->Precision;
+}
+
+std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
+{
+  std::vector<int> around = faces;
+  for (const int f : faces)
+  {
+    const auto& face = this->TheBand.Faces[f];
+    for (int i = 0; i < face.Count; ++i)
+    {
+      for (const int other : this->TheBand.FacesOfNode(face.Node[i]))
+      {
+        const auto& candidate = this->TheBand.Faces[other];
+        const bool sameKind = this->TheColumns.HasThickness(face.Element[0])
+          ? this->TheColumns.IsLayerFace(this->TheBand, other)
+          : candidate.Exterior;
+        if (sameKind && std::find(around.begin(), around.end(), other) == around.end())
+        {
+          around.push_back(other);
+        }
+      }
+    }
+  }
+  return around;
+}
+
+bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
+  const Vec3& planePoint, const Vec3& planeNormal, Vec3& meeting) const
+{
+  double outside = 0.0;
+  if (!this->MeetFacet(faces.front(), guess, planePoint, planeNormal, meeting, outside))
+  {
+    return false;
+  }
+  std::vector<int> tried{ faces.front() };
+  while (outside > InsideSlack && tried.size() < 6)
+  {
+    // The point lies beyond this facet: go on with the one that holds it.
+    int next = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const int f : this->FacesAround(faces))
+    {
+      const auto on = Facet(this->TheBand, this->TheBand.Faces[f]).Project(meeting);
+      const double distance = (on.Point - meeting).norm();
+      if (on.Outside <= InsideSlack && distance < nearest &&
+        std::find(tried.begin(), tried.end(), f) == tried.end())
+      {
+        nearest = distance;
+        next = f;
+      }
+    }
+    if (next < 0 || nearest <= 0.1 * this->Precision)
+    {
+      break; // on the skin as it is, or beyond its border
+    }
+    if (!this->MeetFacet(next, meeting, planePoint, planeNormal, meeting, outside))
+    {
+      return false;
+    }
+    tried.push_back(next);
+  }
+  return (meeting - this->TheBand.Point[node]).norm() <= this->Reach(node);
+}
+
+std::vector<int> NodeMover::SlidingEdges(int node) const
+{
+  const auto constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  std::vector<int> edges;
+  if (constraint.Kind == ConstraintKind::Ridge || constraint.Kind == ConstraintKind::Fixed)
+  {
+    return edges;
+  }
+  for (const int edge : this->TheBand.EdgesOfNode(node))
+  {
+    if (this->TheColumns.IsThicknessEdge(this->TheBand, edge))
+    {
+      continue;
+    }
+    bool onFaces = constraint.Faces.empty();
+    const int other = this->TheBand.OtherEnd(edge, node);
+    for (const int f : constraint.Faces)
+    {
+      const auto& face = this->TheBand.Faces[f];
+      onFaces |= CornerOf(face, other) < face.Count;
+    }
+    if (onFaces)
+    {
+      edges.push_back(edge);
+    }
+  }
+  return edges;
+}
+
+NodeMove NodeMover::SlideAlong(int node, int edge) const
+{
+  NodeMove move;
+  const Vec3& a = this->TheBand.Point[node];
+  const auto hits =
+    this->Surface.Intersect(a, this->TheBand.Point[this->TheBand.OtherEnd(edge, node)]);
+  if (!hits.empty())
+  {
+    move.Found = true;
+    move.Target = hits.front().Point;
+    move.By = Correction::Slide;
+  }
+  return move;
+}
+
+}

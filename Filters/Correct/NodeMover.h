@@ -1,0 +1,81 @@
+/**
+ * @file NodeMover.h
+ * @brief New positions of single nodes: corrections of type II and III (paper, section 2.3).
+ */
+#ifndef NodeMover_h
+#define NodeMover_h
+
+#include "Band.h"
+#include "Columns.h"
+#include "NodeConstraint.h"
+#include "TrimmingSurface.h"
+
+namespace trim
+{
+
+enum class Correction : unsigned char
+{
+  None = 0,
+  Eliminate = 1, ///< type I: no node moves
+  Project = 2,   ///< type II
+  Slide = 3      ///< type III
+};
+
+struct NodeMove
+{
+  bool Found = false;
+  Vec3 Target = Vec3::Zero();
+  Correction By = Correction::None;
+};
+
+class NodeMover
+{
+public:
+  /**
+   * @param precision absolute distance to which a position is on the surface.
+   */
+  NodeMover(const Band& band, const Columns& columns,
+    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+    double precision);
+
+  /// Type II: P1 on the surface, P2 on the skin facet, P3 = line(N, P2) with S (eqs. 16, 17).
+  /// Nodes on a ridge slide along it, by type III.
+  NodeMove Project(int node) const;
+
+  /**
+   * Type III: along the edge to another pillar (eq. 18).
+   * @param edge a band edge at the node; the move is found if the surface crosses it.
+   */
+  NodeMove SlideAlong(int node, int edge) const;
+
+  /// Edges that type III may use at a node: not through the thickness, not off the skin.
+  std::vector<int> SlidingEdges(int node) const;
+
+  /**
+   * The point of the surface, on the faces that hold the node, in the plane through `through`
+   * with this normal: for a node that is to lie in the middle of its neighbours.
+   */
+  NodeMove Between(int node, const Vec3& through, const Vec3& planeNormal) const;
+
+private:
+  NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
+  NodeMove ProjectOnFaces(int node, const NodeConstraint& constraint) const;
+  /// The meeting point of the surface, a facet (the one it lies in) and a plane, from a guess.
+  bool Meet(int node, const std::vector<int>& faces, const Vec3& guess, const Vec3& planePoint,
+    const Vec3& planeNormal, Vec3& meeting) const;
+  bool MeetFacet(int face, const Vec3& guess, const Vec3& planePoint, const Vec3& planeNormal,
+    Vec3& meeting, double& outside) const;
+  std::vector<int> FacesAround(const std::vector<int>& faces) const;
+  /// Length of the longest edge at a node: no move is longer than a few of these.
+  double Reach(int node) const;
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const std::vector<unsigned char>& NodeStatus;
+  const nurbs::TrimmingSurface& Surface;
+  double Precision;
+};
+
+}
+
+#endif

@@ -1,0 +1,289 @@
+#include "Decision.h"
+
+#include "EliminatedFraction.h"
+#include "Manifold.h"
+#include "Status.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trim
+{
+namespace
+{
+
+/// An element whose nodes all go to the surface collapses when less than this is left of it.
+constexpr double CollapsedShare = 0.2;
+/// Sweeps of mending; in the later half elements are only eliminated, so that it ends.
+constexpr int MendingSweeps = 20;
+
+double VolumeOf(const std::array<Vec3, 8>& p, int count)
+{
+  const auto tetrahedron = [&p](int a, int b, int c, int d) {
+    return (p[b] - p[a]).cross(p[c] - p[a]).dot(p[d] - p[a]) / 6.0;
+  };
+  if (count == 6)
+  {
+    return tetrahedron(0, 1, 2, 5) + tetrahedron(0, 1, 5, 4) + tetrahedron(0, 4, 5, 3);
+  }
+  return tetrahedron(0, 1, 2, 6) + tetrahedron(0, 2, 3, 6) + tetrahedron(0, 3, 7, 6) +
+    tetrahedron(0, 7, 4, 6) + tetrahedron(0, 4, 5, 6) + tetrahedron(0, 5, 1, 6);
+}
+
+/// The working state of one decision.
+class Mender
+{
+public:
+  Mender(const Band& band, const Columns& columns, const VolumeShares& shares,
+    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+    double threshold, const std::vector<Fate>& fate, std::vector<char>& kept)
+    : TheBand(band)
+    , TheColumns(columns)
+    , Shares(shares)
+    , NodeStatus(nodeStatus)
+    , Surface(surface)
+    , Threshold(threshold)
+    , Fates(fate)
+    , Kept(kept)
+    , Members(BuildLists(band.NumberOfElements(),
+        [&](auto&& add) {
+          for (int e = 0; e < band.NumberOfElements(); ++e)
+          {
+            add(columns.Column[e], e);
+          }
+        }))
+    , Whole(band.NumberOfElements(), 1)
+  {
+    this->FindInnerNodes();
+  }
+
+  void Run()
+  {
+    for (int sweep = 0; sweep < MendingSweeps; ++sweep)
+    {
+      const bool onlyEliminate = sweep >= MendingSweeps / 2;
+      const bool collapsed = this->EliminateCollapsing();
+      const bool pinched = this->MendPinches(onlyEliminate);
+      if (!collapsed && !pinched)
+      {
+        return;
+      }
+    }
+  }
+
+private:
+  /// Nodes whose elements are all in the band, and at which the whole mesh is a manifold.
+  void FindInnerNodes()
+  {
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    {
+      const auto elements = this->TheBand.ElementsOfNode(n);
+      const bool inner = std::none_of(elements.begin(), elements.end(),
+        [this](int e) { return this->TheBand.InHalo(e); });
+      bool mixed = false;
+      for (const int e : elements)
+      {
+        mixed |= this->TheBand.Elements[e].Ring <= 2;
+      }
+      if (inner && mixed && IsManifoldAt(this->TheBand, this->Whole, n))
+      {
+        this->InnerNodes.push_back(n);
+      }
+    }
+  }
+
+  void SetColumn(int column, char kept)
+  {
+    for (auto* e = this->Members.begin(column); e != this->Members.end(column); ++e)
+    {
+      this->Kept[*e] = kept;
+    }
+  }
+
+  /// Kept columns whose nodes all go to the surface and leave nothing between them.
+  bool EliminateCollapsing()
+  {
+    const auto moving = FindMovingNodes(this->TheBand, this->Kept, this->NodeStatus);
+    bool changed = false;
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    {
+      const auto& element = this->TheBand.Elements[e];
+      const int column = this->TheColumns.Column[e];
+      if (!this->Kept[e] || this->Fates[column] == Fate::Keep)
+      {
+        continue;
+      }
+      bool all = true;
+      for (int i = 0; i < element.Count && all; ++i)
+      {
+        all = moving[element.Node[i]] || this->NodeStatus[element.Node[i]] == NodeOnSurface;
+      }
+      if (all && this->Collapses(element))
+      {
+        this->SetColumn(column, 0);
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  bool Collapses(const BandElement& element) const
+  {
+    std::array<Vec3, 8> before;
+    std::array<Vec3, 8> after;
+    for (int i = 0; i < element.Count; ++i)
+    {
+      before[i] = this->TheBand.Point[element.Node[i]];
+      after[i] = this->Surface.ClosestPoint(before[i]).Point;
+    }
+    return VolumeOf(after, element.Count) < CollapsedShare * VolumeOf(before, element.Count);
+  }
+
+  bool MendPinches(bool onlyEliminate)
+  {
+    bool changed = false;
+    for (const int n : this->InnerNodes)
+    {
+      if (!IsManifoldAt(this->TheBand, this->Kept, n))
+      {
+        changed |= this->MendPinch(n, onlyEliminate);
+      }
+    }
+    return changed;
+  }
+
+  /// Turns round the column at the node whose share is nearest to the threshold.
+  bool MendPinch(int node, bool onlyEliminate)
+  {
+    std::vector<std::pair<double, int>> candidates;
+    for (const int e : this->TheBand.ElementsOfNode(node))
+    {
+      const int column = this->TheColumns.Column[e];
+      if (onlyEliminate && !this->Kept[e])
+      {
+        continue;
+      }
+      candidates.emplace_back(std::abs(this->Shares.Column[e] - this->Threshold), column);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    for (const auto& candidate : candidates)
+    {
+      const char before = this->Kept[candidate.second];
+      this->SetColumn(candidate.second, !before);
+      if (IsManifoldAt(this->TheBand, this->Kept, node))
+      {
+        return true;
+      }
+      this->SetColumn(candidate.second, before);
+    }
+    // No single column mends it: take away all that is kept here but the largest share.
+    for (const auto& candidate : candidates)
+    {
+      if (this->Kept[candidate.second])
+      {
+        this->SetColumn(candidate.second, 0);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const VolumeShares& Shares;
+  const std::vector<unsigned char>& NodeStatus;
+  const nurbs::TrimmingSurface& Surface;
+  double Threshold;
+  const std::vector<Fate>& Fates;
+  std::vector<char>& Kept;
+  Band::Lists Members;
+  std::vector<char> Whole;
+  std::vector<int> InnerNodes;
+};
+
+}
+
+bool MeasureShares(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<unsigned char>& elementStatus,
+  const nurbs::TrimmingSurface& surface, double gap, VolumeShares& shares,
+  std::array<int, 2>& missedEdge)
+{
+  const int count = band.NumberOfElements();
+  shares.Element.assign(count, 0.0);
+  shares.Column.assign(count, 0.0);
+  std::vector<double> volume(count, 0.0);
+  std::vector<std::array<int, 2>> missed(count, { -1, -1 });
+  vtkSMPTools::For(0, count, 64, [&](Id begin, Id end) {
+    for (Id e = begin; e < end; ++e)
+    {
+      const auto volumes = MeasureEliminated(
+        band, static_cast<int>(e), nodeStatus, surface, gap, missed[e]);
+      volume[e] = volumes.Total;
+      shares.Element[e] = elementStatus[e] == ElementKeep ? 0.0
+        : elementStatus[e] == ElementEliminate            ? 1.0
+                                                          : volumes.Fraction();
+    }
+  });
+  for (const auto& edge : missed)
+  {
+    if (edge[0] >= 0)
+    {
+      missedEdge = edge;
+      return false;
+    }
+  }
+  std::vector<double> total(count, 0.0);
+  std::vector<double> eliminated(count, 0.0);
+  for (int e = 0; e < count; ++e)
+  {
+    total[columns.Column[e]] += volume[e];
+    eliminated[columns.Column[e]] += volume[e] * shares.Element[e];
+  }
+  for (int e = 0; e < count; ++e)
+  {
+    const int column = columns.Column[e];
+    shares.Column[e] = total[column] > 0.0 ? eliminated[column] / total[column] : 0.0;
+  }
+  return true;
+}
+
+std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double threshold, const std::vector<Fate>& fate, bool mend)
+{
+  std::vector<char> kept(band.NumberOfElements());
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    const Fate set = fate[columns.Column[e]];
+    // Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep).
+    kept[e] = set == Fate::ByVolume ? shares.Column[e] <= threshold + 1e-9 : set == Fate::Keep;
+  }
+  if (mend)
+  {
+    Mender(band, columns, shares, nodeStatus, surface, threshold, fate, kept).Run();
+  }
+  return kept;
+}
+
+std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept,
+  const std::vector<unsigned char>& nodeStatus)
+{
+  std::vector<char> moving(band.NumberOfNodes(), 0);
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    bool touchesKept = false;
+    bool touchesEliminated = nodeStatus[n] == NodeEliminate;
+    for (const int e : band.ElementsOfNode(n))
+    {
+      touchesKept |= kept[e] != 0;
+      touchesEliminated |= kept[e] == 0;
+    }
+    moving[n] = touchesKept && touchesEliminated && nodeStatus[n] != NodeOnSurface;
+  }
+  return moving;
+}
+
+}

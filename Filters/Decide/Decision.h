@@ -1,0 +1,75 @@
+/**
+ * @file Decision.h
+ * @brief Which elements stay (paper, section 2.3: V^e against 50 %), one decision a column.
+ *
+ * In a sheet of several layers under a surface that is not quite perpendicular, element by
+ * element decisions would leave facets between layers on the new boundary, whose nodes cannot
+ * all move to the surface. So the elements of a column fall together, on their total volume.
+ */
+#ifndef Decision_h
+#define Decision_h
+
+#include "Band.h"
+#include "Columns.h"
+#include "TrimmingSurface.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/// Fate that the validity ladder has set for a column against its volume.
+enum class Fate : signed char
+{
+  ByVolume,
+  Keep,
+  Eliminate
+};
+
+struct VolumeShares
+{
+  std::vector<double> Element; ///< V^e of each band element
+  std::vector<double> Column;  ///< share of the column of each band element
+};
+
+/**
+ * V^e of all band elements and the shares of their columns.
+ *
+ * @param elementStatus ElementStatus of the band elements.
+ * @return false if an edge joins kept and eliminated nodes without meeting the surface;
+ * missedEdge then holds its band nodes.
+ */
+bool MeasureShares(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<unsigned char>& elementStatus,
+  const nurbs::TrimmingSurface& surface, double gap, VolumeShares& shares,
+  std::array<int, 2>& missedEdge);
+
+/**
+ * Decides by volume or by the fate set, then mends what cannot become a mesh: elements that
+ * would collapse because all their nodes go to one place of the surface, and elements that
+ * would touch the rest by an edge or a node only.
+ *
+ * @param threshold EliminationFraction: a column goes when its share is larger.
+ * @param fate by column (index: smallest element of the column).
+ * @return for each band element whether it is kept.
+ */
+std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double threshold, const std::vector<Fate>& fate, bool mend);
+
+/**
+ * Nodes that have to lie on the new boundary: those that kept and eliminated elements share,
+ * on either side of the surface, and eliminated nodes of kept elements.
+ */
+std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept,
+  const std::vector<unsigned char>& nodeStatus);
+
+/// A face between a kept element and an eliminated one.
+inline bool IsCutFace(const BandFace& face, const std::vector<char>& kept)
+{
+  return face.Element[1] >= 0 && kept[face.Element[0]] != kept[face.Element[1]];
+}
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+/**
+ * @file EliminatedFraction.h
+ * @brief V^e, the share of an element that lies beyond the surface (paper, section 2.3).
+ *
+ * The element is divided into tetrahedra (six for a hexahedron, three for a wedge), and each is
+ * cut where the surface crosses its edges.
+ */
+#ifndef EliminatedFraction_h
+#define EliminatedFraction_h
+
+#include "Band.h"
+#include "TrimmingSurface.h"
+
+namespace trim
+{
+
+struct ElementVolumes
+{
+  double Total = 0;
+  double Eliminated = 0;
+  double Fraction() const { return this->Total > 0.0 ? this->Eliminated / this->Total : 0.0; }
+};
+
+/**
+ * Volumes of one element.
+ *
+ * @param status node statuses of the band (NodeStatus).
+ * @param gap see CrossEdge.
+ * @param[out] missedEdge band nodes of an edge that joins kept and eliminated nodes without
+ * meeting the surface, which shows that the surface ends there; untouched otherwise.
+ */
+ElementVolumes MeasureEliminated(const Band& band, int element,
+  const std::vector<unsigned char>& status, const nurbs::TrimmingSurface& surface, double gap,
+  std::array<int, 2>& missedEdge);
+
+}
+
+#endif

@@ -1,0 +1,23 @@
+/**
+ * @file Manifold.h
+ * @brief Whether the boundary of the kept elements is a manifold at a node.
+ */
+#ifndef Manifold_h
+#define Manifold_h
+
+#include "Band.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/**
+ * True if the boundary facets of the kept elements at this node form one closed fan (or none):
+ * every edge has two of them or none, and all are joined by edges at the node.
+ */
+bool IsManifoldAt(const Band& band, const std::vector<char>& kept, int node);
+
+}
+
+#endif

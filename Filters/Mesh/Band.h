@@ -1,0 +1,129 @@
+/**
+ * @file Band.h
+ * @brief The part of the mesh near the cut, as a small mesh of its own with full topology.
+ *
+ * Everything after the classification works on it, so the cost of the trim grows with the cut
+ * and not with the mesh. Its outermost ring is a halo: there to tell the exterior of the mesh
+ * from the border of the band, and never changed.
+ */
+#ifndef Band_h
+#define Band_h
+
+#include "ElementTopology.h"
+#include "HexMesh.h"
+#include "MeshBlocks.h"
+
+#include <array>
+#include <vector>
+
+namespace trim
+{
+
+struct BandElement
+{
+  Id Global = -1;
+  int Count = 0;            ///< 8 or 6
+  std::array<int, 8> Node;  ///< band nodes, in an order with positive Jacobian
+  std::array<int, 6> Face;  ///< band faces, by the slots of ElementTopology
+  int Ring = 0;             ///< 0: meets the surface
+};
+
+struct BandFace
+{
+  int Count = 0;
+  std::array<int, 4> Node;            ///< in the order of the first element, outward
+  std::array<int, 2> Element{ -1, -1 };
+  std::array<int, 2> Slot{ -1, -1 };  ///< slot of the face in each element
+  bool Exterior = false;              ///< on the border of the mesh
+};
+
+struct BandEdge
+{
+  int First, Second;
+};
+
+class Band
+{
+public:
+  /**
+   * @param seeds cells of ring 0, ascending.
+   * @param near cells among which all rings are found, ascending (a superset of the band).
+   * @param rings how many rings of cells, joined by nodes, to take round the seeds, the halo
+   * included.
+   */
+  Band(const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings);
+
+  std::vector<BandElement> Elements; ///< by ascending global id
+  std::vector<BandFace> Faces;
+  std::vector<BandEdge> Edges;       ///< First < Second, ascending
+  std::vector<Id> GlobalNode;        ///< ascending
+  std::vector<Vec3> Point;           ///< original positions
+
+  int NumberOfNodes() const { return static_cast<int>(this->GlobalNode.size()); }
+  int NumberOfElements() const { return static_cast<int>(this->Elements.size()); }
+  int HaloRing() const { return this->Halo; }
+  bool InHalo(int element) const { return this->Elements[element].Ring >= this->Halo; }
+
+  /// A list per item, in two flat arrays.
+  struct Lists
+  {
+    std::vector<int> Offset, Item;
+    const int* begin(int i) const { return this->Item.data() + this->Offset[i]; }
+    const int* end(int i) const { return this->Item.data() + this->Offset[i + 1]; }
+  };
+
+  /// For range-based loops over one list.
+  struct Range
+  {
+    const int *First, *Last;
+    const int* begin() const { return this->First; }
+    const int* end() const { return this->Last; }
+    int size() const { return static_cast<int>(this->Last - this->First); }
+  };
+  Range ElementsOfNode(int n) const { return { ElementLists.begin(n), ElementLists.end(n) }; }
+  Range FacesOfNode(int n) const { return { FaceLists.begin(n), FaceLists.end(n) }; }
+  Range EdgesOfNode(int n) const { return { EdgeLists.begin(n), EdgeLists.end(n) }; }
+
+  int Neighbour(int element, int slot) const
+  {
+    const auto& face = this->Faces[this->Elements[element].Face[slot]];
+    return face.Element[0] == element ? face.Element[1] : face.Element[0];
+  }
+  int OtherEnd(int edge, int node) const
+  {
+    return this->Edges[edge].First == node ? this->Edges[edge].Second : this->Edges[edge].First;
+  }
+  int FindEdge(int a, int b) const; ///< -1 if there is none
+  int FindNode(Id global) const;    ///< -1 if it is not in the band
+
+private:
+  void TakeElements(
+    const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings);
+  void OrientWedges();
+  void BuildFaces();
+  void BuildEdges();
+
+  int Halo = 0;
+  Lists ElementLists, FaceLists, EdgeLists;
+};
+
+/// Builds item lists from (owner, item) visits made twice by `visit(callback)`.
+template <typename Visit>
+Band::Lists BuildLists(int owners, const Visit& visit)
+{
+  Band::Lists lists;
+  lists.Offset.assign(owners + 1, 0);
+  visit([&](int owner, int) { ++lists.Offset[owner + 1]; });
+  for (int i = 0; i < owners; ++i)
+  {
+    lists.Offset[i + 1] += lists.Offset[i];
+  }
+  lists.Item.resize(lists.Offset.back());
+  std::vector<int> next(lists.Offset.begin(), lists.Offset.end() - 1);
+  visit([&](int owner, int item) { lists.Item[next[owner]++] = item; });
+  return lists;
+}
+
+}
+
+#endif

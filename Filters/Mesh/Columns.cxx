@@ -1,0 +1,314 @@
+#include "Columns.h"
+
+#include "DisjointSets.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace trim
+{
+namespace
+{
+
+/// How much shorter than any other the chains of the thickness axis have to be.
+constexpr double ThicknessRatio = 1.5;
+/// Chains longer than this many elements count as open.
+constexpr int LongestChain = 64;
+/// How many elements of a part are sampled to measure the chains.
+constexpr int Samples = 200;
+
+int Slot(int element, int axis)
+{
+  return 3 * element + axis;
+}
+
+/// The axis of an element that is parallel to the edge between two of its nodes, or -1.
+int AxisOfEdge(const BandElement& element, int a, int b)
+{
+  const auto& topology = TopologyOf(element.Count);
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    const int p = element.Node[topology.Edges[i].First];
+    const int q = element.Node[topology.Edges[i].Second];
+    if ((p == a && q == b) || (p == b && q == a))
+    {
+      return topology.Edges[i].Axis;
+    }
+  }
+  return -1;
+}
+
+/// Joins the axes that two elements share through a common face.
+void UniteAxes(const Band& band, const BandFace& face, DisjointSets<int>& axes)
+{
+  if (face.Element[1] < 0)
+  {
+    return;
+  }
+  const auto& e0 = band.Elements[face.Element[0]];
+  const auto& e1 = band.Elements[face.Element[1]];
+  const int end0 = TopologyOf(e0.Count).FaceAxis[face.Slot[0]];
+  const int end1 = TopologyOf(e1.Count).FaceAxis[face.Slot[1]];
+  if (end0 >= 0 && end1 >= 0)
+  {
+    axes.Unite(Slot(face.Element[0], end0), Slot(face.Element[1], end1));
+  }
+  for (int i = 0; i + 1 < face.Count; ++i)
+  {
+    const int a0 = AxisOfEdge(e0, face.Node[i], face.Node[i + 1]);
+    const int a1 = AxisOfEdge(e1, face.Node[i], face.Node[i + 1]);
+    if (a0 >= 0 && a1 >= 0)
+    {
+      axes.Unite(Slot(face.Element[0], a0), Slot(face.Element[1], a1));
+    }
+  }
+}
+
+double AxisLength(const Band& band, int element, int axis)
+{
+  const auto& e = band.Elements[element];
+  const auto& topology = TopologyOf(e.Count);
+  double sum = 0.0;
+  int count = 0;
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    if (topology.Edges[i].Axis == axis)
+    {
+      sum += (band.Point[e.Node[topology.Edges[i].First]] -
+        band.Point[e.Node[topology.Edges[i].Second]])
+               .norm();
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+struct Chain
+{
+  double Length = 0;
+  bool Closed = true; ///< ends at the exterior on both sides
+};
+
+Chain MeasureChain(const Band& band, int element, int axis)
+{
+  Chain chain;
+  chain.Length = AxisLength(band, element, axis);
+  const auto& topology = TopologyOf(band.Elements[element].Count);
+  for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
+  {
+    if (topology.FaceAxis[slot] != axis)
+    {
+      continue;
+    }
+    int current = element;
+    int leaving = slot;
+    for (int step = 0;; ++step)
+    {
+      const auto& face = band.Faces[band.Elements[current].Face[leaving]];
+      const int side = face.Element[0] == current ? 1 : 0;
+      const int next = face.Element[side];
+      if (next < 0 || step == LongestChain)
+      {
+        chain.Closed = chain.Closed && next < 0 && face.Exterior;
+        break;
+      }
+      const int nextAxis = TopologyOf(band.Elements[next].Count).FaceAxis[face.Slot[side]];
+      if (nextAxis < 0)
+      {
+        chain.Closed = false;
+        break;
+      }
+      chain.Length += AxisLength(band, next, nextAxis);
+      leaving = OppositeFace(face.Slot[side]);
+      current = next;
+    }
+  }
+  return chain;
+}
+
+/// A class of axes in one part, with its measured chains.
+struct Candidate
+{
+  int Root = -1;
+  int Covered = 0; ///< elements with exactly one axis in the class
+  int Twice = 0;   ///< elements with two: the class turns back on itself
+  double MeanLength = 0;
+  double ClosedShare = 0;
+};
+
+std::vector<Candidate> MeasureCandidates(
+  const Band& band, const std::vector<int>& part, DisjointSets<int>& axes)
+{
+  std::map<int, Candidate> candidates;
+  std::map<int, int> measured;
+  const int stride = std::max<int>(1, static_cast<int>(part.size()) / Samples);
+  for (std::size_t i = 0; i < part.size(); ++i)
+  {
+    const int e = part[i];
+    const int count = TopologyOf(band.Elements[e].Count).NumberOfAxes;
+    std::array<int, 3> roots{ -1, -1, -1 };
+    for (int axis = 0; axis < count; ++axis)
+    {
+      roots[axis] = axes.Find(Slot(e, axis));
+    }
+    for (int axis = 0; axis < count; ++axis)
+    {
+      auto& candidate = candidates[roots[axis]];
+      candidate.Root = roots[axis];
+      const bool twice = std::count(roots.begin(), roots.end(), roots[axis]) > 1;
+      ++(twice ? candidate.Twice : candidate.Covered);
+      // The rings near the cut see whole columns; the halo may not.
+      if (i % stride == 0 && band.Elements[e].Ring <= 1)
+      {
+        const Chain chain = MeasureChain(band, e, axis);
+        ++measured[roots[axis]];
+        candidate.MeanLength += chain.Length;
+        candidate.ClosedShare += chain.Closed ? 1.0 : 0.0;
+      }
+    }
+  }
+  std::vector<Candidate> list;
+  for (auto& item : candidates)
+  {
+    const int n = measured[item.first];
+    if (n > 0)
+    {
+      item.second.MeanLength /= n;
+      item.second.ClosedShare /= n;
+      list.push_back(item.second);
+    }
+  }
+  return list;
+}
+
+/// Root of the thickness axis of one part, or -1.
+int ChooseThickness(std::vector<Candidate> candidates, int partSize)
+{
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b) { return a.MeanLength < b.MeanLength; });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    const auto& candidate = candidates[i];
+    if (candidate.Covered != partSize || candidate.Twice > 0)
+    {
+      continue;
+    }
+    // An open chain is longer than what the band shows of it.
+    const bool shortest = std::all_of(candidates.begin(), candidates.end(), [&](const Candidate& o) {
+      return o.Root == candidate.Root || o.MeanLength > ThicknessRatio * candidate.MeanLength ||
+        (o.ClosedShare < 0.5 && o.MeanLength > candidate.MeanLength);
+    });
+    return shortest && candidate.ClosedShare > 0.5 ? candidate.Root : -1;
+  }
+  return -1;
+}
+
+void BuildGroups(const Band& band, Columns& columns)
+{
+  DisjointSets<int> elements(band.NumberOfElements());
+  DisjointSets<int> nodes(band.NumberOfNodes());
+  for (std::size_t f = 0; f < band.Faces.size(); ++f)
+  {
+    const auto& face = band.Faces[f];
+    if (face.Element[1] >= 0 && columns.IsLayerFace(band, static_cast<int>(f)))
+    {
+      elements.Unite(face.Element[0], face.Element[1]);
+    }
+  }
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    const auto& element = band.Elements[e];
+    const auto& topology = TopologyOf(element.Count);
+    for (int i = 0; i < topology.NumberOfEdges && columns.Axis[e] >= 0; ++i)
+    {
+      if (topology.Edges[i].Axis == columns.Axis[e])
+      {
+        nodes.Unite(element.Node[topology.Edges[i].First], element.Node[topology.Edges[i].Second]);
+      }
+    }
+  }
+  columns.Column.resize(band.NumberOfElements());
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    columns.Column[e] = elements.Find(e);
+  }
+  columns.Pillar.resize(band.NumberOfNodes());
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    columns.Pillar[n] = nodes.Find(n);
+  }
+}
+
+}
+
+bool Columns::Complete(const Band& band, int ring) const
+{
+  std::vector<char> open(band.NumberOfElements(), 0);
+  for (std::size_t f = 0; f < band.Faces.size(); ++f)
+  {
+    const auto& face = band.Faces[f];
+    if (face.Element[1] < 0 && !face.Exterior && this->IsLayerFace(band, static_cast<int>(f)))
+    {
+      open[this->Column[face.Element[0]]] = 1;
+    }
+  }
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    if (band.Elements[e].Ring <= ring && open[this->Column[e]])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Columns FindColumns(const Band& band)
+{
+  DisjointSets<int> axes(3 * band.NumberOfElements());
+  DisjointSets<int> parts(band.NumberOfElements());
+  for (const auto& face : band.Faces)
+  {
+    UniteAxes(band, face, axes);
+    if (face.Element[1] >= 0)
+    {
+      parts.Unite(face.Element[0], face.Element[1]);
+    }
+  }
+  std::map<int, std::vector<int>> elementsOfPart;
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    elementsOfPart[parts.Find(e)].push_back(e);
+  }
+  Columns columns;
+  columns.Axis.assign(band.NumberOfElements(), -1);
+  for (const auto& part : elementsOfPart)
+  {
+    const int root = ChooseThickness(
+      MeasureCandidates(band, part.second, axes), static_cast<int>(part.second.size()));
+    for (const int e : part.second)
+    {
+      const int count = TopologyOf(band.Elements[e].Count).NumberOfAxes;
+      for (int axis = 0; axis < count && root >= 0; ++axis)
+      {
+        if (axes.Find(Slot(e, axis)) == root)
+        {
+          columns.Axis[e] = static_cast<signed char>(axis);
+        }
+      }
+    }
+  }
+  BuildGroups(band, columns);
+  return columns;
+}
+
+Columns NoColumns(const Band& band)
+{
+  Columns columns;
+  columns.Axis.assign(band.NumberOfElements(), -1);
+  BuildGroups(band, columns);
+  return columns;
+}
+
+}

@@ -1,0 +1,52 @@
+/**
+ * @file Columns.h
+ * @brief The through-thickness structure of a sheet: columns of elements, pillars of nodes.
+ *
+ * The paper's meshes are sheets of one or more layers, so each element has a thickness axis:
+ * the one whose chain of elements from skin to skin is the shortest. It is found locally in the
+ * band and carried from element to element through their lateral faces, never taken from a
+ * global direction, so that formed parts have it too. A solid block has none.
+ */
+#ifndef Columns_h
+#define Columns_h
+
+#include "Band.h"
+
+#include <vector>
+
+namespace trim
+{
+
+struct Columns
+{
+  std::vector<signed char> Axis; ///< thickness axis of each element, -1: none
+  std::vector<int> Column;       ///< of each element: the smallest element of its column
+  std::vector<int> Pillar;       ///< of each node: the smallest node of its pillar
+
+  /// True if the columns of all elements up to this ring end at the skin, not at the band.
+  bool Complete(const Band& band, int ring) const;
+
+  /// A face that ends the thickness axis of its elements: skin or between layers.
+  bool IsLayerFace(const Band& band, int face) const
+  {
+    const auto& f = band.Faces[face];
+    const int axis = this->Axis[f.Element[0]];
+    return axis >= 0 &&
+      TopologyOf(band.Elements[f.Element[0]].Count).FaceAxis[f.Slot[0]] == axis;
+  }
+  /// An edge from layer to layer.
+  bool IsThicknessEdge(const Band& band, int edge) const
+  {
+    return this->Pillar[band.Edges[edge].First] == this->Pillar[band.Edges[edge].Second];
+  }
+  bool HasThickness(int element) const { return this->Axis[element] >= 0; }
+};
+
+Columns FindColumns(const Band& band);
+
+/// Columns of a band that is to be treated as a solid block: every element for itself.
+Columns NoColumns(const Band& band);
+
+}
+
+#endif

@@ -1,0 +1,194 @@
+#include "HexMesh.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellTypes.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPoints.h>
+#include <vtkSMPTools.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <atomic>
+#include <cmath>
+
+namespace trim
+{
+namespace
+{
+
+/// Lowest index that fails a test, found in parallel: the same for any number of threads.
+template <typename Test>
+Id FirstFailure(Id count, const Test& fails)
+{
+  std::atomic<Id> first{ count };
+  vtkSMPTools::For(0, count, 100000, [&](Id begin, Id end) {
+    for (Id i = begin; i < end; ++i)
+    {
+      if (fails(i))
+      {
+        Id seen = first.load();
+        while (i < seen && !first.compare_exchange_weak(seen, i))
+        {
+        }
+        return;
+      }
+    }
+  });
+  return first.load();
+}
+
+bool TakePoints(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
+{
+  vtkPoints* points = grid->GetPoints();
+  mesh.NumberOfPoints = points ? points->GetNumberOfPoints() : 0;
+  if (!points || mesh.NumberOfPoints == 0)
+  {
+    return true;
+  }
+  if (auto* doubles = vtkDoubleArray::FastDownCast(points->GetData()))
+  {
+    mesh.PointsDouble = doubles->GetPointer(0);
+  }
+  else if (auto* floats = vtkFloatArray::FastDownCast(points->GetData()))
+  {
+    mesh.PointsFloat = floats->GetPointer(0);
+  }
+  else
+  {
+    error = std::string("The points of the grid are of type ") +
+      points->GetData()->GetDataTypeAsString() +
+      ", but must be float or double in one array: convert them, e.g. with a Calculator.";
+    return false;
+  }
+  const Id bad = FirstFailure(mesh.NumberOfPoints, [&mesh](Id i) {
+    return mesh.PointsDouble ? !(std::isfinite(mesh.PointsDouble[3 * i]) &&
+                                 std::isfinite(mesh.PointsDouble[3 * i + 1]) &&
+                                 std::isfinite(mesh.PointsDouble[3 * i + 2]))
+                             : !(std::isfinite(mesh.PointsFloat[3 * i]) &&
+                                 std::isfinite(mesh.PointsFloat[3 * i + 1]) &&
+                                 std::isfinite(mesh.PointsFloat[3 * i + 2]));
+  });
+  if (bad < mesh.NumberOfPoints)
+  {
+    error = "Point " + std::to_string(bad) +
+      " of the grid has a coordinate that is not finite: repair the mesh before trimming.";
+    return false;
+  }
+  return true;
+}
+
+enum class CellDefect
+{
+  None,
+  Type,
+  Size,
+  Range,
+  Repeated
+};
+
+template <typename T>
+CellDefect FindCellDefect(const T* connectivity, const T* offsets, Id connectivitySize,
+  const unsigned char* types, Id numberOfPoints, Id c)
+{
+  const int expected = types[c] == VTK_HEXAHEDRON ? 8 : types[c] == VTK_WEDGE ? 6 : 0;
+  if (expected == 0)
+  {
+    return CellDefect::Type;
+  }
+  const T first = offsets[c];
+  if (first < 0 || offsets[c + 1] - first != expected || offsets[c + 1] > connectivitySize)
+  {
+    return CellDefect::Size;
+  }
+  const T* nodes = connectivity + first;
+  for (int i = 0; i < expected; ++i)
+  {
+    if (nodes[i] < 0 || nodes[i] >= numberOfPoints)
+    {
+      return CellDefect::Range;
+    }
+  }
+  for (int i = 0; i < expected; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      if (nodes[i] == nodes[j])
+      {
+        return CellDefect::Repeated;
+      }
+    }
+  }
+  return CellDefect::None;
+}
+
+std::string Describe(CellDefect defect, Id c, int type)
+{
+  const std::string cell = "Cell " + std::to_string(c) + " of the grid ";
+  switch (defect)
+  {
+    case CellDefect::Type:
+    {
+      const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
+      return cell + "is a " + (name ? name : "cell of unknown type") +
+        ", but only hexahedra and wedges can be trimmed: remove the other cells first, "
+        "e.g. with Extract Cells By Type.";
+    }
+    case CellDefect::Size:
+      return cell + "has not the number of nodes of its type: the grid is corrupt, rewrite it.";
+    case CellDefect::Range:
+      return cell + "uses a node that does not exist: the grid is corrupt, rewrite it.";
+    default:
+      return cell +
+        "uses a node twice: a hexahedron that is degenerated to six nodes must come as a wedge.";
+  }
+}
+
+}
+
+bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
+{
+  mesh = HexMesh{};
+  if (!TakePoints(grid, mesh, error))
+  {
+    return false;
+  }
+  mesh.NumberOfCells = grid->GetNumberOfCells();
+  if (mesh.NumberOfCells == 0)
+  {
+    return true;
+  }
+  vtkCellArray* cells = grid->GetCells();
+  const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
+  Id connectivitySize = 0;
+  if (cells->IsStorage64Bit())
+  {
+    mesh.Connectivity64 =
+      reinterpret_cast<const vtkTypeInt64*>(cells->GetConnectivityArray64()->GetPointer(0));
+    mesh.Offsets64 =
+      reinterpret_cast<const vtkTypeInt64*>(cells->GetOffsetsArray64()->GetPointer(0));
+    connectivitySize = cells->GetConnectivityArray64()->GetNumberOfValues();
+  }
+  else
+  {
+    mesh.Connectivity32 = cells->GetConnectivityArray32()->GetPointer(0);
+    mesh.Offsets32 = cells->GetOffsetsArray32()->GetPointer(0);
+    connectivitySize = cells->GetConnectivityArray32()->GetNumberOfValues();
+  }
+  const auto defectOf = [&](Id c) {
+    return mesh.Offsets64 ? FindCellDefect(mesh.Connectivity64, mesh.Offsets64, connectivitySize,
+                              types, mesh.NumberOfPoints, c)
+                          : FindCellDefect(mesh.Connectivity32, mesh.Offsets32, connectivitySize,
+                              types, mesh.NumberOfPoints, c);
+  };
+  const Id bad =
+    FirstFailure(mesh.NumberOfCells, [&](Id c) { return defectOf(c) != CellDefect::None; });
+  if (bad < mesh.NumberOfCells)
+  {
+    error = Describe(defectOf(bad), bad, types[bad]);
+    return false;
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,77 @@
+/**
+ * @file HexMesh.h
+ * @brief A read-only view of an unstructured grid's raw arrays, for loops over the whole mesh.
+ *
+ * Debian's VTK is built without optimisation, so nothing of it is called per node or cell:
+ * the pointers are taken once. The grid must outlive the view.
+ */
+#ifndef HexMesh_h
+#define HexMesh_h
+
+#include "NurbsSurface.h"
+
+#include <vtkType.h>
+
+#include <array>
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace trim
+{
+using nurbs::Vec3;
+using Id = vtkIdType;
+
+struct HexMesh
+{
+  Id NumberOfPoints = 0;
+  Id NumberOfCells = 0;
+  const double* PointsDouble = nullptr; ///< one of the two is set
+  const float* PointsFloat = nullptr;
+  const vtkTypeInt64* Connectivity64 = nullptr; ///< the pair of one width is set
+  const vtkTypeInt64* Offsets64 = nullptr;
+  const vtkTypeInt32* Connectivity32 = nullptr;
+  const vtkTypeInt32* Offsets32 = nullptr;
+
+  Vec3 Point(Id i) const
+  {
+    if (this->PointsDouble)
+    {
+      const double* p = this->PointsDouble + 3 * i;
+      return Vec3(p[0], p[1], p[2]);
+    }
+    const float* p = this->PointsFloat + 3 * i;
+    return Vec3(p[0], p[1], p[2]);
+  }
+
+  /// Node ids of cell c; returns their number, 8 or 6.
+  int Cell(Id c, std::array<Id, 8>& nodes) const
+  {
+    return this->Offsets64 ? Gather(this->Connectivity64, this->Offsets64, c, nodes)
+                           : Gather(this->Connectivity32, this->Offsets32, c, nodes);
+  }
+
+private:
+  template <typename T>
+  static int Gather(const T* connectivity, const T* offsets, Id c, std::array<Id, 8>& nodes)
+  {
+    const T first = offsets[c];
+    const int count = static_cast<int>(offsets[c + 1] - first);
+    for (int i = 0; i < count; ++i)
+    {
+      nodes[i] = connectivity[first + i];
+    }
+    return count;
+  }
+};
+
+/**
+ * Takes the view of a grid. Returns false with an error that names the cell or point and the
+ * remedy if the grid holds cells that are neither hexahedra nor wedges, cells with a wrong
+ * number of nodes, node ids out of range or repeated, or coordinates that are not finite.
+ */
+bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error);
+
+}
+
+#endif

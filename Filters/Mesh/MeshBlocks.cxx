@@ -1,0 +1,50 @@
+#include "MeshBlocks.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trim
+{
+
+Box3 CellBox(const HexMesh& mesh, Id cell)
+{
+  std::array<Id, 8> nodes;
+  const int count = mesh.Cell(cell, nodes);
+  Box3 box;
+  for (int i = 0; i < count; ++i)
+  {
+    box.extend(mesh.Point(nodes[i]));
+  }
+  return box;
+}
+
+MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
+{
+  MeshBlocks blocks;
+  const Id count =
+    (mesh.NumberOfCells + MeshBlocks::CellsPerBlock - 1) / MeshBlocks::CellsPerBlock;
+  blocks.Boxes.resize(count);
+  std::vector<double> largest(count, 0.0);
+  vtkSMPTools::For(0, count, 256, [&](Id begin, Id end) {
+    for (Id b = begin; b < end; ++b)
+    {
+      const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+      for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
+      {
+        const Box3 box = CellBox(mesh, c);
+        largest[b] = std::max(largest[b], box.diagonal().squaredNorm());
+        blocks.Boxes[b].extend(box);
+      }
+    }
+  });
+  for (Id b = 0; b < count; ++b)
+  {
+    blocks.Bounds.extend(blocks.Boxes[b]);
+    blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, std::sqrt(largest[b]));
+  }
+  return blocks;
+}
+
+}

@@ -1,0 +1,43 @@
+/**
+ * @file NodeOrdering.h
+ * @brief Node numbers that minimise the largest difference within an element (paper, section 2.4).
+ *
+ * A bandwidth problem: no ordering gets below ceil((N - 1) / diameter of the node graph). Cheap
+ * candidates are tried and the best is kept: the numbers as they came, sorts along the axes of
+ * the part (longest outermost, thickness innermost), and where these do not reach the bound the
+ * reverse Cuthill-McKee ordering from more than one start. The result is never worse than any.
+ */
+#ifndef NodeOrdering_h
+#define NodeOrdering_h
+
+#include "HexMesh.h"
+
+#include <functional>
+#include <vector>
+
+namespace trim
+{
+
+/// The elements of a mesh by their nodes, in two flat arrays.
+struct NodeGraph
+{
+  int NumberOfNodes = 0;
+  std::vector<int> Offset;       ///< number of elements + 1
+  std::vector<int> Connectivity; ///< node numbers as they came
+};
+
+/// Largest difference of node numbers within an element, under number[node].
+int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number);
+
+/**
+ * New number of each node.
+ *
+ * @param position of each node; neighbours in a row of a regular mesh should have equal
+ * coordinates, so the positions before the correction serve better than those after.
+ */
+std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int)>& position,
+  const std::function<bool()>& aborted);
+
+}
+
+#endif

@@ -1,0 +1,31 @@
+# The stages of the paper's Fig. 8, from classify to write, as one static library.
+add_library(NURBSTrimStages STATIC
+  Mesh/Band.cxx
+  Mesh/Columns.cxx
+  Mesh/HexMesh.cxx
+  Mesh/MeshBlocks.cxx
+  Classify/EdgeCrossing.cxx
+  Classify/NodeClassification.cxx
+  Decide/Decision.cxx
+  Decide/EliminatedFraction.cxx
+  Decide/Manifold.cxx
+  Correct/Facet.cxx
+  Correct/Moves.cxx
+  Correct/NodeConstraint.cxx
+  Correct/NodeMover.cxx
+  Treat/Jacobian.cxx
+  Treat/Pentahedra.cxx
+  Treat/ValidityLadder.cxx
+  Renumber/NodeOrdering.cxx
+  Write/GatherAttributes.cxx
+  Write/StatusArrays.cxx
+  Write/Summary.cxx
+  Write/TrimmedGrid.cxx
+  Trim/TrimPipeline.cxx)
+foreach (stage IN ITEMS Mesh Classify Decide Correct Treat Renumber Write Trim)
+  target_include_directories(NURBSTrimStages PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${stage}")
+endforeach ()
+target_link_libraries(NURBSTrimStages
+  PUBLIC NURBSTrimGeometry Eigen3::Eigen VTK::CommonCore VTK::CommonDataModel
+  PRIVATE Boost::headers)
+target_compile_features(NURBSTrimStages PUBLIC cxx_std_17)

@@ -1,0 +1,178 @@
+#include "Jacobian.h"
+
+#include "ElementTopology.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trim
+{
+namespace
+{
+
+double Determinant(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  return a.cross(b).dot(c);
+}
+
+/// Determinant of a hexahedron at (r, s, t) in [0, 1]^3.
+double HexahedronAt(const ElementPoints& p, double r, double s, double t)
+{
+  const double a = 1.0 - r;
+  const double b = 1.0 - s;
+  const double c = 1.0 - t;
+  const Vec3 dr = (b * c) * (p[1] - p[0]) + (s * c) * (p[2] - p[3]) + (b * t) * (p[5] - p[4]) +
+    (s * t) * (p[6] - p[7]);
+  const Vec3 ds = (a * c) * (p[3] - p[0]) + (r * c) * (p[2] - p[1]) + (a * t) * (p[7] - p[4]) +
+    (r * t) * (p[6] - p[5]);
+  const Vec3 dt = (a * b) * (p[4] - p[0]) + (r * b) * (p[5] - p[1]) + (r * s) * (p[6] - p[2]) +
+    (a * s) * (p[7] - p[3]);
+  return Determinant(dr, ds, dt);
+}
+
+/// Determinant of a wedge at (r, s) of the triangle and t of the axis.
+double WedgeAt(const ElementPoints& p, double r, double s, double t)
+{
+  const double c = 1.0 - t;
+  const Vec3 dr = c * (p[1] - p[0]) + t * (p[4] - p[3]);
+  const Vec3 ds = c * (p[2] - p[0]) + t * (p[5] - p[3]);
+  const Vec3 dt = (1.0 - r - s) * (p[3] - p[0]) + r * (p[4] - p[1]) + s * (p[5] - p[2]);
+  return Determinant(dr, ds, dt);
+}
+
+/// The middle Bezier coefficient of a quadratic from its values at 0, 1/2 and 1.
+double MiddleCoefficient(double at0, double atHalf, double at1)
+{
+  return 2.0 * atHalf - 0.5 * (at0 + at1);
+}
+
+double SmallestHexahedronCoefficient(const ElementPoints& p)
+{
+  std::array<std::array<std::array<double, 3>, 3>, 3> b;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        b[i][j][k] = HexahedronAt(p, 0.5 * i, 0.5 * j, 0.5 * k);
+      }
+    }
+  }
+  // From values on the lattice to coefficients, one direction after the other.
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      b[i][j][1] = MiddleCoefficient(b[i][j][0], b[i][j][1], b[i][j][2]);
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      b[i][1][k] = MiddleCoefficient(b[i][0][k], b[i][1][k], b[i][2][k]);
+    }
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      b[1][j][k] = MiddleCoefficient(b[0][j][k], b[1][j][k], b[2][j][k]);
+      smallest = std::min({ smallest, b[0][j][k], b[1][j][k], b[2][j][k] });
+    }
+  }
+  return smallest;
+}
+
+double SmallestWedgeCoefficient(const ElementPoints& p)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const double r = corner == 1 ? 1.0 : 0.0;
+    const double s = corner == 2 ? 1.0 : 0.0;
+    const double bottom = WedgeAt(p, r, s, 0.0);
+    const double top = WedgeAt(p, r, s, 1.0);
+    smallest =
+      std::min({ smallest, bottom, top, MiddleCoefficient(bottom, WedgeAt(p, r, s, 0.5), top) });
+  }
+  return smallest;
+}
+
+/// The three neighbours of each corner, positively oriented.
+constexpr int HexahedronCorners[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
+  { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
+constexpr int WedgeCorners[6][3] = { { 1, 2, 3 }, { 2, 0, 4 }, { 0, 1, 5 }, { 5, 4, 0 },
+  { 3, 5, 1 }, { 4, 3, 2 } };
+
+double UnitDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const double lengths = a.norm() * b.norm() * c.norm();
+  return lengths > 0.0 ? Determinant(a, b, c) / lengths : 0.0;
+}
+
+template <std::size_t N>
+double SmallestCorner(const ElementPoints& p, const int (&corners)[N][3])
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    smallest = std::min(smallest,
+      UnitDeterminant(
+        p[corners[i][0]] - p[i], p[corners[i][1]] - p[i], p[corners[i][2]] - p[i]));
+  }
+  return smallest;
+}
+
+}
+
+JacobianRange MeasureJacobian(const ElementPoints& points, int count)
+{
+  JacobianRange range;
+  range.IntegrationPoint = std::numeric_limits<double>::infinity();
+  int samples = 0;
+  const auto take = [&](double value) {
+    range.IntegrationPoint = std::min(range.IntegrationPoint, value);
+    range.Mean += value;
+    ++samples;
+  };
+  const double gauss[2] = { 0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0) };
+  if (count == 8)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      take(HexahedronAt(points, gauss[i & 1], gauss[(i >> 1) & 1], gauss[i >> 2]));
+    }
+    range.Bezier = SmallestHexahedronCoefficient(points);
+  }
+  else
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      take(WedgeAt(points, i % 3 == 1 ? 2.0 / 3.0 : 1.0 / 6.0,
+        i % 3 == 2 ? 2.0 / 3.0 : 1.0 / 6.0, gauss[i / 3]));
+    }
+    range.Bezier = SmallestWedgeCoefficient(points);
+  }
+  range.Mean /= samples;
+  return range;
+}
+
+double ScaledJacobian(const ElementPoints& p, int count)
+{
+  if (count == 6)
+  {
+    return std::min(1.0, SmallestCorner(p, WedgeCorners) * 2.0 / std::sqrt(3.0));
+  }
+  const Vec3 r = p[1] + p[2] + p[5] + p[6] - p[0] - p[3] - p[4] - p[7];
+  const Vec3 s = p[2] + p[3] + p[6] + p[7] - p[0] - p[1] - p[4] - p[5];
+  const Vec3 t = p[4] + p[5] + p[6] + p[7] - p[0] - p[1] - p[2] - p[3];
+  return std::min(SmallestCorner(p, HexahedronCorners), UnitDeterminant(r, s, t));
+}
+
+}

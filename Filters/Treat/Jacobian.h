@@ -1,0 +1,42 @@
+/**
+ * @file Jacobian.h
+ * @brief The Jacobian determinant of hexahedra and wedges: at integration points, at corners,
+ * and as Bezier coefficients that bound it in the whole element.
+ *
+ * The determinant of a trilinear hexahedron is a polynomial of degree two in each of its three
+ * parameters, that of a wedge of degree one over the triangle and two along the axis. With all
+ * Bezier coefficients positive it is positive everywhere in the element (A. Johnen, J.-C. Weill,
+ * J.-F. Remacle, Robust and efficient validation of the linear hexahedral element, 2017).
+ */
+#ifndef Jacobian_h
+#define Jacobian_h
+
+#include "NurbsSurface.h"
+
+#include <array>
+
+namespace trim
+{
+using nurbs::Vec3;
+
+using ElementPoints = std::array<Vec3, 8>; ///< the first 6 of them for a wedge
+
+struct JacobianRange
+{
+  double Mean = 0;             ///< over the integration points
+  double IntegrationPoint = 0; ///< smallest over 2x2x2 Gauss points, 3x2 for a wedge
+  double Bezier = 0;           ///< smallest Bezier coefficient: a lower bound everywhere
+};
+
+/// All three of one element of `count` (8 or 6) nodes in VTK's order.
+JacobianRange MeasureJacobian(const ElementPoints& points, int count);
+
+/**
+ * Verdict's scaled Jacobian: the smallest determinant of unit edge vectors over the corners,
+ * for hexahedra also over the centre's; for wedges scaled so that the ideal one has 1.
+ */
+double ScaledJacobian(const ElementPoints& points, int count);
+
+}
+
+#endif

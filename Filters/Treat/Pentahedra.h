@@ -1,0 +1,62 @@
+/**
+ * @file Pentahedra.h
+ * @brief Elements that became pentahedra (paper, section 2.4, Fig. 7): distributed or degenerated.
+ *
+ * Where the staircase of kept elements steps, an element shows two adjacent facets to the new
+ * boundary, and the edge A-B between them belongs to no other kept element. Once all its nodes
+ * lie on the surface the corner at A is nearly a straight angle. *Distribute* puts A and B in
+ * the middle of their neighbours along the surface, *degenerate* drops them: a wedge is left.
+ */
+#ifndef Pentahedra_h
+#define Pentahedra_h
+
+#include "Moves.h"
+
+#include <vector>
+
+namespace trim
+{
+
+enum class Optimization : unsigned char
+{
+  None = 0,
+  Distribute = 1,
+  Degenerate = 2
+};
+
+/// What the validity ladder has set for the pentahedra of a pillar against what was asked.
+enum class TreatmentChoice : unsigned char
+{
+  AsAsked,
+  LeaveCorner,
+  Distribute,
+  Degenerate
+};
+
+/// An element whose nodes were replaced: a wedge instead of a hexahedron.
+struct ReplacedElement
+{
+  int Element = -1;
+  std::array<int, 8> Node;
+};
+
+struct Pentahedra
+{
+  int Count = 0; ///< elements found
+  std::vector<ReplacedElement> Wedges;  ///< by ascending element
+  std::vector<char> Exposed;            ///< columns (smallest element) that have such an edge
+};
+
+/**
+ * Finds the pentahedra of the kept elements and treats them; moves is changed where nodes are
+ * distributed.
+ *
+ * @param choice by pillar (index: smallest node of the pillar).
+ */
+Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
+  const std::vector<char>& kept, Optimization asked, const std::vector<TreatmentChoice>& choice,
+  Moves& moves);
+
+}
+
+#endif

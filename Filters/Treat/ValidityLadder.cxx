@@ -1,0 +1,296 @@
+#include "ValidityLadder.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trim
+{
+namespace
+{
+
+/// Jacobians below this share of the element's mean count as zero.
+constexpr double SmallestJacobian = 1e-6;
+/// Rounding of a coefficient that is zero by construction (a straight corner).
+constexpr double JacobianRounding = 1e-9;
+/// Two nodes nearer than this share of the element's shortest edge have become one.
+constexpr double SmallestEdgeShare = 1e-3;
+constexpr int LongestClimb = 40;
+
+/// Everything the ladder may set.
+struct Choices
+{
+  std::vector<Fate> Fates;                        // by column
+  std::vector<CorrectionChoice> Corrections;      // by pillar
+  std::vector<TreatmentChoice> Treatments;        // by pillar
+};
+
+double ShortestEdge(const ElementPoints& p, int count)
+{
+  const auto& topology = TopologyOf(count);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    shortest =
+      std::min(shortest, (p[topology.Edges[i].First] - p[topology.Edges[i].Second]).norm());
+  }
+  return shortest;
+}
+
+bool IsValid(const ElementPoints& points, int count, Optimization treatment)
+{
+  const JacobianRange range = MeasureJacobian(points, count);
+  if (!(range.IntegrationPoint > SmallestJacobian * std::abs(range.Mean)))
+  {
+    return false;
+  }
+  switch (treatment)
+  {
+    case Optimization::Degenerate:
+      return range.Bezier > SmallestJacobian * range.Mean;
+    case Optimization::Distribute:
+      return range.Bezier >= -JacobianRounding * range.Mean;
+    default:
+      return true;
+  }
+}
+
+class Ladder
+{
+public:
+  Ladder(const Band& band, const Columns& columns, const VolumeShares& shares,
+    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+    double precision, const LadderOptions& options)
+    : TheBand(band)
+    , TheColumns(columns)
+    , Shares(shares)
+    , NodeStatus(nodeStatus)
+    , Surface(surface)
+    , Options(options)
+    , Mover(band, columns, nodeStatus, surface, precision)
+    , Rungs(band.NumberOfElements(), Rung::None)
+  {
+    this->Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
+    this->Set.Corrections.assign(band.NumberOfNodes(), CorrectionChoice::AsAsked);
+    this->Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
+  }
+
+  TrimmedBand Climb(const std::function<bool()>& aborted)
+  {
+    TrimmedBand trimmed = this->Attempt();
+    for (int climb = 0; climb < LongestClimb && !aborted(); ++climb)
+    {
+      const std::vector<int> bad = this->FindBadColumns(trimmed);
+      if (bad.empty())
+      {
+        break;
+      }
+      for (const int column : bad)
+      {
+        this->StepUp(trimmed, column);
+      }
+      trimmed = this->Attempt();
+    }
+    trimmed.Invalid = this->FindInvalid(trimmed);
+    trimmed.RescuedBy = this->Rungs;
+    return trimmed;
+  }
+
+private:
+  TrimmedBand Attempt() const
+  {
+    TrimmedBand trimmed;
+    trimmed.Kept = Decide(this->TheBand, this->TheColumns, this->Shares, this->NodeStatus,
+      this->Surface, this->Options.EliminationFraction, this->Set.Fates,
+      this->Options.CorrectionType != Correction::Eliminate);
+    if (this->Options.CorrectionType == Correction::Eliminate)
+    {
+      trimmed.Moving.assign(this->TheBand.NumberOfNodes(), 0);
+    }
+    else
+    {
+      trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept, this->NodeStatus);
+    }
+    trimmed.NodeMoves = MoveNodes(this->TheBand, this->TheColumns, this->Mover, trimmed.Moving,
+      this->Options.CorrectionType, this->Set.Corrections);
+    if (this->Options.CorrectionType != Correction::Eliminate)
+    {
+      trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
+        trimmed.Kept, this->Options.Treatment, this->Set.Treatments, trimmed.NodeMoves);
+    }
+    return trimmed;
+  }
+
+  /// Kept elements that the trim made invalid, ascending.
+  std::vector<int> FindInvalid(const TrimmedBand& trimmed) const
+  {
+    const int count = this->TheBand.NumberOfElements();
+    std::vector<char> invalid(count, 0);
+    vtkSMPTools::For(0, count, 256, [&](Id begin, Id end) {
+      for (Id e = begin; e < end; ++e)
+      {
+        invalid[e] = trimmed.Kept[e] && this->IsSpoiled(trimmed, static_cast<int>(e));
+      }
+    });
+    std::vector<int> list;
+    for (int e = 0; e < count; ++e)
+    {
+      if (invalid[e])
+      {
+        list.push_back(e);
+      }
+    }
+    return list;
+  }
+
+  bool IsSpoiled(const TrimmedBand& trimmed, int e) const
+  {
+    const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+    if (!final.Touched)
+    {
+      return false;
+    }
+    const auto& element = this->TheBand.Elements[e];
+    ElementPoints before;
+    for (int i = 0; i < element.Count; ++i)
+    {
+      before[i] = this->TheBand.Point[element.Node[i]];
+    }
+    if (!IsValid(before, element.Count, Optimization::None))
+    {
+      return false; // it came like this
+    }
+    return !IsValid(final.Points, final.Count, this->Options.Treatment) ||
+      ShortestEdge(final.Points, final.Count) <
+      SmallestEdgeShare * ShortestEdge(before, element.Count);
+  }
+
+  std::vector<int> FindBadColumns(const TrimmedBand& trimmed) const
+  {
+    std::vector<int> columns;
+    for (const int e : this->FindInvalid(trimmed))
+    {
+      columns.push_back(this->TheColumns.Column[e]);
+    }
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    {
+      const auto& element = this->TheBand.Elements[e];
+      for (int i = 0; trimmed.Kept[e] && i < element.Count; ++i)
+      {
+        if (trimmed.NodeMoves.Failed[element.Node[i]])
+        {
+          columns.push_back(this->TheColumns.Column[e]);
+          break;
+        }
+      }
+    }
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    return columns;
+  }
+
+  template <typename Action>
+  void ForMovingPillars(const TrimmedBand& trimmed, int column, const Action& action)
+  {
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    {
+      const auto& element = this->TheBand.Elements[e];
+      for (int i = 0; this->TheColumns.Column[e] == column && i < element.Count; ++i)
+      {
+        if (trimmed.Moving[element.Node[i]])
+        {
+          action(this->TheColumns.Pillar[element.Node[i]]);
+        }
+      }
+    }
+  }
+
+  /// Undoes the rung that did not help and takes the next one.
+  void StepUp(const TrimmedBand& trimmed, int column)
+  {
+    switch (this->Rungs[column])
+    {
+      case Rung::None:
+        this->Rungs[column] = Rung::Treatment;
+        if (trimmed.Treated.Exposed.size() && trimmed.Treated.Exposed[column])
+        {
+          const auto other = this->Options.Treatment == Optimization::Degenerate
+            ? TreatmentChoice::Distribute
+            : TreatmentChoice::Degenerate;
+          this->ForMovingPillars(
+            trimmed, column, [&](int pillar) { this->Set.Treatments[pillar] = other; });
+          return;
+        }
+        [[fallthrough]];
+      case Rung::Treatment:
+        this->Rungs[column] = Rung::Correction;
+        this->ForMovingPillars(trimmed, column, [&](int pillar) {
+          this->Set.Treatments[pillar] = TreatmentChoice::AsAsked;
+          this->Set.Corrections[pillar] = CorrectionChoice::Other;
+        });
+        return;
+      case Rung::Correction:
+        this->Rungs[column] = Rung::Fate;
+        this->ForMovingPillars(trimmed, column,
+          [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::AsAsked; });
+        if (this->Set.Fates[column] == Fate::ByVolume)
+        {
+          this->Set.Fates[column] = Fate::Eliminate;
+        }
+        return;
+      default:
+        this->Rungs[column] = Rung::Left;
+        this->Set.Fates[column] = Fate::ByVolume;
+        this->ForMovingPillars(trimmed, column, [&](int pillar) {
+          this->Set.Corrections[pillar] = CorrectionChoice::Leave;
+          this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
+        });
+        return;
+    }
+  }
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const VolumeShares& Shares;
+  const std::vector<unsigned char>& NodeStatus;
+  const nurbs::TrimmingSurface& Surface;
+  LadderOptions Options;
+  NodeMover Mover;
+  Choices Set;
+  std::vector<Rung> Rungs;
+};
+
+}
+
+FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element)
+{
+  FinalElement final;
+  const auto& original = band.Elements[element];
+  final.Count = original.Count;
+  final.Node = original.Node;
+  const auto& wedges = trimmed.Treated.Wedges;
+  const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), element,
+    [](const ReplacedElement& w, int e) { return w.Element < e; });
+  if (wedge != wedges.end() && wedge->Element == element)
+  {
+    final.Count = 6;
+    final.Node = wedge->Node;
+    final.Touched = true;
+  }
+  for (int i = 0; i < final.Count; ++i)
+  {
+    final.Points[i] = trimmed.NodeMoves.Position[final.Node[i]];
+    final.Touched |= trimmed.NodeMoves.Applied[final.Node[i]] != Correction::None;
+  }
+  return final;
+}
+
+TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double precision, const LadderOptions& options, const std::function<bool()>& aborted)
+{
+  return Ladder(band, columns, shares, nodeStatus, surface, precision, options).Climb(aborted);
+}
+
+}

@@ -1,0 +1,71 @@
+/**
+ * @file ValidityLadder.h
+ * @brief Decide, correct and treat, again and again with other choices where an element would
+ * become invalid, until every touched element is valid.
+ *
+ * The rungs, climbed column by column: the other pentahedral treatment, the other correction,
+ * the column's other fate, and at last its nodes left where they are.
+ */
+#ifndef ValidityLadder_h
+#define ValidityLadder_h
+
+#include "Decision.h"
+#include "Jacobian.h"
+#include "Pentahedra.h"
+
+#include <functional>
+#include <vector>
+
+namespace trim
+{
+
+struct LadderOptions
+{
+  Correction CorrectionType = Correction::Project; ///< Eliminate, Project or Slide
+  Optimization Treatment = Optimization::Degenerate;
+  double EliminationFraction = 0.5;
+};
+
+/// The rung by which a column was saved.
+enum class Rung : unsigned char
+{
+  None,
+  Treatment,
+  Correction,
+  Fate,
+  Left
+};
+constexpr int NumberOfRungs = 5;
+
+/// The trimmed band.
+struct TrimmedBand
+{
+  std::vector<char> Kept;       ///< by element
+  Moves NodeMoves;
+  Pentahedra Treated;
+  std::vector<Rung> RescuedBy;  ///< by column (smallest element)
+  std::vector<int> Invalid;     ///< elements that no rung could save; empty as a rule
+  std::vector<char> Moving;     ///< nodes that have to lie on the new boundary
+};
+
+/**
+ * @param precision absolute distance up to which a node is on the surface.
+ * @param aborted true ends the work; the result is then of no use.
+ */
+TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double precision, const LadderOptions& options, const std::function<bool()>& aborted);
+
+/// Nodes and positions of a band element as it is after the trim.
+struct FinalElement
+{
+  int Count = 0;
+  std::array<int, 8> Node;
+  ElementPoints Points;
+  bool Touched = false; ///< has a moved node or was replaced
+};
+FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element);
+
+}
+
+#endif

@@ -1,0 +1,70 @@
+/**
+ * @file TrimPipeline.h
+ * @brief The trim from mesh and surface to the fate of every element and node (paper, Fig. 8).
+ */
+#ifndef TrimPipeline_h
+#define TrimPipeline_h
+
+#include "Band.h"
+#include "Columns.h"
+#include "Decision.h"
+#include "MeshBlocks.h"
+#include "NodeClassification.h"
+#include "TrimmingSurface.h"
+#include "ValidityLadder.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace trim
+{
+
+struct TrimOptions
+{
+  LadderOptions Ladder;
+  bool InvertSide = false;
+  bool UseKeepPoint = false;
+  Vec3 KeepPoint = Vec3::Zero();
+  double Tolerance = 1e-9; ///< relative to the diagonal of the grid
+};
+
+/// The band and everything found on it.
+struct TrimBand
+{
+  TrimBand(Band band)
+    : Mesh(std::move(band))
+  {
+  }
+  Band Mesh;
+  Columns Structure;
+  std::vector<unsigned char> NodeStatus;
+  VolumeShares Shares;
+  TrimmedBand Trimmed;
+};
+
+struct TrimResult
+{
+  NodeClassification Nodes;
+  std::vector<unsigned char> ElementStatus; ///< of every cell
+  std::vector<char> Kept;                   ///< final fate of every cell
+  std::unique_ptr<TrimBand> Near;           ///< null if the surface touches nothing
+  std::vector<std::string> Warnings;
+  std::string Error; ///< not empty: there is no result
+  bool Aborted = false;
+};
+
+/// Reports a fraction of the work; returns true if it is to end.
+using Progress = std::function<bool(double)>;
+
+/**
+ * Trims. Neither mesh nor surface is changed, but the surface is turned round for the time of
+ * the call where InvertSide or KeepPoint ask for it.
+ */
+TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, nurbs::TrimmingSurface& surface,
+  const TrimOptions& options, const Progress& progress);
+
+}
+
+#endif

@@ -1,0 +1,73 @@
+#include "GatherAttributes.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkSMPTools.h>
+#include <vtkSmartPointer.h>
+
+#include <cstring>
+
+namespace trim
+{
+namespace
+{
+
+/// Whole tuples by memory copy: Debian's VTK copies value by value and is not optimised.
+void GatherRaw(vtkDataArray* source, const std::vector<vtkIdType>& ids, vtkDataArray* target)
+{
+  const std::size_t size = static_cast<std::size_t>(source->GetNumberOfComponents()) *
+    static_cast<std::size_t>(source->GetDataTypeSize());
+  const char* from = static_cast<const char*>(source->GetVoidPointer(0));
+  char* to = static_cast<char*>(target->GetVoidPointer(0));
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(ids.size()), 50000, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        std::memcpy(to + size * i, from + size * ids[i], size);
+      }
+    });
+}
+
+vtkSmartPointer<vtkAbstractArray> Gather(
+  vtkAbstractArray* source, const std::vector<vtkIdType>& ids)
+{
+  auto target = vtkSmartPointer<vtkAbstractArray>::Take(source->NewInstance());
+  target->SetName(source->GetName());
+  target->SetNumberOfComponents(source->GetNumberOfComponents());
+  target->CopyComponentNames(source);
+  target->CopyInformation(source->GetInformation());
+  const auto count = static_cast<vtkIdType>(ids.size());
+  target->SetNumberOfTuples(count);
+  auto* data = vtkDataArray::SafeDownCast(source);
+  if (data && data->HasStandardMemoryLayout() && data->GetDataType() != VTK_BIT)
+  {
+    GatherRaw(data, ids, vtkDataArray::SafeDownCast(target));
+    return target;
+  }
+  vtkNew<vtkIdList> list;
+  list->SetNumberOfIds(count);
+  std::copy(ids.begin(), ids.end(), list->GetPointer(0));
+  source->GetTuples(list, target);
+  return target;
+}
+
+}
+
+void GatherAttributes(
+  vtkDataSetAttributes* source, const std::vector<vtkIdType>& ids, vtkDataSetAttributes* target)
+{
+  for (int i = 0; i < source->GetNumberOfArrays(); ++i)
+  {
+    const int index = target->AddArray(Gather(source->GetAbstractArray(i), ids));
+    const int role = source->IsArrayAnAttribute(i);
+    if (role >= 0)
+    {
+      target->SetActiveAttribute(index, role);
+    }
+  }
+}
+
+}

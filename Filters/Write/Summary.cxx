@@ -1,0 +1,51 @@
+#include "Summary.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+
+namespace trim
+{
+namespace
+{
+
+template <typename Array, typename Value>
+void AddEntry(vtkFieldData* fieldData, const char* name, Value value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fieldData->AddArray(array);
+}
+
+}
+
+void Summary::AddTo(vtkFieldData* fieldData) const
+{
+  const auto count = [fieldData](const char* name, Id value) {
+    AddEntry<vtkIdTypeArray>(fieldData, name, value);
+  };
+  const auto measure = [fieldData](const char* name, double value) {
+    AddEntry<vtkDoubleArray>(fieldData, name, value);
+  };
+  count("Kept", this->Kept);
+  count("Eliminated", this->Eliminated);
+  count("Treated", this->Treated);
+  count("MovedNodes", this->MovedNodes);
+  count("Pentahedra", this->Pentahedra);
+  count("Wedges", this->Wedges);
+  count("TouchedElements", this->TouchedElements);
+  count("CertifiedElements", this->CertifiedElements);
+  count("RescuedByTreatment", this->RescuedByTreatment);
+  count("RescuedByCorrection", this->RescuedByCorrection);
+  count("RescuedByFate", this->RescuedByFate);
+  count("RescuedByLeaving", this->RescuedByLeaving);
+  count("NodeBandwidth", this->NodeBandwidth);
+  measure("MinimumScaledJacobian", this->MinimumScaledJacobian);
+  measure("MinimumIntegrationPointJacobian", this->MinimumIntegrationPointJacobian);
+  measure("MaximumDistanceToSurface", this->MaximumDistanceToSurface);
+  measure("Volume", this->Volume);
+}
+
+}
