@@ -1,0 +1,158 @@
+#include "RunTrim.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <vtkTrimHexahedralGrid.h>
+
+#include <cstring>
+
+namespace judge
+{
+namespace
+{
+class ListeningWindow : public vtkOutputWindow
+{
+public:
+  static ListeningWindow* New();
+  vtkTypeMacro(ListeningWindow, vtkOutputWindow);
+  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
+  void DisplayWarningText(const char* text) override { this->Warnings.emplace_back(text); }
+  void DisplayGenericWarningText(const char* text) override { this->Warnings.emplace_back(text); }
+  std::vector<std::string> Errors, Warnings;
+};
+vtkStandardNewMacro(ListeningWindow);
+}
+
+struct Listener::Window
+{
+  vtkNew<ListeningWindow> Ears;
+  vtkSmartPointer<vtkOutputWindow> Before;
+};
+
+Listener::Listener()
+  : Own(new Window)
+{
+  this->Own->Before = vtkOutputWindow::GetInstance();
+  vtkOutputWindow::SetInstance(this->Own->Ears);
+}
+
+Listener::~Listener()
+{
+  vtkOutputWindow::SetInstance(this->Own->Before);
+  delete this->Own;
+}
+
+std::vector<std::string> Listener::Errors() const
+{
+  return this->Own->Ears->Errors;
+}
+
+std::vector<std::string> Listener::Warnings() const
+{
+  return this->Own->Ears->Warnings;
+}
+
+void SetOptions(vtkTrimHexahedralGrid* filter, const TrimOptions& options)
+{
+  filter->SetCorrectionType(options.CorrectionType);
+  filter->SetOptimization(options.Optimization);
+  filter->SetInvertSide(options.InvertSide);
+  filter->SetUseKeepPoint(options.UseKeepPoint);
+  filter->SetKeepPoint(options.KeepPoint[0], options.KeepPoint[1], options.KeepPoint[2]);
+  filter->SetEliminationFraction(options.EliminationFraction);
+  filter->SetRenumberNodes(options.RenumberNodes);
+  filter->SetTolerance(options.Tolerance);
+}
+
+Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& options)
+{
+  Outcome outcome;
+  outcome.Case.Input = &mesh;
+  outcome.Case.Cut = &surface;
+  outcome.Case.Options = options;
+  const Listener listener;
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  SetOptions(filter, options);
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  filter->Update();
+  outcome.Case.Trimmed = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  outcome.Case.Trimmed->ShallowCopy(filter->GetOutputDataObject(0));
+  outcome.Case.Whole = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  outcome.Case.Whole->ShallowCopy(filter->GetOutputDataObject(1));
+  outcome.Errors = listener.Errors();
+  outcome.Warnings = listener.Warnings();
+  return outcome;
+}
+
+std::string Rescues(vtkUnstructuredGrid* trimmed)
+{
+  std::string text;
+  vtkFieldData* data = trimmed->GetFieldData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetName() && std::strncmp(array->GetName(), "Rescued", 7) == 0 &&
+      array->GetNumberOfValues() == 1 && array->GetComponent(0, 0) > 0)
+    {
+      text += (text.empty() ? "" : " ") + std::string(array->GetName()) + "=" +
+        std::to_string(static_cast<long>(array->GetComponent(0, 0)));
+    }
+  }
+  return text;
+}
+
+Outcome RunAndJudge(
+  const Mesh& mesh, const Surface& surface, const TrimOptions& options, Report& report)
+{
+  Outcome outcome = RunTrim(mesh, surface, options);
+  for (const std::string& error : outcome.Errors)
+  {
+    report.Fail("error", error);
+  }
+  if (outcome.Clean())
+  {
+    const Evidence evidence(outcome.Case, report);
+    JudgeAll(evidence, report);
+  }
+  return outcome;
+}
+
+void JudgeBothSides(
+  const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report)
+{
+  const Outcome kept = RunTrim(mesh, surface, options);
+  options.InvertSide = !options.InvertSide;
+  const Outcome offcut = RunTrim(mesh, surface, options);
+  for (const Outcome* outcome : { &kept, &offcut })
+  {
+    for (const std::string& error : outcome->Errors)
+    {
+      report.Fail("error", error);
+    }
+  }
+  if (!kept.Clean() || !offcut.Clean())
+  {
+    return;
+  }
+  const Evidence a(kept.Case, report), b(offcut.Case, report);
+  for (const Evidence* e : { &a, &b })
+  {
+    JudgeAll(*e, report);
+    if (e->Usable && surface.HasPlane && mesh.Flat && !e->HasOrphans() &&
+      options.CorrectionType != 1)
+    {
+      const double side = e->Signed(surface.PlanePoint + surface.PlaneNormal) > 0 ? 1 : -1;
+      CheckPlaneVolume(*e, surface.PlanePoint, side * surface.PlaneNormal, report);
+    }
+  }
+  if (a.Usable && b.Usable)
+  {
+    CheckPair(a, b, report);
+  }
+}
+
+}

@@ -1,0 +1,87 @@
+/**
+ * @file TestTrimDeterminism.cxx
+ * @brief The same bits twice, from one filter run again, and with one and two threads.
+ */
+#include "RunTrim.h"
+
+#include <vtkNew.h>
+#include <vtkSMPTools.h>
+#include <vtkTrimHexahedralGrid.h>
+
+#include <cstdio>
+
+using namespace judge;
+
+namespace
+{
+int Wrong = 0;
+
+void Compare(const std::string& what, const Outcome& a, const Outcome& b)
+{
+  const std::string trimmed = FirstDifference(a.Case.Trimmed, b.Case.Trimmed);
+  const std::string whole = FirstDifference(a.Case.Whole, b.Case.Whole);
+  if (!trimmed.empty() || !whole.empty())
+  {
+    std::printf("FAIL %s: port 0 %s, port 1 %s\n", what.c_str(), trimmed.c_str(), whole.c_str());
+    ++Wrong;
+  }
+}
+
+void TestRerun(const Mesh& mesh, const Surface& first, const Surface& second)
+{
+  // A filter that has run on another surface before gives what a fresh one gives.
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, first.Data);
+  filter->Update();
+  filter->SetInputDataObject(1, second.Data);
+  filter->SetCorrectionType(3);
+  filter->Update();
+  filter->SetCorrectionType(2);
+  filter->SetInputDataObject(1, second.Data);
+  filter->Update();
+  const Outcome fresh = RunTrim(mesh, second, TrimOptions());
+  const std::string difference = FirstDifference(fresh.Case.Trimmed, filter->GetOutput());
+  if (!difference.empty())
+  {
+    std::printf("FAIL rerun on %s: %s\n", mesh.Name.c_str(), difference.c_str());
+    ++Wrong;
+  }
+}
+}
+
+int main()
+{
+  for (const char* meshName : { "sheet2", "permuted", "irregular", "block", "cup", "wedges" })
+  {
+    const Mesh mesh = MakeMesh(meshName);
+    for (const char* kind : { "wavy", "contour", "roundrect" })
+    {
+      const Surface surface = MakeSurface(kind, mesh.Box, Placement());
+      TrimOptions options;
+      options.Optimization = 1;
+      const std::string name = std::string(meshName) + " " + kind;
+      vtkSMPTools::SetBackend("Sequential");
+      const Outcome one = RunTrim(mesh, surface, options);
+      Compare(name + " twice", one, RunTrim(mesh, surface, options));
+      if (!vtkSMPTools::SetBackend("STDThread"))
+      {
+        std::printf("FAIL no STDThread backend\n");
+        return 1;
+      }
+      for (const int threads : { 1, 2, 5 })
+      {
+        vtkSMPTools::Initialize(threads);
+        Compare(name + " threads " + std::to_string(threads), one,
+          RunTrim(mesh, surface, options));
+      }
+      vtkSMPTools::SetBackend("Sequential");
+    }
+    Placement other;
+    other.X = -0.3;
+    TestRerun(mesh, MakeSurface("plane", mesh.Box, other),
+      MakeSurface("scurve", mesh.Box, Placement()));
+  }
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}

@@ -1,0 +1,101 @@
+/**
+ * @file TestTrimMatrix.cxx
+ * @brief Meshes x surfaces x corrections x treatments x sides, everything judged.
+ *
+ * TestTrimMatrix [mesh|all [surface|all [correction|all [optimization|all]]]]
+ * With "some" for correction and optimization each pair of mesh and surface gets one of the
+ * combinations, a different one from pair to pair. Both sides are always run.
+ */
+#include "RunTrim.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+using namespace judge;
+
+namespace
+{
+struct Treatment
+{
+  int Correction, Optimization;
+};
+
+const std::vector<Treatment>& Treatments()
+{
+  static const std::vector<Treatment> all = { { 2, 2 }, { 2, 1 }, { 3, 2 }, { 2, 0 }, { 3, 1 },
+    { 3, 0 }, { 1, 0 } };
+  return all;
+}
+
+std::vector<std::string> Chosen(const std::string& argument, const std::vector<std::string>& all)
+{
+  return argument == "all" ? all : std::vector<std::string>{ argument };
+}
+
+// Surfaces meant for the whole matrix: positions that hit nodes, edges and facets by chance
+// are the business of TestTrimSpecial.
+Placement PlacementOf(const std::string& surface, const Mesh& mesh)
+{
+  Placement at;
+  if (surface == "leaning")
+  {
+    at.Lean = 0.26;
+  }
+  if (surface == "inclined")
+  {
+    at.Lean = 0.75;
+    at.Angle = 1.1;
+  }
+  at.Seed = 3;
+  // Blunt against the element size, also on the stretched mesh.
+  at.Size = mesh.Name == "stretched" ? 0.9 : 0.45;
+  return at;
+}
+
+std::string KindOf(const std::string& surface)
+{
+  return surface == "leaning" ? "cylinder" : surface == "inclined" ? "plane" : surface;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const auto argument = [&](int i) { return std::string(argc > i ? argv[i] : "all"); };
+  std::vector<std::string> kinds = SurfaceKinds();
+  kinds.insert(kinds.end(), { "leaning", "inclined" });
+  int trials = 0, bad = 0;
+  std::size_t turn = 0;
+  for (const std::string& meshName : Chosen(argument(1), MeshNames()))
+  {
+    const Mesh mesh = MakeMesh(meshName);
+    for (const std::string& name : Chosen(argument(2), kinds))
+    {
+      const Surface surface = MakeSurface(KindOf(name), mesh.Box, PlacementOf(name, mesh));
+      ++turn;
+      for (std::size_t k = 0; k < Treatments().size(); ++k)
+      {
+        const Treatment treatment = Treatments()[k];
+        if (argument(3) == "some" && k != turn % Treatments().size())
+        {
+          continue;
+        }
+        if ((argument(3) != "all" && argument(3) != "some" &&
+              std::atoi(argument(3).c_str()) != treatment.Correction) ||
+          (argument(4) != "all" && std::atoi(argument(4).c_str()) != treatment.Optimization))
+        {
+          continue;
+        }
+        TrimOptions options;
+        options.CorrectionType = treatment.Correction;
+        options.Optimization = treatment.Optimization;
+        Report report(meshName + " " + name + " " + std::to_string(treatment.Correction) + " " +
+          std::to_string(treatment.Optimization));
+        JudgeBothSides(mesh, surface, options, report);
+        ++trials;
+        bad += report.Failures() > 0;
+      }
+    }
+  }
+  std::printf("%d trials of two sides each, %d with failures\n", trials, bad);
+  return bad > 0;
+}

@@ -1,0 +1,78 @@
+/**
+ * @file TestTrimSequence.cxx
+ * @brief Fig. 9: one trim outside, then holes, each on the result of the one before.
+ */
+#include "RunTrim.h"
+
+#include <cstdio>
+
+using namespace judge;
+
+namespace
+{
+struct Step
+{
+  const char* Kind;
+  double X, Y, Size, Lean;
+  bool Hole;
+};
+
+int RunSequence(const char* meshName, int correction, int optimization)
+{
+  static const Step steps[] = {
+    { "roundrect", 0.02, 0.03, 0.68, 0, false },
+    { "cylinder", -0.35, 0.1, 0.22, 0, true },
+    { "contour", 0.3, -0.1, 0.25, 0, true },
+    { "plane", 0.05, -0.5, 0, 0.2, false }, // across the border that the first left
+    { "cylinder", 0.7, 0.6, 0.3, 0.1, true }, // a bite out of a border
+  };
+  Mesh mesh = MakeMesh(meshName);
+  const Frame frame = mesh.Box;
+  int failures = 0, number = 0;
+  for (const Step& step : steps)
+  {
+    Placement at;
+    at.X = step.X;
+    at.Y = step.Y;
+    at.Size = step.Size;
+    at.Lean = step.Lean;
+    at.Angle = std::string(step.Kind) == "plane" ? -1.45 : 0.1;
+    at.Seed = 5;
+    const Surface surface = MakeSurface(step.Kind, frame, at);
+    TrimOptions options;
+    options.CorrectionType = correction;
+    options.Optimization = optimization;
+    options.InvertSide = step.Hole;
+    Report report(std::string("sequence ") + meshName + " " + std::to_string(correction) + " " +
+      std::to_string(optimization) + " step " + std::to_string(++number) + " " + step.Kind);
+    const Outcome outcome = RunAndJudge(mesh, surface, options, report);
+    failures += report.Failures();
+    mesh.Grid = outcome.Case.Trimmed;
+    if (mesh.Grid->GetNumberOfCells() == 0)
+    {
+      std::printf("FAIL sequence: nothing left after step %d\n", number);
+      return failures + 1;
+    }
+  }
+  return failures;
+}
+}
+
+int main()
+{
+  int failures = 0;
+  for (const char* mesh : { "sheet1", "sheet2" })
+  {
+    for (int correction = 1; correction <= 3; ++correction)
+    {
+      for (int optimization = 0; optimization <= (correction == 1 ? 0 : 2); ++optimization)
+      {
+        failures += RunSequence(mesh, correction, optimization);
+      }
+    }
+  }
+  failures += RunSequence("wedges", 2, 2);
+  failures += RunSequence("irregular", 2, 1);
+  std::printf("%d failures\n", failures);
+  return failures > 0;
+}

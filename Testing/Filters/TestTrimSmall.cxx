@@ -1,0 +1,243 @@
+/**
+ * @file TestTrimSmall.cxx
+ * @brief Trims small enough to be worked out on paper: exact ids, statuses and positions.
+ */
+#include "RunTrim.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+using namespace judge;
+
+namespace
+{
+int Wrong = 0;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::printf("FAIL %s\n", what.c_str());
+    ++Wrong;
+  }
+}
+
+// The trim, judged by everything, and its original cell ids.
+struct Small
+{
+  Small(const std::string& name, const Mesh& mesh, const Surface& surface, TrimOptions options)
+    : Name(name)
+    , Input(mesh)
+  {
+    options.RenumberNodes = false;
+    Report report(name);
+    this->Result = RunAndJudge(mesh, surface, options, report);
+    Wrong += report.Failures();
+    vtkDataArray* ids = this->Result.Case.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+    for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+    {
+      this->Cells.insert(static_cast<Id>(ids->GetComponent(i, 0)));
+    }
+  }
+
+  void ExpectCells(const std::set<Id>& cells) const
+  {
+    Expect(this->Cells == cells, this->Name + ": other elements kept than expected");
+  }
+
+  // The input's node at `from` (x, y; all layers) is now at `to`.
+  void ExpectMove(const Vec2& from, const Vec2& to, double limit = 1e-12) const
+  {
+    vtkUnstructuredGrid* out = this->Result.Case.Trimmed;
+    vtkDataArray* ids = out->GetPointData()->GetArray("vtkOriginalPointIds");
+    int seen = 0;
+    for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+    {
+      const auto o = static_cast<vtkIdType>(ids->GetComponent(i, 0));
+      const Vec3 was(this->Input.Grid->GetPoint(o)), is(out->GetPoint(i));
+      if ((was.head<2>() - from).norm() > 1e-12)
+      {
+        continue;
+      }
+      ++seen;
+      Expect((is.head<2>() - to).norm() <= limit && is[2] == was[2],
+        this->Name + ": node at " + std::to_string(from[0]) + " " + std::to_string(from[1]) +
+          " is now at " + std::to_string(is[0]) + " " + std::to_string(is[1]) + " " +
+          std::to_string(is[2]) + ", not " + std::to_string(to[0]) + " " + std::to_string(to[1]));
+    }
+    Expect(seen > 0, this->Name + ": a node is gone");
+  }
+
+  void ExpectArray(bool cells, const char* name, const std::vector<double>& values) const
+  {
+    vtkUnstructuredGrid* whole = this->Result.Case.Whole;
+    vtkDataArray* array = cells ? whole->GetCellData()->GetArray(name)
+                                : whole->GetPointData()->GetArray(name);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const double value =
+        array && static_cast<vtkIdType>(i) < array->GetNumberOfTuples() ? array->GetComponent(i, 0)
+                                                                         : std::nan("");
+      Expect(std::abs(value - values[i]) <= 1e-6,
+        this->Name + ": " + name + " at " + std::to_string(i) + " is " + std::to_string(value) +
+          ", not " + std::to_string(values[i]));
+    }
+  }
+
+  std::string Name;
+  const Mesh& Input;
+  Outcome Result;
+  std::set<Id> Cells;
+};
+
+TrimOptions With(int correction, int optimization, bool invert = false)
+{
+  TrimOptions options;
+  options.CorrectionType = correction;
+  options.Optimization = optimization;
+  options.InvertSide = invert;
+  return options;
+}
+
+// Four elements in a row, cut across.
+void TestRow()
+{
+  const Mesh row = Sheet(4, 1, 1, Vec3(1, 1, 1));
+  const Surface at14 = PlaneThrough(Vec3(1.4, 0, 0), Vec3::UnitX(), 50);
+  const Surface at16 = PlaneThrough(Vec3(1.6, 0, 0), Vec3::UnitX(), 50);
+  const Surface at20 = PlaneThrough(Vec3(2, 0, 0), Vec3::UnitX(), 50);
+  for (int type : { 2, 3 })
+  {
+    const std::string name = "row type " + std::to_string(type);
+    Small out(name + " pulled out", row, at14, With(type, 2));
+    out.ExpectCells({ 0 });
+    out.ExpectMove(Vec2(1, 0), Vec2(1.4, 0));
+    out.ExpectMove(Vec2(1, 1), Vec2(1.4, 1));
+    out.ExpectMove(Vec2(0, 0), Vec2(0, 0), 0);
+    out.ExpectArray(true, "ElementStatus", { 0, 2, 1, 1 });
+    out.ExpectArray(true, "EliminatedFraction", { 0, 0.6, 1, 1 });
+    out.ExpectArray(false, "NodeStatus", { 0, 0, 1, 1, 1, 0, 0, 1, 1, 1 });
+    Small in(name + " pulled in", row, at16, With(type, 2));
+    in.ExpectCells({ 0, 1 });
+    in.ExpectMove(Vec2(2, 0), Vec2(1.6, 0));
+    Small inverted(name + " inverted", row, at16, With(type, 2, true));
+    inverted.ExpectCells({ 2, 3 });
+    inverted.ExpectMove(Vec2(2, 1), Vec2(1.6, 1));
+    inverted.ExpectArray(true, "EliminatedFraction", { 1, 0.6, 0, 0 });
+    Small on(name + " on the nodes", row, at20, With(type, 2));
+    on.ExpectCells({ 0, 1 });
+    on.ExpectMove(Vec2(2, 0), Vec2(2, 0), 0);
+    on.ExpectArray(false, "NodeStatus", { 0, 0, 2, 1, 1, 0, 0, 2, 1, 1 });
+    on.ExpectArray(true, "ElementStatus", { 0, 0, 1, 1 });
+  }
+  Small one("row type 1", row, at16, With(1, 2));
+  one.ExpectCells({ 0, 1 });
+  one.ExpectMove(Vec2(2, 0), Vec2(2, 0), 0);
+
+  TrimOptions strict = With(2, 2);
+  strict.EliminationFraction = 0.3;
+  Small third("row with EliminationFraction 0.3", row, at16, strict);
+  third.ExpectCells({ 0 });
+  third.ExpectMove(Vec2(1, 0), Vec2(1.6, 0));
+
+  TrimOptions point = With(2, 2);
+  point.UseKeepPoint = true;
+  point.KeepPoint = Vec3(3.5, 0.5, 0);
+  Small far("row with KeepPoint", row, at16, point);
+  far.ExpectCells({ 2, 3 });
+  point.InvertSide = true;
+  Small near("row with KeepPoint inverted", row, at16, point);
+  near.ExpectCells({ 0, 1 });
+}
+
+// Fig. 7: a line of small slope, y = 1.3 + 0.1 x. In the second row the elements lose 65, 55, 45
+// and 35 %: the last two stay, and the third shows two facets to the cut.
+void TestPentahedron()
+{
+  const Mesh sheet = Sheet(4, 3, 1, Vec3(1, 1, 0.4));
+  const Surface line = PlaneThrough(Vec3(0, 1.3, 0), Vec3(-0.1, 1, 0), 50);
+  const std::set<Id> kept = { 0, 1, 2, 3, 6, 7 };
+  const Vec2 n = Vec2(-0.1, 1) / 1.01;
+  const Vec2 low = Vec2(2, 1) + 0.5 * n, high = Vec2(2, 2) - 0.5 * n;
+  const Vec2 left = Vec2(1, 1) + 0.4 * n, right = Vec2(3, 2) - 0.4 * n;
+
+  Small plain("pentahedron type 2 plain", sheet, line, With(2, 0));
+  plain.ExpectCells(kept);
+  plain.ExpectArray(true, "EliminatedFraction", { 0, 0, 0, 0, 0.65, 0.55, 0.45, 0.35, 1, 1, 1, 1 });
+  plain.ExpectMove(Vec2(0, 1), Vec2(0, 1.3)); // on the border along the ridge
+  plain.ExpectMove(Vec2(4, 2), Vec2(4, 1.7));
+  plain.ExpectMove(Vec2(1, 1), left);
+  plain.ExpectMove(Vec2(2, 1), low);
+  plain.ExpectMove(Vec2(2, 2), high);
+  plain.ExpectMove(Vec2(3, 2), right);
+  plain.ExpectMove(Vec2(3, 1), Vec2(3, 1), 0);
+
+  Small spread("pentahedron type 2 distributed", sheet, line, With(2, 1));
+  spread.ExpectCells(kept);
+  spread.ExpectMove(Vec2(2, 1), low);
+  spread.ExpectMove(Vec2(2, 2), (low + right) / 2);
+
+  Small wedge("pentahedron type 2 wedge", sheet, line, With(2, 2));
+  wedge.ExpectCells(kept);
+  wedge.ExpectMove(Vec2(2, 1), low);
+  wedge.ExpectMove(Vec2(3, 2), right);
+  Expect(wedge.Result.Case.Trimmed->GetNumberOfPoints() == 2 * 12,
+    "pentahedron type 2 wedge: the node between the two facets is still there");
+
+  Small spread3("pentahedron type 3 distributed", sheet, line, With(3, 1));
+  spread3.ExpectCells(kept);
+  spread3.ExpectMove(Vec2(0, 1), Vec2(0, 1.3));
+  spread3.ExpectMove(Vec2(1, 1), Vec2(1, 1.4));
+  spread3.ExpectMove(Vec2(2, 1), Vec2(2, 1.5));
+  spread3.ExpectMove(Vec2(2, 2), Vec2(2.5, 1.55));
+  spread3.ExpectMove(Vec2(3, 2), Vec2(3, 1.6));
+  spread3.ExpectMove(Vec2(4, 2), Vec2(4, 1.7));
+
+  Small wedge3("pentahedron type 3 wedge", sheet, line, With(3, 2));
+  wedge3.ExpectCells(kept);
+  wedge3.ExpectMove(Vec2(3, 2), Vec2(3, 1.6));
+}
+
+// Two layers under a leaning plane x = a + 0.2 z: the layers alone would fall differently.
+void TestColumns()
+{
+  const Mesh sheet = Sheet(4, 1, 2, Vec3(1, 1, 0.5));
+  const Surface goes = PlaneThrough(Vec3(1.48, 0, 0), Vec3(1, 0, -0.2), 50);
+  const Surface stays = PlaneThrough(Vec3(1.52, 0, 0), Vec3(1, 0, -0.2), 50);
+  Small a("columns 52 %", sheet, goes, With(2, 2));
+  a.ExpectCells({ 0, 4 });
+  a.ExpectArray(true, "EliminatedFraction", { 0, 0.57, 1, 1, 0, 0.47, 1, 1 });
+  Small b("columns 48 %", sheet, stays, With(2, 2));
+  b.ExpectCells({ 0, 1, 4, 5 });
+  b.ExpectArray(true, "EliminatedFraction", { 0, 0.53, 1, 1, 0, 0.43, 1, 1 });
+  // Along the sheet only: on the skins by the skin, between the layers by their common facet.
+  vtkUnstructuredGrid* out = b.Result.Case.Trimmed;
+  int moved = 0;
+  for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 p(out->GetPoint(i));
+    if (p[0] > 1.2)
+    {
+      ++moved;
+      Expect(std::abs(p[0] - (1.52 + 0.2 * p[2])) < 1e-12 &&
+          (p[2] == 0 || std::abs(p[2]) == 0.5) && (p[1] == 0 || p[1] == 1),
+        "columns 48 %: a node left its layer");
+    }
+  }
+  Expect(moved == 6, "columns 48 %: six nodes on the cut");
+}
+}
+
+int main()
+{
+  TestRow();
+  TestPentahedron();
+  TestColumns();
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}

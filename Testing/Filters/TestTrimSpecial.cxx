@@ -1,0 +1,220 @@
+/**
+ * @file TestTrimSpecial.cxx
+ * @brief Surfaces that meet the mesh in special ways: exactly through nodes, edges and facets,
+ * along a layer, touching only, or not at all; a keep point; abort.
+ */
+#include "RunTrim.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkTrimHexahedralGrid.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace judge;
+
+namespace
+{
+int Wrong = 0;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::printf("FAIL %s\n", what.c_str());
+    ++Wrong;
+  }
+}
+
+void Both(const std::string& name, const Mesh& mesh, const Surface& surface)
+{
+  for (int correction = 1; correction <= 3; ++correction)
+  {
+    for (int optimization = 0; optimization <= (correction == 1 ? 0 : 2); ++optimization)
+    {
+      TrimOptions options;
+      options.CorrectionType = correction;
+      options.Optimization = optimization;
+      Report report("special " + name + " " + mesh.Name + " " + std::to_string(correction) + " " +
+        std::to_string(optimization));
+      JudgeBothSides(mesh, surface, options, report);
+      Wrong += report.Failures() > 0;
+    }
+  }
+}
+
+// Sheets run from 0 to nx, 0 to ny in elements of size 1.
+void TestThroughNodes()
+{
+  for (const char* name : { "sheet1", "sheet2", "permuted" })
+  {
+    const Mesh mesh = MakeMesh(name);
+    Both("through a row of facets", mesh, PlaneThrough(Vec3(10, 0, 0), Vec3::UnitX(), 200));
+    Both("through diagonal edges", mesh, PlaneThrough(Vec3(10, 8, 0), Vec3(1, 1, 0), 200));
+    Both("through one column of nodes", mesh, PlaneThrough(Vec3(10, 8, 0), Vec3(1, 0.3, 0), 200));
+    Both("leaning through one node", mesh, PlaneThrough(Vec3(10, 8, 0), Vec3(1, 0.3, 0.4), 200));
+    // Nodes at 5 and 4-3 from the centre lie on it exactly.
+    Placement at;
+    at.X = at.Y = 0;
+    at.Angle = 0;
+    at.Size = 5 / mesh.Box.HalfY;
+    Both("cylinder through nodes", mesh, MakeSurface("cylinder", mesh.Box, at));
+    Both("just beside the nodes", mesh,
+      PlaneThrough(Vec3(10 + 1e-7, 0, 0), Vec3::UnitX(), 200));
+  }
+}
+
+void TestAlongLayer()
+{
+  const Mesh sheet = MakeMesh("sheet2");
+  const Mesh block = MakeMesh("block");
+  Both("along the layers' common facets", sheet, PlaneThrough(Vec3(0, 0, 0), Vec3::UnitZ(), 200));
+  Both("along a layer of a block", block, PlaneThrough(Vec3(0, 0, 0.7), Vec3::UnitZ(), 200));
+  Both("along the nodes of a block", block, PlaneThrough(Vec3(5, 0, 0), Vec3::UnitX(), 200));
+}
+
+// All kept or all eliminated, no error; a warning where nothing is met.
+void Whole(const std::string& name, const Mesh& mesh, const Surface& surface, bool warns)
+{
+  for (const bool invert : { false, true })
+  {
+    TrimOptions options;
+    options.InvertSide = invert;
+    const Outcome outcome = RunTrim(mesh, surface, options);
+    Expect(outcome.Clean(), name + ": an error: " + (outcome.Clean() ? "" : outcome.Errors[0]));
+    Expect(!warns || outcome.Warnings.size() == 1,
+      name + ": " + std::to_string(outcome.Warnings.size()) + " warnings, not one");
+    const bool stays = (surface.Signed(mesh.Box.Centre) < 0) != invert;
+    const vtkIdType expected = stays ? mesh.Grid->GetNumberOfCells() : 0;
+    Expect(outcome.Case.Trimmed->GetNumberOfCells() == expected,
+      name + ": " + std::to_string(outcome.Case.Trimmed->GetNumberOfCells()) +
+        " elements, not " + std::to_string(expected));
+    Expect(outcome.Case.Whole->GetNumberOfCells() == mesh.Grid->GetNumberOfCells(),
+      name + ": port 1 is not the whole grid");
+    Report report("special " + name + (invert ? " inverted" : ""));
+    if (outcome.Clean())
+    {
+      const Evidence evidence(outcome.Case, report);
+      JudgeAll(evidence, report);
+    }
+    Wrong += report.Failures() > 0;
+  }
+}
+
+void TestMisses()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  Whole("far plane", mesh, PlaneThrough(Vec3(100, 0, 0), Vec3(1, 0.1, 0), 200), true);
+  Whole("far small plane", mesh, PlaneThrough(Vec3(-50, 0, 0), Vec3(1, 0.1, 0), 200), true);
+  Whole("plane along the border", mesh, PlaneThrough(Vec3(20, 0, 0), Vec3::UnitX(), 200), false);
+  Whole("plane along the skin", mesh, PlaneThrough(Vec3(0, 0, 0.4), Vec3::UnitZ(), 200), false);
+  Whole("plane that touches a corner", mesh,
+    PlaneThrough(Vec3(20, 16, 0), Vec3(1, 1, 0), 200), false);
+  Placement at;
+  at.X = 2;
+  at.Y = 0;
+  at.Angle = 0;
+  at.Size = 10 / mesh.Box.HalfY;
+  Whole("cylinder that touches the border", mesh, MakeSurface("cylinder", mesh.Box, at), false);
+  // Round the whole sheet.
+  at.X = 0;
+  at.Size = 3;
+  Whole("cylinder round the sheet", mesh, MakeSurface("cylinder", mesh.Box, at), true);
+}
+
+void TestSlot()
+{
+  // Crosses the sheet twice with about three and a half elements between, straight and slanted.
+  for (const double angle : { 0.0, 0.4, 0.785 })
+  {
+    const Mesh mesh = MakeMesh("sheet2");
+    Placement at;
+    at.Angle = angle;
+    Both("slot", mesh, MakeSurface("slot", mesh.Box, at));
+  }
+}
+
+void TestKeepPoint()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  const Surface cylinder = MakeSurface("cylinder", mesh.Box, Placement());
+  for (const Vec3& point : { Vec3(11.3, 7.4, 0), Vec3(0.1, 0.1, 0) })
+  {
+    TrimOptions options;
+    options.UseKeepPoint = true;
+    options.KeepPoint = point;
+    Report report("special keep point");
+    const Outcome outcome = RunAndJudge(mesh, cylinder, options, report);
+    Wrong += report.Failures() > 0;
+  }
+}
+
+// Aborted at the first progress event: an empty output or a whole one, no crash, and the
+// filter works afterwards.
+void TestAbort()
+{
+  const Mesh mesh = Sheet(80, 80, 2, Vec3(1, 1, 0.4));
+  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    ++*static_cast<int*>(data);
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  });
+  int events = 0;
+  stop->SetClientData(&events);
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  Expect(events > 0, "abort: no progress event");
+  Expect(output->GetNumberOfCells() == 0 && output->GetNumberOfPoints() == 0,
+    "abort: the output is not empty");
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  Expect(output->GetNumberOfCells() > 0, "abort: nothing comes out afterwards");
+}
+
+void TestProgress()
+{
+  const Mesh mesh = Sheet(40, 40, 2, Vec3(1, 1, 0.4));
+  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  vtkNew<vtkCallbackCommand> listen;
+  std::vector<double> seen;
+  listen->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    static_cast<std::vector<double>*>(data)->push_back(
+      static_cast<vtkAlgorithm*>(caller)->GetProgress());
+  });
+  listen->SetClientData(&seen);
+  filter->AddObserver(vtkCommand::ProgressEvent, listen);
+  filter->Update();
+  bool rises = seen.size() >= 4;
+  for (std::size_t i = 1; i < seen.size(); ++i)
+  {
+    rises = rises && seen[i] >= seen[i - 1] && seen[i] <= 1;
+  }
+  Expect(rises, "progress: fewer than four events, or it falls");
+}
+}
+
+int main()
+{
+  TestThroughNodes();
+  TestAlongLayer();
+  TestMisses();
+  TestSlot();
+  TestKeepPoint();
+  TestAbort();
+  TestProgress();
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}

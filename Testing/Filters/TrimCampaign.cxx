@@ -1,0 +1,125 @@
+/**
+ * @file TrimCampaign.cxx
+ * @brief Random trims: mesh x surface x position x options, each judged; a table of outcomes.
+ *
+ * TrimCampaign [count [seed [only]]]: `only` repeats one trim of the series alone.
+ */
+#include "RunTrim.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+using namespace judge;
+
+namespace
+{
+struct Draw
+{
+  std::string Mesh, Kind;
+  Placement At;
+  TrimOptions Options;
+};
+
+// Every trim has a generator of its own, so that it can be repeated alone.
+Draw DrawTrim(unsigned seed, int number)
+{
+  std::seed_seq sequence{ seed, static_cast<unsigned>(number) };
+  std::mt19937 random(sequence);
+  std::uniform_real_distribution<double> any(0, 1);
+  const auto pick = [&](const std::vector<std::string>& from) {
+    return from[static_cast<std::size_t>(any(random) * from.size())];
+  };
+  Draw draw;
+  draw.Mesh = pick(MeshNames());
+  draw.Kind = pick(SurfaceKinds());
+  draw.At.X = 1.4 * any(random) - 0.7;
+  draw.At.Y = 1.4 * any(random) - 0.7;
+  draw.At.Angle = 2 * M_PI * any(random);
+  // Upright as often as not; up to 45 degrees, less where the surface itself widens.
+  const double lean = (draw.Kind == "cone" || draw.Kind == "wavy" ? 0.25 : 0.78) * any(random);
+  draw.At.Lean = any(random) < 0.5 ? 0 : lean;
+  draw.At.Size = 0.35 + 0.4 * any(random);
+  draw.At.Seed = 1 + static_cast<unsigned>(1e6 * any(random));
+  draw.At.Reversed = any(random) < 0.5;
+  draw.Options.CorrectionType = any(random) < 0.1 ? 1 : any(random) < 0.5 ? 2 : 3;
+  draw.Options.Optimization = static_cast<int>(3 * any(random));
+  draw.Options.InvertSide = any(random) < 0.5;
+  return draw;
+}
+
+std::string Words(const Draw& draw)
+{
+  char text[300];
+  std::snprintf(text, sizeof(text),
+    "%s %s x %.3f y %.3f angle %.3f lean %.3f size %.3f seed %u%s type %d opt %d%s",
+    draw.Mesh.c_str(), draw.Kind.c_str(), draw.At.X, draw.At.Y, draw.At.Angle, draw.At.Lean,
+    draw.At.Size, draw.At.Seed, draw.At.Reversed ? " reversed" : "",
+    draw.Options.CorrectionType, draw.Options.Optimization,
+    draw.Options.InvertSide ? " inverted" : "");
+  return text;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const int count = argc > 1 ? std::atoi(argv[1]) : 300;
+  const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
+  const int only = argc > 3 ? std::atoi(argv[3]) : -1;
+  std::map<std::string, Mesh> meshes;
+  for (const std::string& name : MeshNames())
+  {
+    meshes[name] = MakeMesh(name);
+  }
+  struct Row
+  {
+    int Trims = 0, Good = 0, Rescued = 0, Warned = 0, Failed = 0;
+  };
+  std::map<std::string, Row> table;
+  std::map<std::string, int> checks;
+  for (int i = 0; i < count; ++i)
+  {
+    if (only >= 0 && i != only)
+    {
+      continue;
+    }
+    const Draw draw = DrawTrim(seed, i);
+    const Mesh& mesh = meshes[draw.Mesh];
+    const Surface surface = MakeSurface(draw.Kind, mesh.Box, draw.At);
+    Report report("campaign " + std::to_string(count) + " " + std::to_string(seed) + " " +
+      std::to_string(i) + " (" + Words(draw) + ")");
+    const Outcome outcome = RunAndJudge(mesh, surface, draw.Options, report);
+    const std::string rescues = Rescues(outcome.Case.Trimmed);
+    if (report.Failures() > 0 && !rescues.empty())
+    {
+      std::printf("     with %s\n", rescues.c_str());
+    }
+    for (const std::string& key : { "surface " + draw.Kind, "mesh " + draw.Mesh })
+    {
+      Row& row = table[key];
+      ++row.Trims;
+      row.Failed += report.Failures() > 0;
+      row.Good += report.Failures() == 0;
+      row.Rescued += report.Failures() == 0 && !rescues.empty();
+      row.Warned += report.Failures() == 0 && !outcome.Warnings.empty();
+    }
+    for (const auto& check : report.ByCheck())
+    {
+      ++checks[check.first];
+    }
+  }
+  std::printf("\n%-22s %6s %6s %8s %7s %7s\n", "", "trims", "good", "rescued", "warned", "failed");
+  int failed = 0;
+  for (const auto& row : table)
+  {
+    std::printf("%-22s %6d %6d %8d %7d %7d\n", row.first.c_str(), row.second.Trims,
+      row.second.Good, row.second.Rescued, row.second.Warned, row.second.Failed);
+    failed += row.second.Failed;
+  }
+  for (const auto& check : checks)
+  {
+    std::printf("failed check: %-40s in %d trims\n", check.first.c_str(), check.second);
+  }
+  return failed > 0;
+}

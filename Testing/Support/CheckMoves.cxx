@@ -1,0 +1,211 @@
+#include "Checks.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace judge
+{
+namespace
+{
+std::string Point(Id p)
+{
+  return "point " + std::to_string(p);
+}
+
+// Distance to the mesh edges at a node of the input: type III slides along one of them, in
+// either direction of its line.
+double DistanceToEdgesAt(const Evidence& e, Id node, const Vec3& p)
+{
+  static const int hex[12][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 },
+    { 6, 7 }, { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
+  static const int wedge[9][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 }, { 5, 3 },
+    { 0, 3 }, { 1, 4 }, { 2, 5 } };
+  double best = 1e300;
+  for (Id c : e.CellsAt[node])
+  {
+    const Element& element = e.In.Elements[c];
+    const int count = element.Size == 8 ? 12 : 9;
+    for (int k = 0; k < count; ++k)
+    {
+      const Id a = element.Node[element.Size == 8 ? hex[k][0] : wedge[k][0]];
+      const Id b = element.Node[element.Size == 8 ? hex[k][1] : wedge[k][1]];
+      if (a == node || b == node)
+      {
+        best = std::min(best, DistanceToSegment(p, e.In.Points[a], e.In.Points[b]));
+      }
+    }
+  }
+  return best;
+}
+
+Vec3 Tuple(vtkDataArray* array, Id i)
+{
+  return Vec3(array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2));
+}
+}
+
+void CheckMoves(const Evidence& e, Report& report)
+{
+  vtkDataArray* displacement = e.Case.Trimmed->GetPointData()->GetArray("Displacement");
+  vtkDataArray* whole = e.Case.Whole->GetPointData()->GetArray("Displacement");
+  vtkDataArray* applied = e.Case.Trimmed->GetPointData()->GetArray("CorrectionApplied");
+  vtkDataArray* status = e.Case.Trimmed->GetPointData()->GetArray("NodeStatus");
+  if (!displacement || !whole || !applied || !status ||
+    displacement->GetNumberOfComponents() != 3 || whole->GetNumberOfComponents() != 3)
+  {
+    return; // reported by CheckArrays
+  }
+  for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
+  {
+    const Id o = e.PointOf[p];
+    const Vec3 real = e.Out.Points[p] - e.In.Points[o], given = Tuple(displacement, p);
+    const int correction = static_cast<int>(applied->GetComponent(p, 0));
+    const double limit = 1e-6 * real.norm() + e.Exact * 1e-3 + 1e-300;
+    if (!((real - given).norm() <= limit))
+    {
+      report.Fail("Displacement", Point(p) + " against the coordinates", (real - given).norm(),
+        limit);
+    }
+    if ((real.norm() > 0) != (correction != 0) || (real.norm() == 0 && given.norm() != 0))
+    {
+      report.Fail("CorrectionApplied",
+        Point(p) + " moved by " + std::to_string(real.norm()) + " says", correction,
+        real.norm() > 0 ? e.Case.Options.CorrectionType : 0);
+    }
+    if (e.Case.Options.CorrectionType == 1 && real.norm() > 0)
+    {
+      report.Fail("type I moves nothing", Point(p), real.norm(), 0);
+    }
+    if ((Tuple(whole, o) - given).norm() > 0)
+    {
+      report.Fail("Displacement", Point(p) + " differs between the ports",
+        (Tuple(whole, o) - given).norm(), 0);
+    }
+    if (status->GetComponent(p, 0) != e.NodeStatus[o])
+    {
+      report.Fail("NodeStatus", Point(p) + " differs between the ports",
+        status->GetComponent(p, 0), e.NodeStatus[o]);
+    }
+    // Distribution moves a node off its edge by intent.
+    if (correction == 3 && e.Case.Options.Optimization == 0 &&
+      DistanceToEdgesAt(e, o, e.Out.Points[p]) > e.Exact)
+    {
+      report.Fail("type III stays on a mesh edge", Point(p),
+        DistanceToEdgesAt(e, o, e.Out.Points[p]), e.Exact);
+    }
+  }
+  for (Id o = 0; o < static_cast<Id>(e.In.Points.size()); ++o)
+  {
+    if (Vec3(e.Case.Whole->GetPoint(o)) != e.In.Points[o])
+    {
+      report.Fail("port 1 has the input's coordinates", Point(o),
+        (Vec3(e.Case.Whole->GetPoint(o)) - e.In.Points[o]).norm(), 0);
+    }
+  }
+}
+
+namespace
+{
+// Skin: exterior facets of a sheet that do not show its thickness.
+bool IsSkin(const Evidence& e, const Facet& facet)
+{
+  const double thickness = e.Case.Input->Box.LayerThickness;
+  const int n = facet.Size();
+  int thin = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    const Vec3 edge = e.In.Points[facet.Node[(i + 1) % n]] - e.In.Points[facet.Node[i]];
+    thin += edge.norm() < 1.2 * thickness;
+  }
+  return thin < 2;
+}
+
+std::vector<char> SkinPoints(const Evidence& e)
+{
+  std::vector<char> skin(e.In.Points.size(), 0);
+  for (const Facet& facet : e.Border.Facets().Exterior)
+  {
+    for (int i = 0; i < facet.Size() && e.Case.Input->Sheet && IsSkin(e, facet); ++i)
+    {
+      skin[facet.Node[i]] = 1;
+    }
+  }
+  return skin;
+}
+
+void CheckPlaces(const Evidence& e, Report& report)
+{
+  const std::vector<char> skin = SkinPoints(e);
+  for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
+  {
+    const Id o = e.PointOf[p];
+    const auto place = e.Border.PlaceOf(o);
+    if (!e.Moved(p) || place == Exterior::Place::Inside)
+    {
+      continue;
+    }
+    const Vec3& x = e.Out.Points[p];
+    // A node on the eliminated side has to leave a lateral border that the surface runs along,
+    // but never the skin.
+    const bool free = e.NodeStatus[o] == 1;
+    if ((!free || skin[o]) && e.Border.Distance(x) > e.Exact)
+    {
+      report.Fail("stays on the exterior", Point(p), e.Border.Distance(x), e.Exact);
+    }
+    if (!free && place == Exterior::Place::Ridge && e.Border.RidgeDistance(x) > e.Exact)
+    {
+      report.Fail("stays on the ridge", Point(p), e.Border.RidgeDistance(x), e.Exact);
+    }
+    if (!free && place == Exterior::Place::Corner)
+    {
+      report.Fail("corner stays", Point(p), (x - e.In.Points[o]).norm(), 0);
+    }
+  }
+}
+}
+
+void CheckBoundary(const Evidence& e, Report& report)
+{
+  if (e.Case.Options.CorrectionType != 1)
+  {
+    for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
+    {
+      const bool beyond = e.NodeStatus[e.PointOf[p]] == 1;
+      if (!e.OnNewBoundary[p] && !beyond)
+      {
+        continue;
+      }
+      const double d = std::abs(e.Signed(e.Out.Points[p]));
+      if (!(d <= e.Exact))
+      {
+        report.Fail("new boundary on the surface",
+          Point(p) + (beyond ? " (eliminate)" : " (keep)") +
+            (e.Moved(p) ? " moved" : " not moved") +
+            (e.OnNewBoundary[p] ? "" : ", not on the new boundary"),
+          d, e.Exact);
+      }
+    }
+    CheckPlaces(e, report);
+  }
+  const FacetTable table(e.Out);
+  if (table.OverUsed > 0)
+  {
+    report.Fail("manifold", "facets shared by more than two elements", table.OverUsed, 0);
+  }
+  const ManifoldDefects before = FindManifoldDefects(e.Border.Facets());
+  const ManifoldDefects after = FindManifoldDefects(table);
+  if (before.Edges == 0 && after.Edges > 0)
+  {
+    report.Fail("manifold", "boundary edges at " + Point(after.EdgePoint), after.Edges, 0);
+  }
+  if (before.Edges + before.Vertices == 0 && after.Vertices > 0)
+  {
+    report.Fail("manifold", "boundary vertices at " + Point(after.VertexPoint), after.Vertices, 0);
+  }
+}
+
+}

@@ -1,0 +1,207 @@
+#include "Checks.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace judge
+{
+namespace
+{
+std::string Point(Id p)
+{
+  return "point " + std::to_string(p);
+}
+std::string Cell(Id c)
+{
+  return "cell " + std::to_string(c);
+}
+
+void RequireArray(vtkDataSetAttributes* data, const char* port, const char* name, int type,
+  int components, Report& report)
+{
+  vtkDataArray* array = data->GetArray(name);
+  const std::string where = std::string(port) + " " + name;
+  if (!array)
+  {
+    report.Fail("arrays", where + " is missing");
+    return;
+  }
+  if (type >= 0 && array->GetDataType() != type)
+  {
+    report.Fail("arrays", where + " has type", array->GetDataType(), type);
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    report.Fail("arrays", where + " has components", array->GetNumberOfComponents(), components);
+  }
+}
+
+void CheckNodes(const Evidence& e, Report& report)
+{
+  const double tolerance = e.Case.Options.Tolerance * e.Diagonal;
+  const double size = e.Case.Input->Box.ElementSize;
+  // What the oracle itself may be wrong by.
+  const double doubt = 1e-13 * e.Diagonal + (e.Exact - 1e-9 * e.Diagonal);
+  std::vector<char> needed(e.In.Points.size(), 0);
+  for (std::size_t c = 0; c < e.In.Elements.size(); ++c)
+  {
+    for (int i = 0; e.ElementStatus[c] == 2 && i < e.In.Elements[c].Size; ++i)
+    {
+      needed[e.In.Elements[c].Node[i]] = 1;
+    }
+  }
+  for (Id p = 0; p < static_cast<Id>(e.In.Points.size()); ++p)
+  {
+    double s = e.Roughly(e.In.Points[p]);
+    const bool near = std::abs(s) < 2.5 * size;
+    s = near ? e.Signed(e.In.Points[p]) : s;
+    const int status = e.NodeStatus[p];
+    const bool mayBeOn = std::abs(s) <= tolerance * 1.001 + doubt;
+    const bool mustBeOn = std::abs(s) < tolerance * 0.999 - doubt;
+    const int side = s > 0 ? 1 : 0;
+    if (!(status == side && !mustBeOn) && !(status == 2 && mayBeOn) &&
+      !(status != 2 && std::abs(s) <= doubt && tolerance <= doubt))
+    {
+      report.Fail("NodeStatus", Point(p) + " status " + std::to_string(status) +
+          ", signed distance by the oracle", s, tolerance);
+    }
+    const float given = e.SignedDistance[p];
+    if (std::isnan(given))
+    {
+      if (needed[p])
+      {
+        report.Fail("SignedDistance", Point(p) + " of an element to treat is NaN", given, 0);
+      }
+    }
+    else if (near && !(std::abs(given - s) <= 1e-6 * std::abs(s) + 1e-6 * size + doubt))
+    {
+      report.Fail("SignedDistance", Point(p) + " against the oracle's " + std::to_string(s),
+        given, 1e-6 * size);
+    }
+    else if (!near && (given > 0) != (s > 0))
+    {
+      report.Fail("SignedDistance", Point(p) + " has the wrong sign", given, s);
+    }
+  }
+}
+
+void CheckElementStatuses(const Evidence& e, Report& report)
+{
+  for (Id c = 0; c < static_cast<Id>(e.In.Elements.size()); ++c)
+  {
+    int count[3] = { 0, 0, 0 };
+    for (int i = 0; i < e.In.Elements[c].Size; ++i)
+    {
+      ++count[std::min<int>(e.NodeStatus[e.In.Elements[c].Node[i]], 2)];
+    }
+    const int expected = count[1] == 0 ? 0 : count[0] == 0 ? 1 : 2;
+    if (e.ElementStatus[c] != expected)
+    {
+      report.Fail("ElementStatus", Cell(c), e.ElementStatus[c], expected);
+    }
+    if ((expected == 0 && e.Fraction[c] != 0) || (expected == 1 && e.Fraction[c] != 1))
+    {
+      report.Fail("EliminatedFraction", Cell(c) + " that is not cut", e.Fraction[c], expected);
+    }
+    if (!(e.Fraction[c] >= 0 && e.Fraction[c] <= 1))
+    {
+      report.Fail("EliminatedFraction", Cell(c) + " out of 0..1", e.Fraction[c], 1);
+    }
+  }
+}
+}
+
+void CheckArrays(const Trial& trial, Report& report)
+{
+  const struct
+  {
+    const char* Name;
+    vtkUnstructuredGrid* Grid;
+  } ports[2] = { { "port 0", trial.Trimmed }, { "port 1", trial.Whole } };
+  for (const auto& port : ports)
+  {
+    vtkPointData* pd = port.Grid->GetPointData();
+    vtkCellData* cd = port.Grid->GetCellData();
+    RequireArray(pd, port.Name, "NodeStatus", VTK_UNSIGNED_CHAR, 1, report);
+    RequireArray(pd, port.Name, "SignedDistance", VTK_FLOAT, 1, report);
+    RequireArray(pd, port.Name, "Displacement", VTK_FLOAT, 3, report);
+    RequireArray(pd, port.Name, "CorrectionApplied", VTK_UNSIGNED_CHAR, 1, report);
+    RequireArray(cd, port.Name, "ElementStatus", VTK_UNSIGNED_CHAR, 1, report);
+    RequireArray(cd, port.Name, "EliminatedFraction", VTK_FLOAT, 1, report);
+  }
+  RequireArray(trial.Trimmed->GetPointData(), "port 0", "vtkOriginalPointIds", -1, 1, report);
+  RequireArray(trial.Trimmed->GetCellData(), "port 0", "vtkOriginalCellIds", -1, 1, report);
+  RequireArray(trial.Trimmed->GetCellData(), "port 0", "ScaledJacobian", VTK_FLOAT, 1, report);
+  for (const char* name : { "Kept", "Eliminated", "Treated", "MovedNodes", "Pentahedra", "Wedges",
+         "CertifiedElements", "TouchedElements", "MinimumScaledJacobian",
+         "MinimumIntegrationPointJacobian", "MaximumDistanceToSurface", "Volume",
+         "NodeBandwidth" })
+  {
+    vtkDataArray* array = trial.Trimmed->GetFieldData()->GetArray(name);
+    if (!array || array->GetNumberOfTuples() != 1 || array->GetNumberOfComponents() != 1)
+    {
+      report.Fail("arrays", std::string("summary ") + name + " is missing or not one value");
+    }
+  }
+}
+
+void CheckStatuses(const Evidence& e, Report& report)
+{
+  CheckNodes(e, report);
+  CheckElementStatuses(e, report);
+}
+
+void CheckFractions(const Evidence& e, Report& report, int maximumCells)
+{
+  std::vector<Id> cut;
+  for (Id c = 0; c < static_cast<Id>(e.In.Elements.size()); ++c)
+  {
+    if (e.ElementStatus[c] == 2)
+    {
+      cut.push_back(c);
+    }
+  }
+  // The estimate takes the surface as plane within a tetrahedron: its sagitta is its error.
+  const double bend = 1.5 * e.Case.Input->Box.ElementSize / e.Case.Cut->MinimumRadius;
+  if (bend > 0.6)
+  {
+    return;
+  }
+  const double limit = 0.03 + 0.2 * bend;
+  const std::size_t stride = std::max<std::size_t>(1, cut.size() / maximumCells);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(0, 1);
+  for (std::size_t k = 0; k < cut.size(); k += stride)
+  {
+    const auto corners = e.In.Corners(cut[k]);
+    const int size = e.In.Elements[cut[k]].Size;
+    double beyond = 0, all = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+      Vec3 at = (Vec3(i % 10, (i / 10) % 10, i / 100) + Vec3(any(random), any(random), any(random)))
+        / 10;
+      if (size == 6 && at[0] + at[1] > 1)
+      {
+        at[0] = 1 - at[0];
+        at[1] = 1 - at[1];
+      }
+      const double weight = std::abs(JacobianAt(corners, size, at));
+      all += weight;
+      beyond += e.Roughly(PositionAt(corners, size, at)) > 0 ? weight : 0;
+    }
+    if (!(std::abs(beyond / all - e.Fraction[cut[k]]) <= limit))
+    {
+      report.Fail("EliminatedFraction",
+        Cell(cut[k]) + " differs from the sampled " + std::to_string(beyond / all),
+        e.Fraction[cut[k]], limit);
+    }
+  }
+}
+
+}

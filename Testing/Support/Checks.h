@@ -1,0 +1,148 @@
+/**
+ * @file Checks.h
+ * @brief The judge: holds the outputs of a trim against its input, an oracle of the surface and
+ * the promises of CONTRACT.md, by code of its own.
+ *
+ * Every check counts its failures in a Report, which prints the first ones of each kind, each
+ * on one line with place, value and limit.
+ */
+#ifndef Checks_h
+#define Checks_h
+
+#include "Exterior.h"
+#include "Meshes.h"
+#include "Surfaces.h"
+
+#include <map>
+#include <string>
+
+class vtkDataSetAttributes;
+class vtkFieldData;
+
+namespace judge
+{
+/// The filter's properties, with its defaults.
+struct TrimOptions
+{
+  int CorrectionType = 2;
+  int Optimization = 2;
+  bool InvertSide = false;
+  bool UseKeepPoint = false;
+  Vec3 KeepPoint = Vec3::Zero();
+  double EliminationFraction = 0.5;
+  bool RenumberNodes = true;
+  double Tolerance = 1e-9;
+};
+
+class Report
+{
+public:
+  explicit Report(std::string context, bool quiet = false)
+    : Context(std::move(context))
+    , Quiet(quiet)
+  {
+  }
+  /// Counts, and prints "FAIL context: check: place: value (limit)" for the first few.
+  void Fail(const std::string& check, const std::string& place, double value, double limit);
+  void Fail(const std::string& check, const std::string& text);
+  int Failures() const { return this->Total; }
+  int Failures(const std::string& check) const;
+  const std::map<std::string, int>& ByCheck() const { return this->Counts; }
+
+private:
+  bool Count(const std::string& check);
+  std::string Context;
+  bool Quiet;
+  int Total = 0;
+  std::map<std::string, int> Counts;
+};
+
+/// One trim: what went in and what came out of the two ports.
+struct Trial
+{
+  const Mesh* Input = nullptr;
+  const Surface* Cut = nullptr;
+  TrimOptions Options;
+  vtkSmartPointer<vtkUnstructuredGrid> Trimmed; ///< port 0
+  vtkSmartPointer<vtkUnstructuredGrid> Whole;   ///< port 1
+};
+
+/// A trial prepared for judging: plain data, original ids, statuses.
+class Evidence
+{
+public:
+  /// Reports missing arrays, ids out of range, and elements of other types.
+  Evidence(const Trial& trial, Report& report);
+  bool Usable = false;
+
+  const Trial& Case;
+  Model In;
+  Model Out;
+  Exterior Border;
+  double Diagonal;
+  double Exact; ///< absolute limit for positions: 1e-9 of the diagonal and rounding
+  std::vector<Id> PointOf; ///< of port 0, in the input
+  std::vector<Id> CellOf;
+  std::vector<char> KeptCell; ///< by input cell
+  std::vector<unsigned char> NodeStatus, ElementStatus;
+  std::vector<float> SignedDistance, Fraction;
+  std::vector<std::vector<Id>> CellsAt; ///< of each input point
+  std::vector<Facet> NewBoundary;       ///< of port 0
+  std::vector<char> OnNewBoundary;      ///< by point of port 0
+
+  /// Signed distance by the oracle, negative on the side to be kept.
+  double Signed(const Vec3& p) const;
+  double Roughly(const Vec3& p) const;
+  bool Moved(Id outPoint) const;
+  bool Touched(Id outCell) const;
+  /// A node on the wrong side whose elements all stay, or the other way round: there a piece of
+  /// the model is lost or too much, whatever the correction.
+  bool HasOrphans() const;
+
+private:
+  bool ReadOrigins(Report& report);
+  bool ReadStatuses(Report& report);
+  void FindNewBoundary();
+  double SideSign = 1;
+};
+
+/// Presence, types and components of the arrays of CONTRACT.md.
+void CheckArrays(const Trial& trial, Report& report);
+/// NodeStatus and SignedDistance by the oracle, ElementStatus by NodeStatus.
+void CheckStatuses(const Evidence& evidence, Report& report);
+/// V^e by stratified sampling of at most `maximumCells` cut elements.
+void CheckFractions(const Evidence& evidence, Report& report, int maximumCells = 60);
+/// Displacement against coordinates, CorrectionApplied, bit identity, type III on mesh edges.
+void CheckMoves(const Evidence& evidence, Report& report);
+/// New boundary on the surface; skin, ridges and corners kept; closed manifold.
+void CheckBoundary(const Evidence& evidence, Report& report);
+/// Jacobians, collapse, coincident nodes.
+void CheckElements(const Evidence& evidence, Report& report);
+/// All arrays of the input, by original ids, with attributes and names, on both ports.
+void CheckCarriedArrays(const Evidence& evidence, Report& report);
+/// The field data of port 0.
+void CheckSummary(const Evidence& evidence, Report& report);
+/// NodeBandwidth against the numbering as it came and reverse Cuthill-McKee.
+void CheckNumbering(const Evidence& evidence, Report& report);
+/// The volume kept of a flat mesh cut by a plane, exact by six tetrahedra an element.
+void CheckPlaneVolume(const Evidence& evidence, const Vec3& point, const Vec3& normal,
+  Report& report);
+
+/// All of the above that apply without further knowledge.
+void JudgeAll(const Evidence& evidence, Report& report);
+
+/// Kept part and offcut (the same trial with InvertSide): volumes and nodes along the cut.
+void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report);
+
+/// Points, cells and all data arrays identical to the last bit; the first difference in words,
+/// empty if none.
+std::string FirstDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
+
+/// Largest difference of node numbers within an element.
+Id Bandwidth(const std::vector<Element>& elements);
+/// The same after Boost's reverse Cuthill-McKee.
+Id ReverseCuthillMcKeeBandwidth(const Model& model);
+
+}
+
+#endif

@@ -1,0 +1,223 @@
+#include "Checks.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace judge
+{
+namespace
+{
+// Values of a one-component array; empty and reported where the array does not fit.
+template <typename T>
+std::vector<T> Values(
+  vtkDataSetAttributes* data, const char* name, vtkIdType tuples, Report& report)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfTuples() != tuples)
+  {
+    report.Fail("arrays", std::string(name) + " is missing or has a wrong number of tuples");
+    return {};
+  }
+  std::vector<T> values(tuples);
+  for (vtkIdType i = 0; i < tuples; ++i)
+  {
+    values[i] = static_cast<T>(array->GetComponent(i, 0));
+  }
+  return values;
+}
+}
+
+Evidence::Evidence(const Trial& trial, Report& report)
+  : Case(trial)
+  , In(trial.Input->Grid)
+  , Out(trial.Trimmed)
+  , Border(In)
+  , Diagonal(In.Diagonal())
+{
+  double largest = 0;
+  for (const Vec3& p : this->In.Points)
+  {
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  }
+  // Coordinates cannot be better than their type.
+  vtkPoints* points = trial.Trimmed->GetPoints();
+  const bool single = points && points->GetDataType() == VTK_FLOAT;
+  this->Exact = 1e-9 * this->Diagonal + (single ? 1.2e-7 : 4.5e-16) * largest;
+
+  const TrimOptions& options = trial.Options;
+  this->SideSign = options.InvertSide ? -1 : 1;
+  if (options.UseKeepPoint && trial.Cut->Signed(options.KeepPoint) > 0)
+  {
+    this->SideSign = -this->SideSign;
+  }
+  this->CellsAt.resize(this->In.Points.size());
+  for (Id e = 0; e < static_cast<Id>(this->In.Elements.size()); ++e)
+  {
+    for (int i = 0; i < this->In.Elements[e].Size; ++i)
+    {
+      this->CellsAt[this->In.Elements[e].Node[i]].push_back(e);
+    }
+  }
+  if (this->Out.BadCell >= 0)
+  {
+    report.Fail("cell types", "cell " + std::to_string(this->Out.BadCell) +
+        " of port 0 is neither hexahedron nor wedge");
+    return;
+  }
+  this->Usable = this->ReadOrigins(report) && this->ReadStatuses(report);
+  if (this->Usable)
+  {
+    this->FindNewBoundary();
+  }
+}
+
+bool Evidence::ReadOrigins(Report& report)
+{
+  const auto points = static_cast<vtkIdType>(this->Out.Points.size());
+  const auto cells = static_cast<vtkIdType>(this->Out.Elements.size());
+  this->PointOf =
+    Values<Id>(this->Case.Trimmed->GetPointData(), "vtkOriginalPointIds", points, report);
+  this->CellOf =
+    Values<Id>(this->Case.Trimmed->GetCellData(), "vtkOriginalCellIds", cells, report);
+  const auto good = [](const std::vector<Id>& ids, std::size_t count) {
+    const std::set<Id> all(ids.begin(), ids.end());
+    return all.size() == ids.size() &&
+      (all.empty() || (*all.begin() >= 0 && *all.rbegin() < static_cast<Id>(count)));
+  };
+  if (!good(this->PointOf, this->In.Points.size()) ||
+    !good(this->CellOf, this->In.Elements.size()))
+  {
+    report.Fail("original ids", "an id is out of range or appears twice");
+    return false;
+  }
+  this->KeptCell.assign(this->In.Elements.size(), 0);
+  for (Id c : this->CellOf)
+  {
+    this->KeptCell[c] = 1;
+  }
+  return static_cast<vtkIdType>(this->PointOf.size()) == points &&
+    static_cast<vtkIdType>(this->CellOf.size()) == cells;
+}
+
+bool Evidence::ReadStatuses(Report& report)
+{
+  vtkUnstructuredGrid* whole = this->Case.Whole;
+  const auto points = static_cast<vtkIdType>(this->In.Points.size());
+  const auto cells = static_cast<vtkIdType>(this->In.Elements.size());
+  if (whole->GetNumberOfPoints() != points || whole->GetNumberOfCells() != cells)
+  {
+    report.Fail("port 1", "is not the whole input");
+    return false;
+  }
+  const int before = report.Failures();
+  this->NodeStatus =
+    Values<unsigned char>(whole->GetPointData(), "NodeStatus", points, report);
+  this->SignedDistance = Values<float>(whole->GetPointData(), "SignedDistance", points, report);
+  this->ElementStatus =
+    Values<unsigned char>(whole->GetCellData(), "ElementStatus", cells, report);
+  this->Fraction = Values<float>(whole->GetCellData(), "EliminatedFraction", cells, report);
+  return report.Failures() == before;
+}
+
+void Evidence::FindNewBoundary()
+{
+  this->OnNewBoundary.assign(this->Out.Points.size(), 0);
+  for (const Facet& facet : FacetTable(this->Out).Exterior)
+  {
+    std::set<Id> original;
+    for (int i = 0; i < facet.Size(); ++i)
+    {
+      original.insert(this->PointOf[facet.Node[i]]);
+    }
+    // Old if it lies in an exterior facet of the element it came from (a wedge's triangle is
+    // part of a quadrilateral).
+    bool old = false;
+    const Id cell = this->CellOf[facet.Owner];
+    for (const Facet& before : FacetsOf(this->In.Elements[cell], cell))
+    {
+      const std::set<Id> nodes(before.Node.begin(), before.Node.begin() + before.Size());
+      old = old ||
+        (std::includes(nodes.begin(), nodes.end(), original.begin(), original.end()) &&
+          this->Border.Facets().Uses.at(FacetKey(before)) == 1);
+    }
+    if (old)
+    {
+      continue;
+    }
+    this->NewBoundary.push_back(facet);
+    for (int i = 0; i < facet.Size(); ++i)
+    {
+      this->OnNewBoundary[facet.Node[i]] = 1;
+    }
+  }
+}
+
+double Evidence::Signed(const Vec3& p) const
+{
+  return this->SideSign * this->Case.Cut->Signed(p);
+}
+
+double Evidence::Roughly(const Vec3& p) const
+{
+  return this->SideSign * this->Case.Cut->Roughly(p);
+}
+
+bool Evidence::Moved(Id p) const
+{
+  return this->Out.Points[p] != this->In.Points[this->PointOf[p]];
+}
+
+bool Evidence::Touched(Id c) const
+{
+  const Element& element = this->Out.Elements[c];
+  for (int i = 0; i < element.Size; ++i)
+  {
+    if (this->Moved(element.Node[i]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Evidence::HasOrphans() const
+{
+  for (std::size_t p = 0; p < this->In.Points.size(); ++p)
+  {
+    const auto& cells = this->CellsAt[p];
+    const auto kept =
+      std::count_if(cells.begin(), cells.end(), [this](Id c) { return this->KeptCell[c]; });
+    if (!cells.empty() &&
+      ((this->NodeStatus[p] == 1 && kept == static_cast<std::ptrdiff_t>(cells.size())) ||
+        (this->NodeStatus[p] == 0 && kept == 0)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void JudgeAll(const Evidence& evidence, Report& report)
+{
+  CheckArrays(evidence.Case, report);
+  if (!evidence.Usable)
+  {
+    return;
+  }
+  CheckStatuses(evidence, report);
+  CheckFractions(evidence, report);
+  CheckMoves(evidence, report);
+  CheckBoundary(evidence, report);
+  CheckElements(evidence, report);
+  CheckCarriedArrays(evidence, report);
+  CheckSummary(evidence, report);
+  CheckNumbering(evidence, report);
+}
+
+}

@@ -1,0 +1,98 @@
+/**
+ * @file Exterior.h
+ * @brief The exterior surface of a model: its facets, ridges and corners, whether it is a
+ * closed manifold, and how far a point is from it.
+ */
+#ifndef Exterior_h
+#define Exterior_h
+
+#include "Model.h"
+
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+namespace judge
+{
+/// Facets that belong to one element only, and the number of those shared by more than two.
+struct FacetTable
+{
+  std::vector<Facet> Exterior;
+  std::map<std::array<Id, 4>, int> Uses;
+  int OverUsed = 0;
+
+  explicit FacetTable(const Model& model);
+};
+
+/// What is wrong with the boundary as a closed 2-manifold; the first place of each kind.
+struct ManifoldDefects
+{
+  int Edges = 0;    ///< boundary edges with other than two boundary facets
+  int Vertices = 0; ///< vertices whose boundary facets form more than one fan
+  Id EdgePoint = -1;
+  Id VertexPoint = -1;
+};
+ManifoldDefects FindManifoldDefects(const FacetTable& facets);
+
+/**
+ * The exterior of an input model with its ridges: edges where the exterior turns by more than
+ * SureAngle are ridges for certain, between MaybeAngle and SureAngle it is a matter of taste
+ * and nothing is asked of the filter.
+ */
+class Exterior
+{
+public:
+  static constexpr double SureAngle = 60; ///< degrees
+  static constexpr double MaybeAngle = 35;
+
+  explicit Exterior(const Model& model);
+
+  enum class Place : unsigned char
+  {
+    Inside,  ///< not on the exterior
+    Face,    ///< on smooth exterior facets only
+    Ridge,   ///< on one ridge line that passes through
+    Corner,  ///< where ridges meet, end, or turn sharply
+    Doubtful ///< where it depends on the angle one takes for a ridge
+  };
+  Place PlaceOf(Id point) const { return this->Places[point]; }
+
+  /// Distance from a point to the exterior (bilinear facets).
+  double Distance(const Vec3& p) const;
+
+  /// Distance to the ridges, doubtful ones included.
+  double RidgeDistance(const Vec3& p) const;
+
+  /// Distance to the exterior facets round the node and, ring by ring, their neighbours.
+  const FacetTable& Facets() const { return this->Table; }
+
+private:
+  void FindRidges();
+  void FindPlaces();
+  void FillBins();
+  Id BinOf(const Vec3& p, int dx, int dy, int dz) const;
+
+  const Model& Mesh;
+  FacetTable Table;
+  std::vector<Place> Places;
+  struct Ridge
+  {
+    Id A, B;
+    bool Sure;
+  };
+  std::vector<Ridge> Ridges;
+  std::unordered_map<Id, std::vector<Id>> FacetBins;
+  std::unordered_map<Id, std::vector<Id>> RidgeBins;
+  Vec3 Low = Vec3::Zero();
+  double BinSize = 1;
+};
+
+/// Distance from a point to a triangle or bilinear quadrilateral.
+double DistanceToFacet(const Vec3& p, const Facet& facet, const std::vector<Vec3>& points);
+
+/// Distance from a point to a segment.
+double DistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
+
+}
+
+#endif

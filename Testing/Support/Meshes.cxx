@@ -1,0 +1,364 @@
+#include "Meshes.h"
+
+#include "Plan.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellType.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+
+namespace judge
+{
+namespace
+{
+// One of the 24 ways (wedge: 6) to number the same element.
+void Turn(Element& element, std::mt19937& random)
+{
+  static const int hex[2][8] = { { 1, 2, 3, 0, 5, 6, 7, 4 }, { 4, 5, 1, 0, 7, 6, 2, 3 } };
+  static const int wedge[2][8] = { { 1, 2, 0, 4, 5, 3, 6, 7 }, { 3, 5, 4, 0, 2, 1, 6, 7 } };
+  for (unsigned n = random() % 7; n > 0; --n)
+  {
+    const int* turn = (element.Size == 8 ? hex : wedge)[random() % 2];
+    const Element old = element;
+    for (int i = 0; i < element.Size; ++i)
+    {
+      element.Node[i] = old.Node[turn[i]];
+    }
+  }
+}
+
+RawMesh Permute(const RawMesh& raw, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Id> order(raw.Points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), random);
+  RawMesh out;
+  out.Points.resize(raw.Points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    out.Points[order[i]] = raw.Points[i];
+  }
+  out.Elements = raw.Elements;
+  std::shuffle(out.Elements.begin(), out.Elements.end(), random);
+  for (Element& element : out.Elements)
+  {
+    for (int i = 0; i < element.Size; ++i)
+    {
+      element.Node[i] = order[element.Node[i]];
+    }
+    Turn(element, random);
+  }
+  return out;
+}
+
+Mesh Finish(const std::string& name, const RawMesh& raw, Frame frame, const MeshOptions& options)
+{
+  Mesh mesh;
+  mesh.Name = name;
+  mesh.Grid = ToGrid(raw, options);
+  frame.Centre = options.Scale * frame.Centre + options.Shift;
+  frame.HalfX *= options.Scale;
+  frame.HalfY *= options.Scale;
+  frame.HalfZ *= options.Scale;
+  frame.ElementSize *= options.Scale;
+  frame.LayerThickness *= options.Scale;
+  mesh.Box = frame;
+  return mesh;
+}
+
+Frame BoxOf(const RawMesh& raw, double elementSize)
+{
+  Vec3 low = raw.Points[0], high = low;
+  for (const Vec3& p : raw.Points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  Frame frame;
+  frame.Centre = (low + high) / 2;
+  frame.HalfX = (high[0] - low[0]) / 2;
+  frame.HalfY = (high[1] - low[1]) / 2;
+  frame.HalfZ = (high[2] - low[2]) / 2;
+  frame.ElementSize = elementSize;
+  return frame;
+}
+
+Mesh FromPlan(const std::string& name, const Plan& plan, int nz, double thickness,
+  const Fold& fold, const MeshOptions& options)
+{
+  const RawMesh raw = Extrude(plan, nz, thickness, fold);
+  Frame frame = BoxOf(raw, 1);
+  frame.LayerThickness = thickness / nz;
+  return Finish(name, raw, frame, options);
+}
+}
+
+void RawMesh::Add(int size, std::initializer_list<Id> nodes)
+{
+  Element element;
+  element.Size = size;
+  std::copy(nodes.begin(), nodes.end(), element.Node.begin());
+  this->Elements.push_back(element);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> ToGrid(const RawMesh& input, const MeshOptions& options)
+{
+  const RawMesh raw = options.Permuted ? Permute(input, options.Seed) : input;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(options.Float ? VTK_FLOAT : VTK_DOUBLE);
+  for (const Vec3& p : raw.Points)
+  {
+    const Vec3 q = options.Scale * p + options.Shift;
+    points->InsertNextPoint(q.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  options.Short ? cells->Use32BitStorage() : cells->Use64BitStorage();
+  vtkNew<vtkUnsignedCharArray> types;
+  for (const Element& element : raw.Elements)
+  {
+    cells->InsertNextCell(element.Size);
+    for (int i = 0; i < element.Size; ++i)
+    {
+      cells->InsertCellPoint(element.Node[i]);
+    }
+    types->InsertNextValue(element.Size == 8 ? VTK_HEXAHEDRON : VTK_WEDGE);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetCells(types, cells);
+  if (options.Data)
+  {
+    AddData(grid, options.Seed);
+  }
+  return grid;
+}
+
+Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& options)
+{
+  Plan plan = GridPlan(nx, ny, element[0], element[1]);
+  plan.Perturb(options.Perturbed * std::min(element[0], element[1]), options.Seed);
+  Mesh mesh = FromPlan("sheet", plan, nz, nz * element[2], Flat(), options);
+  mesh.Box.ElementSize = options.Scale * std::max(element[0], element[1]);
+  mesh.Regular = !options.Permuted && options.Perturbed == 0;
+  mesh.Nx = nx;
+  mesh.Ny = ny;
+  mesh.Nz = nz;
+  return mesh;
+}
+
+Mesh Block(int nx, int ny, int nz, const MeshOptions& options)
+{
+  Mesh mesh = FromPlan("block", GridPlan(nx, ny, 1, 1), nz, nz, Flat(), options);
+  mesh.Sheet = false;
+  mesh.Box.LayerThickness = 0;
+  return mesh;
+}
+
+Mesh LShape(int n, int nz, const MeshOptions& options)
+{
+  Plan plan = GridPlan(n, n, 1, 1);
+  plan.Keep([n](const Vec2& c) { return c[0] < 0.45 * n || c[1] < 0.45 * n; });
+  return FromPlan("lshape", plan, nz, 0.4 * nz, Flat(), options);
+}
+
+Mesh PlateWithHole(int n, int nz, const MeshOptions& options)
+{
+  Plan plan = GridPlan(n, n, 1, 1);
+  plan.Keep(
+    [n](const Vec2& c) { return (c - 0.4 * n * Vec2::Ones()).cwiseAbs().maxCoeff() > 0.16 * n; });
+  return FromPlan("hole", plan, nz, 0.4 * nz, Flat(), options);
+}
+
+Mesh Islands(int n, int nz, const MeshOptions& options)
+{
+  Plan plan = GridPlan(3 * n + 2, n, 1, 1);
+  plan.Keep([n](const Vec2& c) { return std::fmod(c[0], n + 1) < n; });
+  return FromPlan("islands", plan, nz, 0.4 * nz, Flat(), options);
+}
+
+Mesh SheetWithWedges(int nx, int ny, int nz, const MeshOptions& options)
+{
+  Plan plan = GridPlan(nx, ny, 1, 1);
+  plan.SplitSome(0.25, options.Seed);
+  return FromPlan("wedges", plan, nz, 0.4 * nz, Flat(), options);
+}
+
+Mesh Irregular(int n, int nz, const MeshOptions& options)
+{
+  return FromPlan("irregular", TriangleQuadPlan(n, options.Seed), nz, 0.4 * nz, Flat(), options);
+}
+
+Mesh Blank(int n, int rings, int nz, const MeshOptions& options)
+{
+  return FromPlan("blank", BlankPlan(n, rings), nz, 0.4 * nz, Flat(), options);
+}
+
+Mesh Channel(int n, int nz, const MeshOptions& options)
+{
+  // Bottom, bend, wall, bend, flange; radii of two elements.
+  const Walk walk({ { 4, 0 }, { M_PI, 0.5 }, { 5, 0 }, { M_PI, -0.5 }, { 4, 0 } });
+  const double half = walk.Length();
+  const int along = 2 * static_cast<int>(std::lround(half));
+  Plan plan = GridPlan(along, n, 2 * half / along, 1);
+  const Fold fold = [walk, half](const Vec2& p, double z) {
+    const Vec3 at = walk.At(std::abs(p[0] - half), z);
+    return Vec3(p[0] < half ? -at[0] : at[0], p[1], at[2]);
+  };
+  Mesh mesh = FromPlan("channel", plan, nz, 0.4 * nz, fold, options);
+  mesh.Flat = false;
+  return mesh;
+}
+
+namespace
+{
+Fold Revolve(const Walk& walk)
+{
+  return [walk](const Vec2& p, double z) {
+    const double r = p.norm();
+    const Vec3 at = walk.At(r, z);
+    const Vec2 direction = r > 0 ? Vec2(p / r) : Vec2(Vec2::Zero());
+    return Vec3(at[0] * direction[0], at[0] * direction[1], at[2]);
+  };
+}
+}
+
+Mesh Dome(int n, int nz, const MeshOptions& options)
+{
+  const Plan plan = BlankPlan(n, n);
+  const Walk walk({ { plan.Radius(), 1 / plan.Radius() } });
+  Mesh mesh = FromPlan("dome", plan, nz, 0.4 * nz, Revolve(walk), options);
+  mesh.Flat = false;
+  return mesh;
+}
+
+Mesh Cup(int n, int nz, const MeshOptions& options)
+{
+  const Plan plan = BlankPlan(n, 3 * n / 2);
+  const double rest = plan.Radius() - 2 * M_PI;
+  const Walk walk({ { 0.5 * rest, 0 }, { M_PI, 0.5 }, { 0.3 * rest, 0 }, { M_PI, -0.5 },
+    { 0.2 * rest + 1, 0 } });
+  Mesh mesh = FromPlan("cup", plan, nz, 0.4 * nz, Revolve(walk), options);
+  mesh.Flat = false;
+  return mesh;
+}
+
+std::vector<std::string> MeshNames()
+{
+  return { "sheet1", "sheet2", "sheet3", "sheet10", "permuted", "float", "short", "perturbed",
+    "irregular", "block", "lshape", "hole", "islands", "wedges", "blank", "channel", "dome", "cup",
+    "stretched", "far", "metres" };
+}
+
+Mesh MakeMesh(const std::string& name)
+{
+  const Vec3 element(1, 1, 0.4);
+  MeshOptions o;
+  Mesh mesh;
+  if (name == "sheet1")
+  {
+    mesh = Sheet(20, 16, 1, element);
+  }
+  else if (name == "sheet2")
+  {
+    mesh = Sheet(20, 16, 2, element);
+  }
+  else if (name == "sheet3")
+  {
+    mesh = Sheet(16, 20, 3, Vec3(1, 1, 0.3));
+  }
+  else if (name == "sheet10")
+  {
+    mesh = Sheet(14, 12, 10, Vec3(1, 1, 0.1));
+  }
+  else if (name == "permuted")
+  {
+    o.Permuted = true;
+    mesh = Sheet(20, 16, 2, element, o);
+  }
+  else if (name == "float")
+  {
+    o.Float = true;
+    mesh = Sheet(20, 16, 2, Vec3(1.1, 0.9, 0.37), o);
+  }
+  else if (name == "short")
+  {
+    o.Short = o.Permuted = true;
+    mesh = Sheet(16, 16, 2, element, o);
+  }
+  else if (name == "perturbed")
+  {
+    o.Perturbed = 0.2;
+    mesh = Sheet(20, 16, 2, element, o);
+  }
+  else if (name == "irregular")
+  {
+    mesh = Irregular(8, 2);
+  }
+  else if (name == "block")
+  {
+    mesh = Block(11, 10, 9);
+  }
+  else if (name == "lshape")
+  {
+    mesh = LShape(20, 2);
+  }
+  else if (name == "hole")
+  {
+    mesh = PlateWithHole(20, 2);
+  }
+  else if (name == "islands")
+  {
+    mesh = Islands(9, 2);
+  }
+  else if (name == "wedges")
+  {
+    mesh = SheetWithWedges(20, 16, 2);
+  }
+  else if (name == "blank")
+  {
+    mesh = Blank(10, 6, 2);
+  }
+  else if (name == "channel")
+  {
+    mesh = Channel(18, 2);
+  }
+  else if (name == "dome")
+  {
+    mesh = Dome(8, 2);
+  }
+  else if (name == "cup")
+  {
+    mesh = Cup(10, 2);
+  }
+  else if (name == "stretched")
+  {
+    mesh = Sheet(10, 40, 1, Vec3(20, 1, 0.2));
+  }
+  else if (name == "far")
+  {
+    o.Shift = Vec3(1e6, -1e6, 1e6);
+    mesh = Sheet(20, 16, 2, element, o);
+  }
+  else if (name == "metres")
+  {
+    o.Scale = 1e-3;
+    mesh = Sheet(20, 16, 2, element, o);
+  }
+  else
+  {
+    throw std::invalid_argument("no mesh called " + name);
+  }
+  mesh.Name = name;
+  return mesh;
+}
+
+}

@@ -1,0 +1,84 @@
+/**
+ * @file Meshes.h
+ * @brief Input grids for the tests, with data arrays of many kinds on them.
+ */
+#ifndef Meshes_h
+#define Meshes_h
+
+#include "Model.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <string>
+
+namespace judge
+{
+/// A box round the mesh, turned as the mesh is: the third axis is the thickness.
+struct Frame
+{
+  Vec3 Centre = Vec3::Zero();
+  Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
+  double HalfX = 1, HalfY = 1, HalfZ = 1;
+  double ElementSize = 1;
+  double LayerThickness = 0; ///< of one element of a sheet; 0: no thickness direction
+};
+
+struct MeshOptions
+{
+  bool Float = false;     ///< points in single precision
+  bool Short = false;     ///< 32-bit connectivity
+  bool Permuted = false;  ///< points and cells numbered at random
+  double Perturbed = 0;   ///< inner columns moved in the plane, in element sizes
+  bool Data = true;       ///< arrays of all kinds
+  double Scale = 1;       ///< applied last but one
+  Vec3 Shift = Vec3::Zero();
+  unsigned Seed = 1;
+};
+
+struct Mesh
+{
+  std::string Name;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  Frame Box;
+  bool Flat = true;  ///< skin is plane: volumes of parts are comparable
+  bool Sheet = true; ///< has a thickness direction
+  bool Regular = false; ///< rectangular sheet of equal elements, not permuted or perturbed
+  int Nx = 0, Ny = 0, Nz = 0; ///< of regular ones
+};
+
+/// Plain points and elements, before they become a grid.
+struct RawMesh
+{
+  std::vector<Vec3> Points;
+  std::vector<Element> Elements;
+
+  void Add(int size, std::initializer_list<Id> nodes);
+};
+
+vtkSmartPointer<vtkUnstructuredGrid> ToGrid(const RawMesh& raw, const MeshOptions& options);
+
+/// Arrays of several types, components and attributes on points, cells and the grid.
+void AddData(vtkUnstructuredGrid* grid, unsigned seed);
+
+Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& options = {});
+Mesh Block(int nx, int ny, int nz, const MeshOptions& options = {});
+Mesh LShape(int n, int nz, const MeshOptions& options = {});
+Mesh PlateWithHole(int n, int nz, const MeshOptions& options = {});
+Mesh Islands(int n, int nz, const MeshOptions& options = {});
+Mesh SheetWithWedges(int nx, int ny, int nz, const MeshOptions& options = {});
+/// Triangles split into three quadrilaterals each, extruded.
+Mesh Irregular(int n, int nz, const MeshOptions& options = {});
+/// Round blank (a square grid blown up to a polygon of 4 n sides).
+Mesh Blank(int n, int rings, int nz, const MeshOptions& options = {});
+Mesh Channel(int n, int nz, const MeshOptions& options = {});
+Mesh Dome(int n, int nz, const MeshOptions& options = {});
+Mesh Cup(int n, int nz, const MeshOptions& options = {});
+
+/// By name, as the tests' arguments call them; throws std::invalid_argument.
+Mesh MakeMesh(const std::string& name);
+std::vector<std::string> MeshNames();
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+/**
+ * @file Surfaces.h
+ * @brief Trimming surfaces for the tests: NURBS on poly data, each with its oracle.
+ */
+#ifndef Surfaces_h
+#define Surfaces_h
+
+#include "Meshes.h"
+#include "Oracle.h"
+
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <limits>
+#include <string>
+
+namespace judge
+{
+/// Where in a mesh's frame a surface goes.
+struct Placement
+{
+  double X = 0.13, Y = -0.07; ///< in half sizes of the mesh
+  double Angle = 0.3;         ///< about the thickness direction, radians
+  double Lean = 0;            ///< from the thickness direction, radians
+  double Size = 0.4;          ///< radius or half width, in the smaller half size of the mesh
+  unsigned Seed = 1;          ///< of freeform shapes
+  bool Reversed = false;      ///< normal turned round
+};
+
+struct Surface
+{
+  std::string Name;
+  vtkSmartPointer<vtkDataObject> Data;
+  std::shared_ptr<Oracle> Truth;
+  double Sign = 1;
+  double MinimumRadius = std::numeric_limits<double>::infinity();
+  bool HasPlane = false; ///< the surface is a plane
+  Vec3 PlanePoint = Vec3::Zero(), PlaneNormal = Vec3::UnitX();
+
+  double Signed(const Vec3& p) const { return this->Sign * this->Truth->Signed(p); }
+  double Roughly(const Vec3& p) const { return this->Sign * this->Truth->Roughly(p); }
+};
+
+/**
+ * kind: plane, wavy, cylinder, cone, arc, scurve, contour, roundrect (a shell of eight faces,
+ * oriented at random), slot (open at one end, crosses the sheet twice), trimmedface (plane with
+ * trim loops that lie outside the grid). All part the grid if the placement lets them.
+ */
+Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement& placement);
+
+/// All kinds above.
+std::vector<std::string> SurfaceKinds();
+
+/// A plane that ends within the grid; its oracle knows the whole plane.
+Surface EndingPlane(const Frame& frame, const Placement& placement);
+
+/// A plane whose trim loop ends within the grid.
+Surface EndingTrimLoop(const Frame& frame, const Placement& placement);
+
+/// A plane of given point and normal, in model coordinates.
+Surface PlaneThrough(const Vec3& point, const Vec3& normal, double halfSize);
+
+/// The spline behind a poly data made here: rows of the contract read back.
+SplineSurface ReadSpline(vtkPolyData* data);
+
+}
+
+#endif
