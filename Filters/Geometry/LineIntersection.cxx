@@ -20,7 +20,7 @@ public:
     , D(d)
     , Low(low)
     , High(high)
-    , Tolerance(4 * model.Resolution)
+    , Tolerance(model.Resolution)
     , Meetings(meetings)
   {
     this->E1 = d.unitOrthogonal();
@@ -260,7 +260,7 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
   const double away = (r - meeting.K * this->D).norm();
   const double slack = this->Tolerance + 1e-14 * std::abs(meeting.K);
   const bool clamped = meeting.S != solution.S || meeting.T != solution.T;
-  if (away > (clamped ? std::max(slack, this->Model.Gap) : 10 * slack) || meeting.K < this->Low - slack ||
+  if (away > (clamped ? std::max(slack, this->Model.Gap) : 2 * slack) || meeting.K < this->Low - slack ||
     meeting.K > this->High + slack)
   {
     return false;

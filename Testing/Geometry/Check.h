@@ -1,0 +1,51 @@
+/**
+ * @file Check.h
+ * @brief Assertions of the kernel's tests: count failures, say where, go on.
+ */
+#ifndef Check_h
+#define Check_h
+
+#include <iostream>
+#include <string>
+
+namespace check
+{
+inline int& Failures()
+{
+  static int failures = 0;
+  return failures;
+}
+
+/// Prints the first failures of a test only: a thousand alike say no more.
+inline bool That(bool holds, const std::string& what)
+{
+  if (!holds && ++Failures() <= 40)
+  {
+    std::cerr << "FAILED: " << what << "\n";
+  }
+  return holds;
+}
+
+/// |a - b| <= tolerance, with the numbers in the message.
+inline bool Near(double a, double b, double tolerance, const std::string& what)
+{
+  const double difference = a > b ? a - b : b - a;
+  return That(difference <= tolerance,
+    what + ": " + std::to_string(a) + " and " + std::to_string(b) + " differ by " +
+      std::to_string(difference / tolerance) + " tolerances");
+}
+
+/// Exit status of a test program.
+inline int Result()
+{
+  if (Failures() > 0)
+  {
+    std::cerr << Failures() << " checks failed\n";
+    return 1;
+  }
+  std::cout << "all checks passed\n";
+  return 0;
+}
+}
+
+#endif
