@@ -297,7 +297,7 @@ def write_rear_door(path, pieces):
             # A line turned about the arc's axis.
             axis = file.add(110, list(centre) + [-HALF_HEIGHT] + list(centre) + [HALF_HEIGHT],
                             subordinate=1)
-            line = file.add(110, list(end) + [HALF_HEIGHT] + list(end) + [-HALF_HEIGHT],
+            line = file.add(110, list(end) + [-HALF_HEIGHT] + list(end) + [HALF_HEIGHT],
                             subordinate=1)
             turn = [math.atan2(p[1] - centre[1], p[0] - centre[0]) for p in (end, start)]
             turn = (turn[1] - turn[0]) % (2 * math.pi)
@@ -322,7 +322,7 @@ def main(folder):
     points, knots = reverse(*clamped_closed_cubic(control_polygon(FRONT_DOOR)))
     file = IgesFile("FrontDoor")
     base = file.add(128, swept(points, [1.0] * len(points), knots, 3), subordinate=1)
-    file.add(144, [base, 0, 0], label="FRONTDR", name="FrontDoorOpening")
+    file.add(144, [base, 0, 0, 0], label="FRONTDR", name="FrontDoorOpening")
     file.write(os.path.join(folder, "FrontDoor.igs"))
     contours["FrontDoor"] = sample(points, [1.0] * len(points), knots, 3)
 

@@ -1,0 +1,173 @@
+#include "CADFile.h"
+
+#include "CADFaceConversion.h"
+#include "CADFormat.h"
+#include "CADModel.h"
+
+#include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <exception>
+#include <map>
+#include <sstream>
+
+namespace nurbs
+{
+namespace
+{
+/// Share of the progress that reading and transferring take; the rest is conversion.
+constexpr double TransferShare = 0.6;
+
+/// A name for each face, made unique among the faces of one owner by a number.
+std::vector<std::string> NameFaces(const std::vector<CADFace>& faces)
+{
+  std::map<std::string, int> owned;
+  for (const CADFace& face : faces)
+  {
+    if (face.Name.empty())
+    {
+      ++owned[face.OwnerName];
+    }
+  }
+  std::map<std::string, int> count;
+  std::vector<std::string> names;
+  for (size_t i = 0; i < faces.size(); ++i)
+  {
+    const CADFace& face = faces[i];
+    std::ostringstream name;
+    if (!face.Name.empty())
+    {
+      name << face.Name;
+    }
+    else if (face.OwnerName.empty())
+    {
+      name << "Face " << i + 1;
+    }
+    else
+    {
+      name << face.OwnerName;
+      if (owned[face.OwnerName] > 1)
+      {
+        name << " face " << ++count[face.OwnerName];
+      }
+    }
+    names.push_back(name.str());
+  }
+  return names;
+}
+
+/// Converts one face; what OpenCASCADE throws becomes the reason.
+std::string TryConvert(const CADFace& face, double scale, NurbsSurface& surface)
+{
+  try
+  {
+    return ConvertFace(TopoDS::Face(face.Shape), scale, surface);
+  }
+  catch (const Standard_Failure& failure)
+  {
+    return std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + " " +
+      failure.GetMessageString();
+  }
+}
+
+/// What was left out, as one line; empty: nothing.
+std::string DescribeOmissions(
+  const std::string& path, size_t faces, const std::vector<std::string>& omissions, int untransferred)
+{
+  if (omissions.empty() && untransferred == 0)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text << "CAD file \"" << path << "\": ";
+  if (untransferred > 0)
+  {
+    text << untransferred << " surface entities could not be understood and are left out";
+  }
+  if (!omissions.empty())
+  {
+    text << (untransferred > 0 ? "; " : "") << omissions.size() << " of " << faces
+         << " faces are left out, first " << omissions[0];
+  }
+  text << "; repair them in the CAD program if they are needed";
+  return text.str();
+}
+
+bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
+  std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
+{
+  const std::vector<std::string> names = NameFaces(model.Faces);
+  std::vector<std::string> omissions;
+  for (size_t i = 0; i < model.Faces.size(); ++i)
+  {
+    if (progress &&
+      !progress(TransferShare + (1.0 - TransferShare) * static_cast<double>(i) /
+            static_cast<double>(model.Faces.size())))
+    {
+      surfaces.clear();
+      return false;
+    }
+    NamedSurface named;
+    named.Name = names[i];
+    const std::string reason = TryConvert(model.Faces[i], scale, named.Surface);
+    if (reason.empty())
+    {
+      surfaces.push_back(std::move(named));
+    }
+    else
+    {
+      omissions.push_back("\"" + names[i] + "\" (" + reason + ")");
+    }
+  }
+  error = DescribeOmissions(path, model.Faces.size(), omissions, model.Untransferred);
+  return !surfaces.empty();
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadCADFile(const std::string& path, double unitInMillimetres,
+  std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
+{
+  surfaces.clear();
+  const CADFormat format = CheckCADFile(path, error);
+  if (format == CADFormat::None)
+  {
+    return false;
+  }
+  const std::string file = "CAD file \"" + path + "\"";
+  try
+  {
+    auto transferProgress = [&progress](double share)
+    { return !progress || progress(TransferShare * share); };
+    CADModel model;
+    if (!ReadCADModel(path, format, model, error, transferProgress))
+    {
+      error = error.empty() ? error : file + " " + error;
+      return false;
+    }
+    if (model.Faces.empty() && model.Untransferred == 0)
+    {
+      error = file +
+        (model.HasCurves
+            ? " holds curves but no surface; sweep the curves to surfaces in the CAD program, or "
+              "use them with the trim line source"
+            : " holds no surface; export the trimming surfaces into it");
+      return false;
+    }
+    return ConvertFaces(path, model, 1.0 / unitInMillimetres, surfaces, error, progress);
+  }
+  catch (const Standard_Failure& failure)
+  {
+    error = file + " could not be read: OpenCASCADE reports " + failure.DynamicType()->Name() +
+      " " + failure.GetMessageString() + "; export it again from the CAD program";
+  }
+  catch (const std::exception& failure)
+  {
+    error = file + " could not be read: " + failure.what() +
+      "; export it again from the CAD program";
+  }
+  surfaces.clear();
+  return false;
+}
+}

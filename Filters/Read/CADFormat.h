@@ -1,0 +1,32 @@
+/**
+ * @file CADFormat.h
+ * @brief Tells IGES from STEP by content, and whole files from ones that were cut short.
+ *
+ * OpenCASCADE reads a truncated file without complaint, with the faces that are left.
+ */
+#ifndef CADFormat_h
+#define CADFormat_h
+
+#include <string>
+
+namespace nurbs
+{
+enum class CADFormat
+{
+  None,
+  IGES,
+  STEP
+};
+
+/// The format by the file's first lines only; None if it is neither or cannot be opened.
+CADFormat RecognizeCADFile(const std::string& path);
+
+/**
+ * Looks through the whole file.
+ * @return its format; None with one line in `error` if the file is missing, a directory, empty,
+ * neither IGES nor STEP, in a form of IGES that is not read (compressed, binary), or cut short.
+ */
+CADFormat CheckCADFile(const std::string& path, std::string& error);
+}
+
+#endif

@@ -1,0 +1,295 @@
+#include "CADModel.h"
+
+#include <IFSelect_ReturnStatus.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_TrimmedSurface.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TColStd_MapOfTransient.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <mutex>
+#include <unordered_map>
+
+namespace nurbs
+{
+namespace
+{
+/// Takes OpenCASCADE's printers away while it lives.
+class Silence
+{
+public:
+  Silence()
+  {
+    this->Printers.Assign(Message::DefaultMessenger()->Printers());
+    Message::DefaultMessenger()->ChangePrinters().Clear();
+  }
+  ~Silence() { Message::DefaultMessenger()->ChangePrinters().Assign(this->Printers); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  Message_SequenceOfPrinters Printers;
+};
+
+/// Hands OpenCASCADE's progress on and asks whether to go on.
+class ProgressBridge : public Message_ProgressIndicator
+{
+public:
+  explicit ProgressBridge(const std::function<bool(double)>& progress)
+    : Progress(progress)
+  {
+  }
+  bool Stopped = false;
+
+protected:
+  Standard_Boolean UserBreak() override { return this->Stopped; }
+  void Show(const Message_ProgressScope&, const Standard_Boolean) override
+  {
+    this->Stopped = this->Stopped || !this->Progress(0.3 + 0.7 * this->GetPosition());
+  }
+
+private:
+  std::function<bool(double)> Progress;
+};
+
+std::string Trimmed(const Handle(TCollection_HAsciiString) & text)
+{
+  if (text.IsNull())
+  {
+    return std::string();
+  }
+  std::string name = text->ToCString();
+  const size_t first = name.find_first_not_of(" \t\r\n");
+  const size_t last = name.find_last_not_of(" \t\r\n");
+  return first == std::string::npos ? std::string() : name.substr(first, last - first + 1);
+}
+
+std::string IgesName(const Handle(IGESData_IGESEntity) & entity)
+{
+  if (entity.IsNull())
+  {
+    return std::string();
+  }
+  std::string name = entity->HasName() ? Trimmed(entity->NameValue()) : std::string();
+  // A label without a subscript comes with "(0)" behind it.
+  const size_t subscript = name.rfind("(0)");
+  if (subscript != std::string::npos && subscript + 3 == name.size())
+  {
+    name.erase(subscript);
+  }
+  if (!name.empty())
+  {
+    return name;
+  }
+  // Some programs name the surface, not its trimmed form.
+  if (auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(entity))
+  {
+    return IgesName(trimmed->Surface());
+  }
+  if (auto bounded = Handle(IGESGeom_BoundedSurface)::DownCast(entity))
+  {
+    return IgesName(bounded->Surface());
+  }
+  return std::string();
+}
+
+std::string StepName(const Handle(Standard_Transient) & entity)
+{
+  std::string name;
+  if (auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity))
+  {
+    name = Trimmed(item->Name());
+  }
+  else if (auto definition = Handle(StepBasic_ProductDefinition)::DownCast(entity))
+  {
+    if (!definition->Formation().IsNull() && !definition->Formation()->OfProduct().IsNull())
+    {
+      name = Trimmed(definition->Formation()->OfProduct()->Name());
+    }
+  }
+  // What exporters write for want of a name.
+  return name == "NONE" || name == "''" ? std::string() : name;
+}
+
+/// Is the entity one that alone, or always, is to give faces?
+bool IsSurfaceEntity(const Handle(Standard_Transient) & entity, bool isRoot)
+{
+  if (auto iges = Handle(IGESData_IGESEntity)::DownCast(entity))
+  {
+    switch (iges->TypeNumber())
+    {
+      case 143:
+      case 144:
+        return true;
+      case 108:
+      case 114:
+      case 118:
+      case 120:
+      case 122:
+      case 128:
+      case 140:
+        return isRoot;
+      default:
+        return false;
+    }
+  }
+  return !Handle(StepShape_FaceSurface)::DownCast(entity).IsNull();
+}
+
+bool HasFace(const TopoDS_Shape& shape)
+{
+  return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_FACE).More();
+}
+
+/// Names of shapes, whatever their location.
+using NameMap = std::unordered_map<const TopoDS_TShape*, std::string>;
+
+NameMap CollectNames(const Handle(Transfer_TransientProcess) & process)
+{
+  NameMap names;
+  // Products last: they are named only where the item itself is not.
+  for (bool products : { false, true })
+  {
+    for (int i = 1; i <= process->NbMapped(); ++i)
+    {
+      const Handle(Standard_Transient) entity = process->Mapped(i);
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process->MapItem(i));
+      const bool isProduct = !Handle(StepBasic_ProductDefinition)::DownCast(entity).IsNull();
+      if (shape.IsNull() || isProduct != products)
+      {
+        continue;
+      }
+      const auto iges = Handle(IGESData_IGESEntity)::DownCast(entity);
+      const std::string name = iges.IsNull() ? StepName(entity) : IgesName(iges);
+      std::string& known = names[shape.TShape().get()];
+      if (known.empty())
+      {
+        known = name;
+      }
+    }
+  }
+  return names;
+}
+
+void CollectFaces(const TopoDS_Shape& shape, const NameMap& names, const std::string& owner,
+  TopTools_MapOfShape& seen, CADModel& model)
+{
+  auto found = names.find(shape.TShape().get());
+  const std::string name = found == names.end() ? std::string() : found->second;
+  if (shape.ShapeType() == TopAbs_FACE)
+  {
+    if (seen.Add(shape))
+    {
+      model.Faces.push_back(CADFace{ shape, name, owner });
+    }
+    return;
+  }
+  if (shape.ShapeType() > TopAbs_FACE)
+  {
+    model.HasCurves = model.HasCurves || shape.ShapeType() <= TopAbs_EDGE;
+    return;
+  }
+  // TopoDS_Iterator puts the owner's location and orientation on what it owns.
+  for (TopoDS_Iterator it(shape); it.More(); it.Next())
+  {
+    CollectFaces(it.Value(), names, name.empty() ? owner : name, seen, model);
+  }
+}
+
+int CountUntransferred(XSControl_Reader& reader, const Handle(Transfer_TransientProcess) & process)
+{
+  TColStd_MapOfTransient roots;
+  for (int i = 1; i <= reader.NbRootsForTransfer(); ++i)
+  {
+    roots.Add(reader.RootForTransfer(i));
+  }
+  const Handle(Interface_InterfaceModel) entities = reader.Model();
+  int count = 0;
+  for (int i = 1; i <= entities->NbEntities(); ++i)
+  {
+    const Handle(Standard_Transient) entity = entities->Value(i);
+    if (IsSurfaceEntity(entity, roots.Contains(entity)) &&
+      !HasFace(TransferBRep::ShapeResult(process, entity)))
+    {
+      ++count;
+    }
+  }
+  return count;
+}
+
+void SetParameters()
+{
+  // Each translator makes its parameters known when it is initialised.
+  IGESControl_Controller::Init();
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  // Splines are not to be broken where they are less than C1.
+  Interface_Static::SetIVal("read.iges.bspline.continuity", 0);
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadCADModel(const std::string& path, CADFormat format, CADModel& model, std::string& error,
+  const std::function<bool(double)>& progress)
+{
+  // The translators keep their parameters and sessions in global variables.
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const Silence silence;
+  SetParameters();
+
+  IGESControl_Reader iges;
+  STEPControl_Reader step;
+  XSControl_Reader& reader =
+    format == CADFormat::IGES ? static_cast<XSControl_Reader&>(iges) : step;
+  const char* name = format == CADFormat::IGES ? "IGES" : "STEP";
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+  {
+    error = std::string("begins like ") + name +
+      " but its content cannot be read; export it again from the CAD program";
+    return false;
+  }
+  if (!progress(0.3))
+  {
+    return false;
+  }
+  Handle(ProgressBridge) bridge = new ProgressBridge(progress);
+  reader.TransferRoots(bridge->Start());
+  if (bridge->Stopped)
+  {
+    return false;
+  }
+
+  const Handle(Transfer_TransientProcess) process =
+    reader.WS()->TransferReader()->TransientProcess();
+  const NameMap names = CollectNames(process);
+  TopTools_MapOfShape seen;
+  for (int i = 1; i <= reader.NbShapes(); ++i)
+  {
+    CollectFaces(reader.Shape(i), names, std::string(), seen, model);
+  }
+  model.Untransferred = CountUntransferred(reader, process);
+  return true;
+}
+}

@@ -1,0 +1,389 @@
+#include "CADSurfaceConversion.h"
+
+#include <Eigen/Geometry>
+
+#include <GeomConvert.hxx>
+#include <GeomConvert_ApproxCurve.hxx>
+#include <GeomConvert_ApproxSurface.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Hyperbola.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_Parabola.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <Standard_ConstructionError.hxx>
+
+#include <cmath>
+
+namespace nurbs
+{
+namespace
+{
+Vec3 ToVec3(const gp_XYZ& p)
+{
+  return Vec3(p.X(), p.Y(), p.Z());
+}
+
+/// Origin and axes of an elementary surface; Z completes X and Y to a right-handed frame.
+struct Frame
+{
+  explicit Frame(const gp_Ax3& position)
+    : Origin(ToVec3(position.Location().XYZ()))
+    , X(ToVec3(position.XDirection().XYZ()))
+    , Axis(ToVec3(position.Direction().XYZ()))
+    , Turn(X.cross(ToVec3(position.YDirection().XYZ())))
+  {
+  }
+  Vec3 Origin, X, Axis;
+  Vec3 Turn; ///< u turns right-handed about it; minus Axis in a left-handed frame
+};
+
+/// A conic's position: centre and the vectors that its two functions multiply.
+template <typename Conic>
+Vec3 Centre(const Conic& conic)
+{
+  return ToVec3(conic->Position().Location().XYZ());
+}
+template <typename Conic>
+Vec3 AlongX(const Conic& conic, double length)
+{
+  return length * ToVec3(conic->Position().XDirection().XYZ());
+}
+template <typename Conic>
+Vec3 AlongY(const Conic& conic, double length)
+{
+  return length * ToVec3(conic->Position().YDirection().XYZ());
+}
+
+ConvertedCurve FromBSpline(Handle(Geom_BSplineCurve) spline, double first, double last)
+{
+  spline = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
+  spline->SetNotPeriodic();
+  // The cutting is left to Restrict, on a surface that is this curve swept.
+  ConvertedCurve curve;
+  curve.Degree = spline->Degree();
+  for (int i = 1; i <= spline->NbPoles(); ++i)
+  {
+    const Vec3 pole = ToVec3(spline->Pole(i).XYZ());
+    curve.Points.emplace_back(
+      pole.x(), pole.y(), pole.z(), spline->IsRational() ? spline->Weight(i) : 1.0);
+  }
+  const TColStd_Array1OfReal& knots = spline->KnotSequence();
+  curve.Knots.assign(knots.begin(), knots.end());
+  const ConvertedSurface swept = Extrude(curve, Vec3::UnitZ(), 0.0, 1.0);
+  const NurbsSurface cut = Restrict(swept.Surface, first, last, 0.0, 1.0);
+  curve.Knots = cut.KnotsU;
+  curve.Points.assign(cut.ControlPoints.begin(), cut.ControlPoints.begin() + cut.CountU);
+  return curve;
+}
+
+/// Length of a curve's control polygon over a range, to scale tolerances.
+double SizeOf(const Handle(Geom_Curve) & curve, double first, double last)
+{
+  double size = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double step = (last - first) / 8.0;
+    size += curve->Value(first + i * step).Distance(curve->Value(first + (i + 1) * step));
+  }
+  return size;
+}
+
+/// Moves a range that begins before or beyond a closed curve by whole periods.
+double PeriodShift(bool periodic, double period, double start, double first)
+{
+  return periodic ? period * std::floor((first - start) / period + 1e-9) : 0.0;
+}
+
+/// The basis curve of an extrusion or revolution in NURBS form over its own parameters.
+ConvertedCurve ConvertCurve(Handle(Geom_Curve) curve, double first, double last)
+{
+  while (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
+  {
+    curve = trimmed->BasisCurve();
+  }
+  if (auto line = Handle(Geom_Line)::DownCast(curve))
+  {
+    return MakeLine(ToVec3(line->Position().Location().XYZ()),
+      ToVec3(line->Position().Direction().XYZ()), first, last);
+  }
+  if (auto circle = Handle(Geom_Circle)::DownCast(curve))
+  {
+    return MakeEllipse(Centre(circle), AlongX(circle, circle->Radius()),
+      AlongY(circle, circle->Radius()), first, last);
+  }
+  if (auto ellipse = Handle(Geom_Ellipse)::DownCast(curve))
+  {
+    return MakeEllipse(Centre(ellipse), AlongX(ellipse, ellipse->MajorRadius()),
+      AlongY(ellipse, ellipse->MinorRadius()), first, last);
+  }
+  if (auto hyperbola = Handle(Geom_Hyperbola)::DownCast(curve))
+  {
+    return MakeHyperbola(Centre(hyperbola), AlongX(hyperbola, hyperbola->MajorRadius()),
+      AlongY(hyperbola, hyperbola->MinorRadius()), first, last);
+  }
+  if (auto parabola = Handle(Geom_Parabola)::DownCast(curve))
+  {
+    return MakeParabola(Centre(parabola), AlongX(parabola, 0.25 / parabola->Focal()),
+      AlongY(parabola, 1.0), first, last);
+  }
+  if (auto bezier = Handle(Geom_BezierCurve)::DownCast(curve))
+  {
+    return FromBSpline(GeomConvert::CurveToBSplineCurve(bezier), first, last);
+  }
+  auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+  if (spline && first >= spline->FirstParameter() - 1e-9 * (last - first) &&
+    last <= spline->LastParameter() + 1e-9 * (last - first))
+  {
+    return FromBSpline(spline, first, last);
+  }
+  // Offset curves, and periodic splines across their seam.
+  const Handle(Geom_TrimmedCurve) piece = new Geom_TrimmedCurve(curve, first, last);
+  if (spline)
+  {
+    const Handle(Geom_BSplineCurve) cut = GeomConvert::CurveToBSplineCurve(piece);
+    TColStd_Array1OfReal knots(1, cut->NbKnots());
+    cut->Knots(knots);
+    const double shift = first - knots.First();
+    for (double& knot : knots)
+    {
+      knot += shift;
+    }
+    cut->SetKnots(knots);
+    return FromBSpline(cut, first, last);
+  }
+  const double size = SizeOf(curve, first, last);
+  const GeomConvert_ApproxCurve fit(piece, 1e-8 * size, GeomAbs_C1, 200, 9);
+  if (!fit.HasResult())
+  {
+    throw Standard_ConstructionError("a basis curve could not be approximated");
+  }
+  return FromBSpline(fit.Curve(), first, last);
+}
+
+NurbsSurface FromBSplineSurface(const Handle(Geom_BSplineSurface) & spline)
+{
+  NurbsSurface surface;
+  // OpenCASCADE 7.6 gives weights of zero after a polynomial surface is made non-periodic.
+  const bool rational = spline->IsURational() || spline->IsVRational();
+  surface.DegreeU = spline->UDegree();
+  surface.DegreeV = spline->VDegree();
+  surface.CountU = spline->NbUPoles();
+  surface.CountV = spline->NbVPoles();
+  surface.KnotsU.assign(spline->UKnotSequence().begin(), spline->UKnotSequence().end());
+  surface.KnotsV.assign(spline->VKnotSequence().begin(), spline->VKnotSequence().end());
+  for (int j = 1; j <= surface.CountV; ++j)
+  {
+    for (int i = 1; i <= surface.CountU; ++i)
+    {
+      const gp_Pnt pole = spline->Pole(i, j);
+      surface.ControlPoints.emplace_back(
+        pole.X(), pole.Y(), pole.Z(), rational ? spline->Weight(i, j) : 1.0);
+    }
+  }
+  return surface;
+}
+
+/// A B-spline surface cut to the range; across a seam it is run through twice first.
+CADSurface CutBSpline(Handle(Geom_BSplineSurface) spline, ParameterRange range)
+{
+  spline = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
+  const bool closedU = spline->IsUPeriodic() || spline->IsUClosed();
+  const bool closedV = spline->IsVPeriodic() || spline->IsVClosed();
+  spline->SetUNotPeriodic();
+  spline->SetVNotPeriodic();
+  CADSurface result;
+  NurbsSurface& surface = result.Converted.Surface;
+  surface = FromBSplineSurface(spline);
+  // Clamped at both ends, which surfaces that were periodic are not.
+  surface = Restrict(
+    surface, surface.FirstU(), surface.LastU(), surface.FirstV(), surface.LastV());
+  double* shifts[2] = { &result.ShiftU, &result.ShiftV };
+  for (int axis : { 0, 1 })
+  {
+    const double period = surface.LastU() - surface.FirstU();
+    const double shift = PeriodShift(
+      axis == 0 ? closedU : closedV, period, surface.FirstU(), range.First[axis]);
+    *shifts[axis] = shift;
+    range.First[axis] -= shift;
+    range.Last[axis] -= shift;
+    if ((axis == 0 ? closedU : closedV) && range.Last[axis] > surface.LastU() + 1e-9 * period)
+    {
+      surface = RepeatU(surface);
+    }
+    surface = Transpose(surface);
+  }
+  surface = Restrict(surface, range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
+  return result;
+}
+
+CADSurface Approximate(const Handle(Geom_Surface) & surface, const ParameterRange& range)
+{
+  const Handle(Geom_RectangularTrimmedSurface) piece = new Geom_RectangularTrimmedSurface(
+    surface, range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
+  double u1, u2, v1, v2;
+  piece->Bounds(u1, u2, v1, v2);
+  const double size = piece->Value(u1, v1).Distance(piece->Value(u2, v2)) +
+    piece->Value(u1, v2).Distance(piece->Value(u2, v1)) +
+    piece->Value(u1, v1).Distance(piece->Value(0.5 * (u1 + u2), 0.5 * (v1 + v2)));
+  const GeomConvert_ApproxSurface fit(
+    piece, 1e-7 * size, GeomAbs_C1, GeomAbs_C1, 9, 9, 100, 0);
+  if (!fit.HasResult())
+  {
+    throw Standard_ConstructionError("the surface could not be approximated");
+  }
+  CADSurface result;
+  result.Converted.Surface = FromBSplineSurface(fit.Surface());
+  // The trimmed surface may have moved a periodic range into its own period.
+  result.ShiftU = range.First.x() - u1;
+  result.ShiftV = range.First.y() - v1;
+  return result;
+}
+
+/// The surfaces of revolution that OpenCASCADE has as such, all by their profile at u = 0.
+bool ConvertElementary(
+  const Handle(Geom_Surface) & surface, const ParameterRange& range, ConvertedSurface& result)
+{
+  const auto elementary = Handle(Geom_ElementarySurface)::DownCast(surface);
+  if (!elementary)
+  {
+    return false;
+  }
+  const Frame frame(elementary->Position());
+  const Vec3& origin = frame.Origin;
+  const double firstV = range.First.y();
+  const double lastV = range.Last.y();
+  ConvertedCurve profile;
+  if (Handle(Geom_Plane)::DownCast(surface))
+  {
+    const Vec3 y = frame.Turn.cross(frame.X);
+    result = Extrude(MakeLine(origin, frame.X, range.First.x(), range.Last.x()), y, firstV, lastV);
+    return true;
+  }
+  if (auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface))
+  {
+    profile = MakeLine(origin + cylinder->Radius() * frame.X, frame.Axis, firstV, lastV);
+  }
+  else if (auto cone = Handle(Geom_ConicalSurface)::DownCast(surface))
+  {
+    const double angle = cone->SemiAngle();
+    profile = MakeLine(origin + cone->RefRadius() * frame.X,
+      std::sin(angle) * frame.X + std::cos(angle) * frame.Axis, firstV, lastV);
+  }
+  else if (auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface))
+  {
+    profile = MakeEllipse(
+      origin, sphere->Radius() * frame.X, sphere->Radius() * frame.Axis, firstV, lastV);
+  }
+  else if (auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface))
+  {
+    profile = MakeEllipse(origin + torus->MajorRadius() * frame.X,
+      torus->MinorRadius() * frame.X, torus->MinorRadius() * frame.Axis, firstV, lastV);
+  }
+  else
+  {
+    return false;
+  }
+  result = Revolve(profile, origin, frame.Turn, range.First.x(), range.Last.x());
+  return true;
+}
+
+CADSurface Convert(const Handle(Geom_Surface) & surface, const ParameterRange& range)
+{
+  CADSurface result;
+  if (ConvertElementary(surface, range, result.Converted))
+  {
+    return result;
+  }
+  if (auto extrusion = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface))
+  {
+    result.Converted =
+      Extrude(ConvertCurve(extrusion->BasisCurve(), range.First.x(), range.Last.x()),
+        ToVec3(extrusion->Direction().XYZ()), range.First.y(), range.Last.y());
+    return result;
+  }
+  if (auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface))
+  {
+    result.Converted =
+      Revolve(ConvertCurve(revolution->BasisCurve(), range.First.y(), range.Last.y()),
+        ToVec3(revolution->Axis().Location().XYZ()),
+        ToVec3(revolution->Axis().Direction().XYZ()), range.First.x(), range.Last.x());
+    return result;
+  }
+  if (auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))
+  {
+    return CutBSpline(spline, range);
+  }
+  if (Handle(Geom_BezierSurface)::DownCast(surface))
+  {
+    return CutBSpline(GeomConvert::SurfaceToBSplineSurface(surface), range);
+  }
+  if (auto offset = Handle(Geom_OffsetSurface)::DownCast(surface))
+  {
+    const Handle(Geom_Surface) analytic = offset->Surface();
+    if (!analytic.IsNull() && !Handle(Geom_OffsetSurface)::DownCast(analytic))
+    {
+      return Convert(analytic, range);
+    }
+  }
+  return Approximate(surface, range);
+}
+
+/// Largest distance between a surface and its NURBS form at places within the range.
+double Deviation(
+  const Handle(Geom_Surface) & surface, const ParameterRange& range, const CADSurface& converted)
+{
+  double deviation = 0.0;
+  for (double s : { 0.0, 0.17, 0.39, 0.5, 0.83, 1.0 })
+  {
+    for (double t : { 0.0, 0.21, 0.43, 0.5, 0.77, 1.0 })
+    {
+      const Vec2 uv(range.First.x() + s * (range.Last.x() - range.First.x()),
+        range.First.y() + t * (range.Last.y() - range.First.y()));
+      const Vec2 place = converted(uv);
+      const Vec3 point = Evaluate(converted.Converted.Surface, place.x(), place.y());
+      deviation =
+        std::max(deviation, (point - ToVec3(surface->Value(uv.x(), uv.y()).XYZ())).norm());
+    }
+  }
+  return deviation;
+}
+}
+
+//------------------------------------------------------------------------------
+CADSurface ConvertSurface(const Handle(Geom_Surface) & surface, ParameterRange range)
+{
+  Handle(Geom_Surface) basis = surface;
+  while (auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(basis))
+  {
+    basis = trimmed->BasisSurface();
+  }
+  CADSurface result = Convert(basis, range);
+  const Vec3 low = ToVec3(basis->Value(range.First.x(), range.First.y()).XYZ());
+  const Vec3 high = ToVec3(basis->Value(range.Last.x(), range.Last.y()).XYZ());
+  const double size = (high - low).norm() + low.norm() + high.norm();
+  // Guards the conventions on parameters against surprises (equivalent surfaces of offsets).
+  if (!(Deviation(basis, range, result) <= 1e-6 * size))
+  {
+    result = Approximate(basis, range);
+    if (!(Deviation(basis, range, result) <= 1e-4 * size))
+    {
+      throw Standard_ConstructionError("no NURBS form comes close enough to the surface");
+    }
+  }
+  return result;
+}
+}

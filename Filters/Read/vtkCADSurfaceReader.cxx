@@ -1,0 +1,115 @@
+#include "vtkCADSurfaceReader.h"
+
+#include "CADFile.h"
+#include "CADFormat.h"
+#include "NURBSTessellation.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkCADSurfaceReader);
+
+namespace
+{
+/// Share of the progress that reading takes; the rest is the tessellation.
+constexpr double ReadShare = 0.8;
+
+double InMillimetres(int lengthUnit)
+{
+  switch (lengthUnit)
+  {
+    case vtkCADSurfaceReader::CENTIMETRE:
+      return 10.0;
+    case vtkCADSurfaceReader::METRE:
+      return 1000.0;
+    case vtkCADSurfaceReader::INCH:
+      return 25.4;
+    case vtkCADSurfaceReader::FOOT:
+      return 304.8;
+    case vtkCADSurfaceReader::MICROMETRE:
+      return 1e-3;
+    default:
+      return 1.0;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkCADSurfaceReader::vtkCADSurfaceReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkCADSurfaceReader::~vtkCADSurfaceReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkCADSurfaceReader::CanReadFile(const char* fileName)
+{
+  return fileName && nurbs::RecognizeCADFile(fileName) != nurbs::CADFormat::None ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkCADSurfaceReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
+  auto goOn = [this](double share)
+  {
+    this->UpdateProgress(ReadShare * share);
+    return !this->CheckAbort();
+  };
+  std::vector<nurbs::NamedSurface> surfaces;
+  std::string message;
+  if (!nurbs::ReadCADFile(this->FileName ? this->FileName : "", InMillimetres(this->LengthUnit),
+        surfaces, message, goOn))
+  {
+    if (!message.empty())
+    {
+      vtkErrorMacro(<< message << ".");
+    }
+    // Not 0: the executive would add an error of its own, at every update again.
+    return 1;
+  }
+  if (!message.empty())
+  {
+    vtkWarningMacro(<< message << ".");
+  }
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (size_t i = 0; i < surfaces.size(); ++i)
+  {
+    this->UpdateProgress(ReadShare + (1.0 - ReadShare) * static_cast<double>(i) /
+        static_cast<double>(surfaces.size()));
+    if (this->CheckAbort())
+    {
+      return 1;
+    }
+    vtkNew<vtkPolyData> face;
+    nurbs::TessellateNURBS(surfaces[i].Surface, this->Resolution, face);
+    const unsigned int block = static_cast<unsigned int>(i);
+    blocks->SetBlock(block, face);
+    blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), surfaces[i].Name.c_str());
+  }
+  output->ShallowCopy(blocks);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkCADSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+}

@@ -1,0 +1,98 @@
+/**
+ * @class   vtkCADSurfaceReader
+ * @brief   reads the NURBS surfaces of an IGES or STEP file
+ *
+ * Output: a vtkMultiBlockDataSet with one vtkPolyData for each face of the file, named as the
+ * file names it ("Face 3" where it does not). The polygons are a tessellation, for the eye; the
+ * exact surface is in the field data (NURBSFieldData.h), so that the whole is one trimming
+ * surface for vtkTrimHexahedralGrid.
+ *
+ * The format is told by the content, whatever the file is called. Read are, of IGES, surfaces
+ * alone or within others (types 108, 114, 118, 120, 122, 128, 140), trimmed and bounded surfaces
+ * (144, 143) and solids; of STEP, solids, shells and geometric sets. Every face becomes a NURBS
+ * surface restricted to the face's parameter range: planes, cylinders, cones, spheres, tori,
+ * extrusions and revolutions exactly; offset surfaces without an analytic form are approximated.
+ * S_u x S_v is the face's normal: outward for a solid. Trim loops are present where the face is
+ * less than its parameter rectangle.
+ *
+ * A file that is missing, a directory, empty, cut short, neither IGES nor STEP, or without
+ * surfaces is one error, and the output is empty. Faces that cannot be converted are one
+ * warning.
+ *
+ * Not handled: compressed and binary IGES; layers, colours and the structure of assemblies
+ * beyond names and placement; curves.
+ *
+ * @sa vtkNURBSSurfaceSource vtkTrimHexahedralGrid
+ */
+#ifndef vtkCADSurfaceReader_h
+#define vtkCADSurfaceReader_h
+
+#include "NURBSTrimReadModule.h" // For export macro
+#include "vtkMultiBlockDataSetAlgorithm.h"
+
+class NURBSTRIMREAD_EXPORT vtkCADSurfaceReader : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static vtkCADSurfaceReader* New();
+  vtkTypeMacro(vtkCADSurfaceReader, vtkMultiBlockDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to read. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /// Units of length of the output.
+  enum LengthUnits
+  {
+    MILLIMETRE = 0,
+    CENTIMETRE = 1,
+    METRE = 2,
+    INCH = 3,
+    FOOT = 4,
+    MICROMETRE = 5
+  };
+
+  ///@{
+  /**
+   * The unit of the output. The unit of the file is honoured: a length of 1 inch in the file is
+   * 25.4 with MILLIMETRE, the default.
+   */
+  vtkSetClampMacro(LengthUnit, int, MILLIMETRE, MICROMETRE);
+  vtkGetMacro(LengthUnit, int);
+  ///@}
+
+  ///@{
+  /**
+   * The tessellation has at least this many strips along either direction of a surface's
+   * parameters. It is for the eye only. Default 16, range 1 to 1000.
+   */
+  vtkSetClampMacro(Resolution, int, 1, 1000);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  /**
+   * 1 if the file begins like IGES or STEP, else 0; by its content, not by its name.
+   */
+  static int CanReadFile(VTK_FILEPATH const char* fileName);
+
+protected:
+  vtkCADSurfaceReader();
+  ~vtkCADSurfaceReader() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  char* FileName = nullptr;
+  int LengthUnit = MILLIMETRE;
+  int Resolution = 16;
+
+private:
+  vtkCADSurfaceReader(const vtkCADSurfaceReader&) = delete;
+  void operator=(const vtkCADSurfaceReader&) = delete;
+};
+
+#endif
