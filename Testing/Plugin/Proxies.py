@@ -1,8 +1,10 @@
 """The proxies have the names, ports, properties, defaults and choices that the contract promises."""
+import os
+
 from paraview import servermanager
 from paraview.simple import *
 
-from Checks import check, check_equal, plane_at, sheet
+from Checks import DATA_DIRECTORY, check, check_equal, plane_at, sheet
 
 
 def xml_of(group, name):
@@ -71,11 +73,14 @@ def check_ports(trim):
 
 
 def check_file_types():
+    """File > Open finds the reader for the four extensions."""
     factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
-    session = servermanager.ActiveConnection.Session
-    supported = factory.GetSupportedFileTypes(session)
+    factory.UpdateAvailableReaders()
+    supported = factory.GetSupportedFileTypes(servermanager.ActiveConnection.Session)
     for extension in ("igs", "iges", "stp", "step"):
         check("*." + extension in supported, "no reader for *." + extension)
+    opened = OpenDataFile(os.path.join(DATA_DIRECTORY, "WheelArch.igs"))
+    check_equal(opened.GetXMLName(), "CADSurfaceReader", "reader of a .igs file")
 
 
 check_proxies()
