@@ -106,7 +106,7 @@ Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover
         moves.Failed[node] = !move.Found;
         if (move.Found)
         {
-          moves.Position[node] = move.Target;
+          moves.Position[node] = AsStored(band, move.Target);
           moves.Applied[node] = move.By;
         }
       }

@@ -22,10 +22,25 @@ enum class CorrectionChoice : unsigned char
 
 struct Moves
 {
-  std::vector<Vec3> Position;      ///< of every band node, moved or not
+  /// Of every band node, moved or not; in a mesh of floats as it will be stored.
+  std::vector<Vec3> Position;
   std::vector<Correction> Applied; ///< None: not moved
   std::vector<char> Failed;        ///< nodes that should have moved and could not
 };
+
+/// A position as the mesh stores it: what is checked has to be what is written.
+inline Vec3 AsStored(const Band& band, const Vec3& p)
+{
+  if (!band.SinglePrecision)
+  {
+    return p;
+  }
+  // Volatile: GCC 12 at -O3 vectorises the conversion to float and back away.
+  volatile float x = static_cast<float>(p.x());
+  volatile float y = static_cast<float>(p.y());
+  volatile float z = static_cast<float>(p.z());
+  return Vec3(x, y, z);
+}
 
 /**
  * Moves the nodes onto the surface.

@@ -38,7 +38,7 @@ class Mender
 public:
   Mender(const Band& band, const Columns& columns, const VolumeShares& shares,
     const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-    double threshold, const std::vector<Fate>& fate, std::vector<char>& kept)
+    double threshold, const std::vector<Fate>& fate, bool movesNodes, std::vector<char>& kept)
     : TheBand(band)
     , TheColumns(columns)
     , Shares(shares)
@@ -46,6 +46,7 @@ public:
     , Surface(surface)
     , Threshold(threshold)
     , Fates(fate)
+    , MovesNodes(movesNodes)
     , Kept(kept)
     , Members(BuildLists(band.NumberOfElements(),
         [&](auto&& add) {
@@ -61,10 +62,14 @@ public:
 
   void Run()
   {
+    if (this->MovesNodes)
+    {
+      this->EliminateLostBorders();
+    }
     for (int sweep = 0; sweep < MendingSweeps; ++sweep)
     {
       const bool onlyEliminate = sweep >= MendingSweeps / 2;
-      const bool collapsed = this->EliminateCollapsing();
+      const bool collapsed = this->MovesNodes && this->EliminateCollapsing();
       const bool pinched = this->MendPinches(onlyEliminate);
       if (!collapsed && !pinched)
       {
@@ -99,6 +104,30 @@ private:
     for (auto* e = this->Members.begin(column); e != this->Members.end(column); ++e)
     {
       this->Kept[*e] = kept;
+    }
+  }
+
+  /// Kept columns that lose a whole facet of the border of the mesh: their nodes there could
+  /// reach the surface only by leaving the border.
+  void EliminateLostBorders()
+  {
+    for (const auto& face : this->TheBand.Faces)
+    {
+      const int e = face.Element[0];
+      const int column = this->TheColumns.Column[e];
+      if (!face.Exterior || !this->Kept[e] || this->Fates[column] == Fate::Keep ||
+        this->TheColumns.IsLayerFace(this->TheBand, static_cast<int>(&face - this->TheBand.Faces.data())))
+      {
+        continue;
+      }
+      const bool lost = std::all_of(face.Node.begin(), face.Node.begin() + face.Count,
+        [this](int n) { return this->NodeStatus[n] != NodeKeep; });
+      const bool beyond = std::any_of(face.Node.begin(), face.Node.begin() + face.Count,
+        [this](int n) { return this->NodeStatus[n] == NodeEliminate; });
+      if (lost && beyond)
+      {
+        this->SetColumn(column, 0);
+      }
     }
   }
 
@@ -198,6 +227,7 @@ private:
   const nurbs::TrimmingSurface& Surface;
   double Threshold;
   const std::vector<Fate>& Fates;
+  bool MovesNodes;
   std::vector<char>& Kept;
   Band::Lists Members;
   std::vector<char> Whole;
@@ -252,7 +282,7 @@ bool MeasureShares(const Band& band, const Columns& columns,
 
 std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double threshold, const std::vector<Fate>& fate, bool mend)
+  double threshold, const std::vector<Fate>& fate, bool movesNodes)
 {
   std::vector<char> kept(band.NumberOfElements());
   for (int e = 0; e < band.NumberOfElements(); ++e)
@@ -261,10 +291,7 @@ std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeS
     // Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep).
     kept[e] = set == Fate::ByVolume ? shares.Column[e] <= threshold + 1e-9 : set == Fate::Keep;
   }
-  if (mend)
-  {
-    Mender(band, columns, shares, nodeStatus, surface, threshold, fate, kept).Run();
-  }
+  Mender(band, columns, shares, nodeStatus, surface, threshold, fate, movesNodes, kept).Run();
   return kept;
 }
 

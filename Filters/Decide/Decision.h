@@ -46,16 +46,18 @@ bool MeasureShares(const Band& band, const Columns& columns,
 
 /**
  * Decides by volume or by the fate set, then mends what cannot become a mesh: elements that
- * would collapse because all their nodes go to one place of the surface, and elements that
- * would touch the rest by an edge or a node only.
+ * would touch the rest by an edge or a node only; and, where nodes move, elements that would
+ * collapse because all their nodes go to one place of the surface, or that lose a whole facet of
+ * the border of the mesh.
  *
  * @param threshold EliminationFraction: a column goes when its share is larger.
  * @param fate by column (index: smallest element of the column).
+ * @param movesNodes false for type I, where no element is deformed.
  * @return for each band element whether it is kept.
  */
 std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double threshold, const std::vector<Fate>& fate, bool mend);
+  double threshold, const std::vector<Fate>& fate, bool movesNodes);
 
 /**
  * Nodes that have to lie on the new boundary: those that kept and eliminated elements share,

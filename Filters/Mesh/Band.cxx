@@ -1,6 +1,7 @@
 #include "Band.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace trim
 {
@@ -81,7 +82,8 @@ std::vector<int> GrowRings(const std::vector<int>& seeds, const std::vector<std:
 }
 
 Band::Band(const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings)
-  : Halo(rings)
+  : SinglePrecision(mesh.PointsFloat != nullptr)
+  , Halo(rings)
 {
   this->TakeElements(mesh, seeds, near, rings);
   this->OrientWedges();
@@ -183,12 +185,14 @@ void Band::BuildFaces()
   const auto sortedNodes = [this](int e, int slot) {
     const auto& element = this->Elements[e];
     const auto& face = TopologyOf(element.Count).Faces[slot];
-    std::array<int, 4> nodes{ -1, -1, -1, -1 };
+    // A triangle's fourth place sorts last.
+    std::array<int, 4> nodes;
+    nodes.fill(std::numeric_limits<int>::max());
     for (int i = 0; i < face.Count; ++i)
     {
       nodes[i] = element.Node[face.Node[i]];
     }
-    std::sort(nodes.begin(), nodes.begin() + face.Count);
+    std::sort(nodes.begin(), nodes.end());
     return nodes;
   };
   const auto findTwin = [&](int e, const std::array<int, 4>& key, int& twinSlot) {

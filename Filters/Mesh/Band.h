@@ -58,6 +58,7 @@ public:
   std::vector<BandEdge> Edges;       ///< First < Second, ascending
   std::vector<Id> GlobalNode;        ///< ascending
   std::vector<Vec3> Point;           ///< original positions
+  bool SinglePrecision = false;      ///< positions are stored as float
 
   int NumberOfNodes() const { return static_cast<int>(this->GlobalNode.size()); }
   int NumberOfElements() const { return static_cast<int>(this->Elements.size()); }

@@ -278,6 +278,27 @@ std::vector<int> ReverseCuthillMcKee(const Csr& csr, int root)
   return number;
 }
 
+/// The first node of least degree, where many implementations start.
+int LeastDegree(const Csr& csr)
+{
+  int least = 0;
+  for (int i = 1; i + 1 < static_cast<int>(boost::num_vertices(csr)); ++i)
+  {
+    least = boost::out_degree(i, csr) < boost::out_degree(least, csr) ? i : least;
+  }
+  return least;
+}
+
+/// Where Boost's own ordering starts.
+int StartOfBoost(const Csr& csr)
+{
+  std::vector<boost::default_color_type> color(boost::num_vertices(csr), boost::white_color);
+  const auto index = boost::get(boost::vertex_index, csr);
+  const auto colors = boost::make_iterator_property_map(color.begin(), index);
+  return static_cast<int>(
+    boost::find_starting_node(csr, LeastDegree(csr), colors, boost::make_out_degree_map(csr)));
+}
+
 /// Nodes at one end of the longest axis.
 std::vector<int> WholeSide(
   int count, const std::function<Vec3(int)>& position, const Vec3& axis, double width)
@@ -375,8 +396,10 @@ std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int
     return best.Number;
   }
   const Csr single = BuildGraph(graph, links, {});
-  best.Offer(graph, ReverseCuthillMcKee(single, start));
-  best.Offer(graph, ReverseCuthillMcKee(single, levels.Last));
+  for (const int root : { start, levels.Last, LeastDegree(single), StartOfBoost(single) })
+  {
+    best.Offer(graph, ReverseCuthillMcKee(single, root));
+  }
   if (best.Bandwidth > bound && !aborted())
   {
     const Eigen::Matrix3d axes = ByExtent(PrincipalAxes(count, position), count, position);

@@ -151,7 +151,7 @@ bool Distribute(const Band& band, const NodeMover& mover, const std::vector<Expo
   }
   for (const auto& target : targets)
   {
-    moves.Position[target.first] = target.second;
+    moves.Position[target.first] = AsStored(band, target.second);
     moves.Applied[target.first] = Correction::Project;
     moves.Failed[target.first] = 0;
   }

@@ -17,6 +17,9 @@ constexpr double JacobianRounding = 1e-9;
 /// Two nodes nearer than this share of the element's shortest edge have become one.
 constexpr double SmallestEdgeShare = 1e-3;
 constexpr int LongestClimb = 40;
+/// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
+/// are those with more than the complement kept: the trim would wander off.
+constexpr double SmallestShare = 0.02;
 
 /// Everything the ladder may set.
 struct Choices
@@ -206,6 +209,30 @@ private:
     }
   }
 
+  /// Keeps the eliminated columns that share nodes with a column; false if there are none.
+  bool KeepAround(const TrimmedBand& trimmed, int column)
+  {
+    bool any = false;
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    {
+      for (int i = 0; this->TheColumns.Column[e] == column && i < this->TheBand.Elements[e].Count;
+           ++i)
+      {
+        for (const int other : this->TheBand.ElementsOfNode(this->TheBand.Elements[e].Node[i]))
+        {
+          const int around = this->TheColumns.Column[other];
+          if (!trimmed.Kept[other] && this->Set.Fates[around] == Fate::ByVolume &&
+            this->Shares.Column[around] <= 1.0 - SmallestShare)
+          {
+            this->Set.Fates[around] = Fate::Keep;
+            any = true;
+          }
+        }
+      }
+    }
+    return any;
+  }
+
   /// Undoes the rung that did not help and takes the next one.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
@@ -231,14 +258,24 @@ private:
         });
         return;
       case Rung::Correction:
-        this->Rungs[column] = Rung::Fate;
         this->ForMovingPillars(trimmed, column,
           [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::AsAsked; });
-        if (this->Set.Fates[column] == Fate::ByVolume)
+        this->Rungs[column] = Rung::Fate;
+        if (this->Set.Fates[column] == Fate::ByVolume &&
+          this->Shares.Column[column] >= SmallestShare)
         {
           this->Set.Fates[column] = Fate::Eliminate;
+          return;
         }
-        return;
+        [[fallthrough]];
+      case Rung::Fate:
+        this->Set.Fates[column] = Fate::ByVolume;
+        this->Rungs[column] = Rung::FateAround;
+        if (this->KeepAround(trimmed, column))
+        {
+          return;
+        }
+        [[fallthrough]];
       default:
         this->Rungs[column] = Rung::Left;
         this->Set.Fates[column] = Fate::ByVolume;

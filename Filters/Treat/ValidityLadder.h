@@ -32,10 +32,10 @@ enum class Rung : unsigned char
   None,
   Treatment,
   Correction,
-  Fate,
+  Fate,      ///< eliminated instead of kept
+  FateAround, ///< kept, with its eliminated neighbours
   Left
 };
-constexpr int NumberOfRungs = 5;
 
 /// The trimmed band.
 struct TrimmedBand

@@ -338,6 +338,7 @@ void CountRungs(const TrimResult& result, Summary& summary)
         ++summary.RescuedByCorrection;
         break;
       case Rung::Fate:
+      case Rung::FateAround:
         ++summary.RescuedByFate;
         break;
       case Rung::Left:
