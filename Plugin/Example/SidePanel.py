@@ -44,6 +44,7 @@ def trim_in_sequence(mesh, data_directory):
     for name, file_name in TRIMS:
         surface = CADSurfaceReader(registrationName=name + " surface",
                                    FileName=os.path.join(data_directory, file_name))
+        surface.Resolution = 300  # for the pictures; the trim uses the exact surface
         mesh = TrimHexahedralGrid(registrationName=name, Input=mesh, TrimmingSurface=surface,
                                   CorrectionType="Type II: project nodes",
                                   Optimization="Distribute nodes")
