@@ -34,7 +34,7 @@ constexpr double ChordTolerance = 1e-6;
 struct BoundaryCurve
 {
   Handle(Geom2d_Curve) Curve;
-  double First, Last; ///< First > Last where the wire runs against the curve
+  double First, Last;        ///< First > Last where the wire runs against the curve
   Vec2 Shift = Vec2::Zero(); ///< whole periods that join it to the stretch before
 
   Vec2 operator()(double t) const
@@ -352,7 +352,8 @@ bool IsRectangle(const std::vector<Vec2>& loop, const NurbsSurface& surface)
       return false;
     }
   }
-  return std::abs(std::abs(SignedArea(loop)) - sizeU * sizeV) < 4.0 * ChordTolerance * sizeU * sizeV;
+  return std::abs(std::abs(SignedArea(loop)) - sizeU * sizeV) <
+    4.0 * ChordTolerance * sizeU * sizeV;
 }
 
 /// Drops points that repeat the one before.

@@ -72,8 +72,8 @@ std::string TryConvert(const CADFace& face, double scale, NurbsSurface& surface)
 }
 
 /// What was left out, as one line; empty: nothing.
-std::string DescribeOmissions(
-  const std::string& path, size_t faces, const std::vector<std::string>& omissions, int untransferred)
+std::string DescribeOmissions(const std::string& path, size_t faces,
+  const std::vector<std::string>& omissions, int untransferred)
 {
   if (omissions.empty() && untransferred == 0)
   {
@@ -102,8 +102,8 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
   for (size_t i = 0; i < model.Faces.size(); ++i)
   {
     if (progress &&
-      !progress(TransferShare + (1.0 - TransferShare) * static_cast<double>(i) /
-            static_cast<double>(model.Faces.size())))
+      !progress(TransferShare +
+        (1.0 - TransferShare) * static_cast<double>(i) / static_cast<double>(model.Faces.size())))
     {
       surfaces.clear();
       return false;
@@ -164,8 +164,8 @@ bool ReadCADFile(const std::string& path, double unitInMillimetres,
   }
   catch (const std::exception& failure)
   {
-    error = file + " could not be read: " + failure.what() +
-      "; export it again from the CAD program";
+    error =
+      file + " could not be read: " + failure.what() + "; export it again from the CAD program";
   }
   surfaces.clear();
   return false;

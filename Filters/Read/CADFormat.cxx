@@ -117,7 +117,8 @@ std::string FindIgesLoss(std::istream& stream)
       {
         if (found[i] < promised[i])
         {
-          loss << "section " << "SGDP"[i] << " has " << found[i] << " lines of " << promised[i];
+          loss << "section "
+               << "SGDP"[i] << " has " << found[i] << " lines of " << promised[i];
           return loss.str();
         }
       }

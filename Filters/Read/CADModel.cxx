@@ -18,8 +18,8 @@
 #include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_FaceSurface.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TColStd_MapOfTransient.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>

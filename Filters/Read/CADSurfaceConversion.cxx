@@ -209,14 +209,13 @@ CADSurface CutBSpline(Handle(Geom_BSplineSurface) spline, ParameterRange range)
   NurbsSurface& surface = result.Converted.Surface;
   surface = FromBSplineSurface(spline);
   // Clamped at both ends, which surfaces that were periodic are not.
-  surface = Restrict(
-    surface, surface.FirstU(), surface.LastU(), surface.FirstV(), surface.LastV());
+  surface = Restrict(surface, surface.FirstU(), surface.LastU(), surface.FirstV(), surface.LastV());
   double* shifts[2] = { &result.ShiftU, &result.ShiftV };
   for (int axis : { 0, 1 })
   {
     const double period = surface.LastU() - surface.FirstU();
-    const double shift = PeriodShift(
-      axis == 0 ? closedU : closedV, period, surface.FirstU(), range.First[axis]);
+    const double shift =
+      PeriodShift(axis == 0 ? closedU : closedV, period, surface.FirstU(), range.First[axis]);
     *shifts[axis] = shift;
     range.First[axis] -= shift;
     range.Last[axis] -= shift;
@@ -239,8 +238,7 @@ CADSurface Approximate(const Handle(Geom_Surface) & surface, const ParameterRang
   const double size = piece->Value(u1, v1).Distance(piece->Value(u2, v2)) +
     piece->Value(u1, v2).Distance(piece->Value(u2, v1)) +
     piece->Value(u1, v1).Distance(piece->Value(0.5 * (u1 + u2), 0.5 * (v1 + v2)));
-  const GeomConvert_ApproxSurface fit(
-    piece, 1e-7 * size, GeomAbs_C1, GeomAbs_C1, 9, 9, 100, 0);
+  const GeomConvert_ApproxSurface fit(piece, 1e-7 * size, GeomAbs_C1, GeomAbs_C1, 9, 9, 100, 0);
   if (!fit.HasResult())
   {
     throw Standard_ConstructionError("the surface could not be approximated");
@@ -285,13 +283,13 @@ bool ConvertElementary(
   }
   else if (auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface))
   {
-    profile = MakeEllipse(
-      origin, sphere->Radius() * frame.X, sphere->Radius() * frame.Axis, firstV, lastV);
+    profile =
+      MakeEllipse(origin, sphere->Radius() * frame.X, sphere->Radius() * frame.Axis, firstV, lastV);
   }
   else if (auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface))
   {
-    profile = MakeEllipse(origin + torus->MajorRadius() * frame.X,
-      torus->MinorRadius() * frame.X, torus->MinorRadius() * frame.Axis, firstV, lastV);
+    profile = MakeEllipse(origin + torus->MajorRadius() * frame.X, torus->MinorRadius() * frame.X,
+      torus->MinorRadius() * frame.Axis, firstV, lastV);
   }
   else
   {
@@ -319,8 +317,8 @@ CADSurface Convert(const Handle(Geom_Surface) & surface, const ParameterRange& r
   {
     result.Converted =
       Revolve(ConvertCurve(revolution->BasisCurve(), range.First.y(), range.Last.y()),
-        ToVec3(revolution->Axis().Location().XYZ()),
-        ToVec3(revolution->Axis().Direction().XYZ()), range.First.x(), range.Last.x());
+        ToVec3(revolution->Axis().Location().XYZ()), ToVec3(revolution->Axis().Direction().XYZ()),
+        range.First.x(), range.Last.x());
     return result;
   }
   if (auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))

@@ -31,8 +31,8 @@ struct CADSurface
 
   Vec2 operator()(const Vec2& uv) const
   {
-    return Vec2(this->Converted.MapU(uv.x() - this->ShiftU),
-      this->Converted.MapV(uv.y() - this->ShiftV));
+    return Vec2(
+      this->Converted.MapU(uv.x() - this->ShiftU), this->Converted.MapV(uv.y() - this->ShiftV));
   }
 };
 

@@ -68,8 +68,8 @@ void WriteTrimLoops(const NurbsSurface& surface, vtkFieldData* fieldData)
 }
 
 /// The array of that name with exactly these tuples and components; tuples < 0: any number.
-vtkDataArray* FindArray(vtkFieldData* fieldData, const char* name, vtkIdType tuples,
-  int components, std::string& error)
+vtkDataArray* FindArray(
+  vtkFieldData* fieldData, const char* name, vtkIdType tuples, int components, std::string& error)
 {
   std::ostringstream message;
   vtkAbstractArray* any = fieldData->GetAbstractArray(name);
@@ -86,8 +86,8 @@ vtkDataArray* FindArray(vtkFieldData* fieldData, const char* name, vtkIdType tup
   else if (array->GetNumberOfComponents() != components ||
     (tuples >= 0 && array->GetNumberOfTuples() != tuples))
   {
-    message << "field array \"" << name << "\" has " << array->GetNumberOfTuples()
-            << " tuples of " << array->GetNumberOfComponents() << " components, but ";
+    message << "field array \"" << name << "\" has " << array->GetNumberOfTuples() << " tuples of "
+            << array->GetNumberOfComponents() << " components, but ";
     if (tuples >= 0)
     {
       message << tuples << " tuples of ";
@@ -107,15 +107,15 @@ vtkDataArray* FindArray(vtkFieldData* fieldData, const char* name, vtkIdType tup
 }
 
 /// A component that has to be a whole number within the range of int.
-bool ReadInteger(vtkDataArray* array, vtkIdType tuple, int component, int& value,
-  std::string& error)
+bool ReadInteger(
+  vtkDataArray* array, vtkIdType tuple, int component, int& value, std::string& error)
 {
   const double real = array->GetComponent(tuple, component);
   if (!(std::abs(real) <= std::numeric_limits<int>::max()) || real != std::floor(real))
   {
     std::ostringstream message;
-    message << "field array \"" << array->GetName() << "\" holds " << real << " at tuple "
-            << tuple << ", component " << component << "; a whole number is needed";
+    message << "field array \"" << array->GetName() << "\" holds " << real << " at tuple " << tuple
+            << ", component " << component << "; a whole number is needed";
     error = message.str();
     return false;
   }
@@ -127,8 +127,7 @@ bool ReadPair(
   vtkFieldData* fieldData, const char* name, int& first, int& second, std::string& error)
 {
   vtkDataArray* array = FindArray(fieldData, name, 1, 2, error);
-  return array && ReadInteger(array, 0, 0, first, error) &&
-    ReadInteger(array, 0, 1, second, error);
+  return array && ReadInteger(array, 0, 0, first, error) && ReadInteger(array, 0, 1, second, error);
 }
 
 /// Degrees and net size within bounds that make the array sizes below computable.
@@ -359,8 +358,7 @@ bool HasNURBSFieldData(vtkFieldData* fieldData)
 {
   if (fieldData)
   {
-    for (const char* name :
-      { DegreesName, NetSizeName, ControlPointsName, KnotsUName, KnotsVName })
+    for (const char* name : { DegreesName, NetSizeName, ControlPointsName, KnotsUName, KnotsVName })
     {
       if (fieldData->HasArray(name))
       {
@@ -403,7 +401,8 @@ std::string FindTrimLoopDefect(const NurbsSurface& surface)
     const std::vector<Vec2>& loop = surface.TrimLoops[i];
     if (loop.size() < 3)
     {
-      message << "trim loop " << i << " has " << loop.size() << " points; three at least are needed";
+      message << "trim loop " << i << " has " << loop.size()
+              << " points; three at least are needed";
       return message.str();
     }
     for (size_t j = 0; j < loop.size(); ++j)

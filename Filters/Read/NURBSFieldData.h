@@ -36,8 +36,7 @@ namespace nurbs
  * Writes the definition of `surface` to `fieldData` as double and int arrays. Arrays of the same
  * names are replaced; stale trim loops are removed when the surface has none.
  */
-NURBSTRIMREAD_EXPORT void WriteNURBSFieldData(
-  const NurbsSurface& surface, vtkFieldData* fieldData);
+NURBSTRIMREAD_EXPORT void WriteNURBSFieldData(const NurbsSurface& surface, vtkFieldData* fieldData);
 
 /**
  * Reads one surface from field data. Any numeric value type is accepted; tuples and components

@@ -55,8 +55,7 @@ Vec3 UnitNormal(const NurbsSurface& surface, double u, double v)
   const double middleV = 0.5 * (surface.FirstV() + surface.LastV());
   for (double step : { 0.0, 1e-6, 1e-3 })
   {
-    const SurfaceJet jet =
-      EvaluateJet(surface, u + step * (middleU - u), v + step * (middleV - v));
+    const SurfaceJet jet = EvaluateJet(surface, u + step * (middleU - u), v + step * (middleV - v));
     const Vec3 normal = jet.Su.cross(jet.Sv);
     if (normal.norm() > 1e-9 * jet.Su.norm() * jet.Sv.norm() && normal.norm() > 0.0)
     {

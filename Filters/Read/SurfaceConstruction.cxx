@@ -54,8 +54,8 @@ std::vector<double> QuadraticKnots(const std::vector<double>& ends)
 
 /// Quadratic pieces of a conic from its points and the middle control point of each piece.
 template <typename PointAt, typename MiddleOf>
-ConvertedCurve MakeConic(std::vector<double> ends, ParameterMap::Law law, const PointAt& pointAt,
-  const MiddleOf& middleOf)
+ConvertedCurve MakeConic(
+  std::vector<double> ends, ParameterMap::Law law, const PointAt& pointAt, const MiddleOf& middleOf)
 {
   ConvertedCurve curve;
   curve.Degree = 2;
@@ -93,8 +93,8 @@ double Snap(const std::vector<double>& knots, int degree, int count, double t)
 }
 
 /// Inserts the knot t once into all columns of control points (The NURBS Book, A5.1 and 5.2).
-void InsertKnot(std::vector<double>& knots, int degree,
-  std::vector<std::vector<Vec4>>& columns, double t, int multiplicity)
+void InsertKnot(std::vector<double>& knots, int degree, std::vector<std::vector<Vec4>>& columns,
+  double t, int multiplicity)
 {
   const int k = FindSpan(knots, t);
   for (std::vector<Vec4>& column : columns)
@@ -141,8 +141,8 @@ void RestrictColumns(std::vector<double>& knots, int degree,
   const std::ptrdiff_t to = lastOf - knots.begin() - 1;
   for (std::vector<Vec4>& column : columns)
   {
-    column = std::vector<Vec4>(column.begin() + std::max<std::ptrdiff_t>(0, from),
-      column.begin() + to + 1);
+    column = std::vector<Vec4>(
+      column.begin() + std::max<std::ptrdiff_t>(0, from), column.begin() + to + 1);
   }
   std::vector<double> cut(degree + 1, first);
   cut.insert(cut.end(), firstOf, lastOf);
@@ -218,8 +218,8 @@ ConvertedCurve MakeEllipse(
     const double weight = std::cos(0.5 * (t2 - t1));
     return Weighted(centre + (std::cos(t) * a + std::sin(t) * b) / weight, weight);
   };
-  ConvertedCurve curve = MakeConic(
-    PieceEnds(first, last, 0.5 * Pi), ParameterMap::Law::Circular, pointAt, middleOf);
+  ConvertedCurve curve =
+    MakeConic(PieceEnds(first, last, 0.5 * Pi), ParameterMap::Law::Circular, pointAt, middleOf);
   // A whole turn closes to the last bit.
   if (std::abs(last - first - 2.0 * Pi) < 1e-12)
   {
@@ -239,8 +239,7 @@ ConvertedCurve MakeHyperbola(
     const double weight = std::cosh(0.5 * (t2 - t1));
     return Weighted(centre + (std::cosh(t) * a + std::sinh(t) * b) / weight, weight);
   };
-  return MakeConic(
-    PieceEnds(first, last, 1.0), ParameterMap::Law::Hyperbolic, pointAt, middleOf);
+  return MakeConic(PieceEnds(first, last, 1.0), ParameterMap::Law::Hyperbolic, pointAt, middleOf);
 }
 
 //------------------------------------------------------------------------------
@@ -253,8 +252,7 @@ ConvertedCurve MakeParabola(
   // The blossom of t^2 and t.
   for (auto t : { Vec2(first, first), Vec2(first, last), Vec2(last, last) })
   {
-    curve.Points.push_back(
-      Weighted(vertex + t.x() * t.y() * a + 0.5 * (t.x() + t.y()) * b, 1.0));
+    curve.Points.push_back(Weighted(vertex + t.x() * t.y() * a + 0.5 * (t.x() + t.y()) * b, 1.0));
   }
   return curve;
 }
@@ -282,8 +280,8 @@ ConvertedSurface Extrude(
 }
 
 //------------------------------------------------------------------------------
-ConvertedSurface Revolve(const ConvertedCurve& curve, const Vec3& origin, const Vec3& axis,
-  double firstU, double lastU)
+ConvertedSurface Revolve(
+  const ConvertedCurve& curve, const Vec3& origin, const Vec3& axis, double firstU, double lastU)
 {
   ConvertedSurface result;
   NurbsSurface& surface = result.Surface;
@@ -297,8 +295,7 @@ ConvertedSurface Revolve(const ConvertedCurve& curve, const Vec3& origin, const 
     const Vec3 arm = point.head<3>() - origin;
     const Vec3 centre = origin + arm.dot(axis) * axis;
     const Vec3 radial = point.head<3>() - centre;
-    const ConvertedCurve circle =
-      MakeEllipse(centre, radial, axis.cross(radial), firstU, lastU);
+    const ConvertedCurve circle = MakeEllipse(centre, radial, axis.cross(radial), firstU, lastU);
     for (const Vec4& turned : circle.Points)
     {
       surface.ControlPoints.push_back(Weighted(turned.head<3>(), turned[3] * point[3]));

@@ -81,8 +81,8 @@ ConvertedSurface Extrude(
  * curve(v) turned by the angle u about the axis, firstU <= u <= lastU, right-handed about
  * `axis`, which is a unit vector.
  */
-ConvertedSurface Revolve(const ConvertedCurve& curve, const Vec3& origin, const Vec3& axis,
-  double firstU, double lastU);
+ConvertedSurface Revolve(
+  const ConvertedCurve& curve, const Vec3& origin, const Vec3& axis, double firstU, double lastU);
 
 /**
  * The part of a surface with u in [firstU, lastU] and v in [firstV, lastV], clamped there, by

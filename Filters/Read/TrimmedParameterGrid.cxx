@@ -51,8 +51,8 @@ std::vector<double> ClearLines(
   {
     for (const std::vector<Vec2>& loop : loops)
     {
-      const auto range = std::minmax_element(loop.begin(), loop.end(),
-        [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+      const auto range = std::minmax_element(
+        loop.begin(), loop.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
       const double low = range.first->x();
       const double high = range.second->x();
       auto next = std::upper_bound(lines.begin(), lines.end(), low);
@@ -232,12 +232,10 @@ private:
       for (int cell = from; cell != to; cell += direction)
       {
         const double line = this->Lines[axis][direction > 0 ? cell + 1 : cell];
-        steps.push_back(
-          Step{ (line - p[axis]) / (q[axis] - p[axis]), axis, direction, line });
+        steps.push_back(Step{ (line - p[axis]) / (q[axis] - p[axis]), axis, direction, line });
       }
     }
-    std::sort(
-      steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.T < b.T; });
+    std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.T < b.T; });
     return steps;
   }
 
@@ -407,8 +405,7 @@ ParameterPolygons DivideRectangle(
       if (i > 0 && j > 0)
       {
         const int corner = static_cast<int>(result.Points.size()) - 1;
-        result.Polygons.push_back(
-          { corner - countU - 1, corner - countU, corner, corner - 1 });
+        result.Polygons.push_back({ corner - countU - 1, corner - countU, corner, corner - 1 });
       }
     }
   }

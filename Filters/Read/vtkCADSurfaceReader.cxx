@@ -89,8 +89,8 @@ int vtkCADSurfaceReader::RequestData(
   vtkNew<vtkMultiBlockDataSet> blocks;
   for (size_t i = 0; i < surfaces.size(); ++i)
   {
-    this->UpdateProgress(ReadShare + (1.0 - ReadShare) * static_cast<double>(i) /
-        static_cast<double>(surfaces.size()));
+    this->UpdateProgress(ReadShare +
+      (1.0 - ReadShare) * static_cast<double>(i) / static_cast<double>(surfaces.size()));
     if (this->CheckAbort())
     {
       return 1;

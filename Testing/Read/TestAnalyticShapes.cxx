@@ -1,0 +1,358 @@
+/**
+ * Solids that OpenCASCADE makes and writes as STEP and IGES, read back: every face lies on the
+ * solid, its normal points outwards, and the areas add up. The solid itself is the judge, by
+ * OpenCASCADE's own distances and classification, which the reader does not use.
+ */
+#include "ReadTesting.h"
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Hyperbola.hxx>
+#include <Geom_Parabola.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_PrinterOStream.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shape.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Elips.hxx>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+using nurbs::NurbsSurface;
+using nurbs::Vec3;
+
+namespace
+{
+struct Case
+{
+  std::string Name;
+  TopoDS_Shape Shape;
+  /// Largest distance allowed between a point read from IGES and the shape, relative to its
+  /// size. OpenCASCADE's writer approximates some curves, which is not the reader's fault.
+  double IgesTolerance = 1e-9;
+  /// OpenCASCADE 7.6 cannot read back every STEP file that it writes.
+  bool Step = true;
+};
+
+gp_Ax2 Leaning(double x = 3, double y = -2, double z = 5)
+{
+  return gp_Ax2(gp_Pnt(x, y, z), gp_Dir(1, 2, 4), gp_Dir(2, -1, 0.3));
+}
+
+TopoDS_Shape RoundedBox()
+{
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(Leaning(), 40, 30, 20).Shape();
+  BRepFilletAPI_MakeFillet fillet(box);
+  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next())
+  {
+    fillet.Add(4.0, TopoDS::Edge(it.Current()));
+  }
+  return fillet.Shape();
+}
+
+Handle(Geom_BSplineCurve) Wave()
+{
+  TColgp_Array1OfPnt points(1, 6);
+  for (int i = 1; i <= 6; ++i)
+  {
+    points(i) = gp_Pnt(20 + 4 * std::sin(1.3 * i), 0, 8.0 * i);
+  }
+  return GeomAPI_PointsToBSpline(points).Curve();
+}
+
+/// A face between a curve in the plane y = 0 and the z axis.
+TopoDS_Face Profile(const TopoDS_Edge& curve, const gp_Pnt& first, const gp_Pnt& last)
+{
+  const gp_Pnt low(0, 0, first.Z());
+  const gp_Pnt high(0, 0, last.Z());
+  BRepBuilderAPI_MakeWire wire(curve);
+  wire.Add(BRepBuilderAPI_MakeEdge(last, high));
+  wire.Add(BRepBuilderAPI_MakeEdge(high, low));
+  wire.Add(BRepBuilderAPI_MakeEdge(low, first));
+  return BRepBuilderAPI_MakeFace(wire.Wire());
+}
+
+TopoDS_Face Profile(const Handle(Geom_Curve) & curve, double first, double last)
+{
+  return Profile(
+    BRepBuilderAPI_MakeEdge(curve, first, last), curve->Value(first), curve->Value(last));
+}
+
+TopoDS_Shape Revolved(const TopoDS_Face& profile, double angle)
+{
+  return BRepPrimAPI_MakeRevol(profile, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), angle).Shape();
+}
+
+TopoDS_Shape Moved(const TopoDS_Shape& shape)
+{
+  gp_Trsf turn, shift;
+  turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 1)), 0.7);
+  shift.SetTranslation(gp_Vec(100, -50, 20));
+  return shape.Moved(TopLoc_Location(shift * turn));
+}
+
+TopoDS_Shape Mirrored(const TopoDS_Shape& shape)
+{
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(7, 0, 0), gp_Dir(1, 1, 0)));
+  return BRepBuilderAPI_Transform(shape, mirror, true).Shape();
+}
+
+TopoDS_Shape Assembly(const TopoDS_Shape& part)
+{
+  TopoDS_Compound compound;
+  BRep_Builder builder;
+  builder.MakeCompound(compound);
+  builder.Add(compound, part);
+  builder.Add(compound, Moved(part));
+  return compound;
+}
+
+std::vector<Case> Cases()
+{
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(Leaning(), 40, 30, 20).Shape();
+  const TopoDS_Shape upright = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(40, 30, 20)).Shape();
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(Leaning(), 10, 35).Shape();
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(Leaning(), 30, 8).Shape();
+  const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(Leaning(), 15).Shape();
+  const gp_Ax2 inside(gp_Pnt(20, 15, -1), gp_Dir(0, 0, 1));
+  const gp_Ax2 slanted(gp_Pnt(15, 15, -10), gp_Dir(0.3, 0.1, 1));
+  const TopoDS_Edge ellipse =
+    BRepBuilderAPI_MakeEdge(gp_Elips(gp_Ax2(gp_Pnt(5, 5, 5), gp_Dir(0, 1, 3)), 20, 9));
+  const TopoDS_Face elliptic = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(ellipse).Wire());
+  const gp_Ax2 sideways(gp_Pnt(10, 0, 0), gp_Dir(0, 1, 0), gp_Dir(1, 0, 0));
+  const TopoDS_Shape drilled =
+    BRepAlgoAPI_Cut(upright, BRepPrimAPI_MakeCylinder(inside, 8, 30).Shape()).Shape();
+  return { { "box", box }, { "cylinder", cylinder },
+    { "frustum", BRepPrimAPI_MakeCone(Leaning(), 12, 5, 30).Shape() },
+    { "cone", BRepPrimAPI_MakeCone(Leaning(), 12, 0, 30).Shape() }, { "sphere", sphere },
+    { "torus", torus }, { "rounded-box", RoundedBox() }, { "drilled", drilled },
+    { "slanted-hole",
+      BRepAlgoAPI_Cut(upright, BRepPrimAPI_MakeCylinder(slanted, 6, 60).Shape()).Shape() },
+    { "part-of-cylinder", BRepPrimAPI_MakeCylinder(Leaning(), 10, 35, 4.0).Shape() },
+    { "across-the-seam",
+      BRepAlgoAPI_Common(BRepPrimAPI_MakeCylinder(gp_Ax2(), 20, 30).Shape(),
+        BRepPrimAPI_MakeBox(gp_Pnt(5, -9, 3), gp_Pnt(30, 12, 25)).Shape())
+        .Shape() },
+    { "cut-sphere",
+      BRepAlgoAPI_Cut(sphere, BRepPrimAPI_MakeBox(gp_Pnt(0, -30, -30), gp_Pnt(9, 30, 30)).Shape())
+        .Shape() },
+    { "torus-piece",
+      BRepAlgoAPI_Common(
+        torus, BRepPrimAPI_MakeBox(gp_Pnt(-10, -60, -60), gp_Pnt(70, 60, 60)).Shape())
+        .Shape() },
+    { "vase", Revolved(Profile(Wave(), 0, 1), 2 * M_PI) },
+    { "part-of-vase", Revolved(Profile(Wave(), 0, 1), 4.5) },
+    { "prism", BRepPrimAPI_MakePrism(Profile(Wave(), 0, 1), gp_Vec(2, 30, 5)).Shape() },
+    { "elliptic-prism", BRepPrimAPI_MakePrism(elliptic, gp_Vec(3, 10, 20)).Shape(), 1e-7 },
+    { "hyperbolic",
+      Revolved(Profile(new Geom_Hyperbola(gp_Hypr(sideways, 7, 5)), -1.2, 1.4), 2 * M_PI), 1e-9,
+      false },
+    { "parabolic", Revolved(Profile(new Geom_Parabola(gp_Parab(sideways, 6)), -9, 13), 2 * M_PI) },
+    { "mirrored", Mirrored(drilled) }, { "moved", Moved(RoundedBox()) },
+    { "assembly", Assembly(drilled) } };
+}
+
+size_t CountFaces(const TopoDS_Shape& shape)
+{
+  size_t count = 0;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+  {
+    ++count;
+  }
+  return count;
+}
+
+double AreaOf(const TopoDS_Shape& shape)
+{
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties);
+  return properties.Mass();
+}
+
+/// The solid of a shape that is closest to a point.
+TopoDS_Shape SolidAt(const TopoDS_Shape& shape, const gp_Pnt& point, double& distance)
+{
+  TopoDS_Shape closest;
+  distance = 1e300;
+  const TopoDS_Shape vertex = BRepBuilderAPI_MakeVertex(point).Vertex();
+  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
+  {
+    // To the faces: within a solid the distance would be zero.
+    for (TopExp_Explorer face(it.Current(), TopAbs_FACE); face.More(); face.Next())
+    {
+      const BRepExtrema_DistShapeShape extrema(vertex, face.Current());
+      if (extrema.IsDone() && extrema.Value() < distance)
+      {
+        distance = extrema.Value();
+        closest = it.Current();
+      }
+    }
+  }
+  return closest;
+}
+
+void CheckFace(const Case& one, const std::string& file, const NurbsSurface& surface, double scale,
+  double tolerance)
+{
+  double largest = 0.0;
+  int wrong = 0;
+  int places = 0;
+  for (double s : { 0.0317, 0.3171, 0.8713 })
+  {
+    for (double t : { 0.0231, 0.5519, 0.9637 })
+    {
+      const double u = surface.FirstU() + s * (surface.LastU() - surface.FirstU());
+      const double v = surface.FirstV() + t * (surface.LastV() - surface.FirstV());
+      if (!IsInside(surface, u, v))
+      {
+        continue;
+      }
+      ++places;
+      const Vec3 p = scale * nurbs::Evaluate(surface, u, v);
+      const Vec3 n = UnitNormal(surface, u, v);
+      double distance = 0.0;
+      const TopoDS_Shape solid = SolidAt(one.Shape, gp_Pnt(p.x(), p.y(), p.z()), distance);
+      largest = std::max(largest, distance);
+      for (double side : { -1e-4, 1e-4 })
+      {
+        const Vec3 beside = p + side * n;
+        const BRepClass3d_SolidClassifier classifier(
+          solid, gp_Pnt(beside.x(), beside.y(), beside.z()), 1e-7);
+        wrong += classifier.State() != (side < 0 ? TopAbs_IN : TopAbs_OUT);
+      }
+    }
+  }
+  CHECK(largest <= tolerance * 50.0, file << ": a point is off by " << largest);
+  CHECK(wrong == 0, file << ": " << wrong << " normals of " << places << " places are wrong");
+}
+
+void CheckFile(const Case& one, const std::string& file, int unit, double scale, double tolerance)
+{
+  const ReadResult result = ReadFaces(file, CountFaces(one.Shape), unit);
+  double area = 0.0;
+  for (const NurbsSurface& surface : result.Surfaces)
+  {
+    CheckFace(one, file, surface, scale, tolerance);
+    area += scale * scale * Area(surface, 200);
+  }
+  const double expected = AreaOf(one.Shape);
+  CHECK(
+    std::abs(area - expected) < 3e-3 * expected, file << ": area " << area << ", not " << expected);
+}
+
+void WriteStep(const TopoDS_Shape& shape, const std::string& file, const char* unit)
+{
+  // The writer takes the unit when it is made.
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("write.step.unit", unit);
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  CHECK(writer.Write(file.c_str()) == IFSelect_RetDone, file);
+}
+
+void WriteIges(const TopoDS_Shape& shape, const std::string& file, const char* unit, int mode)
+{
+  IGESControl_Controller::Init();
+  IGESControl_Writer writer(unit, mode);
+  writer.AddShape(shape);
+  CHECK(writer.Write(file.c_str()), file);
+}
+}
+
+namespace
+{
+/// Every pairing of the file's unit and the reader's: the box is as large as it was made.
+void CheckUnits()
+{
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(1, 2, 3), gp_Pnt(41, 32, 23)).Shape();
+  const double inMillimetres[] = { 1.0, 10.0, 1000.0, 25.4, 304.8, 1e-3 };
+  for (const char* unit : { "MM", "INCH", "M", "FT", "CM" })
+  {
+    const std::string step = OutputPath(std::string("units-") + unit + ".stp");
+    WriteStep(box, step, unit);
+    const std::string iges = OutputPath(std::string("units-") + unit + ".igs");
+    WriteIges(box, iges, unit, 1);
+    for (int lengthUnit = 0; lengthUnit < 6; ++lengthUnit)
+    {
+      for (const std::string& file : { step, iges })
+      {
+        Eigen::AlignedBox3d bounds;
+        for (const NurbsSurface& surface : ReadFaces(file, 6, lengthUnit).Surfaces)
+        {
+          for (const nurbs::Vec4& point : surface.ControlPoints)
+          {
+            bounds.extend(Vec3(point.head<3>() * inMillimetres[lengthUnit]));
+          }
+        }
+        const double off =
+          (bounds.min() - Vec3(1, 2, 3)).norm() + (bounds.max() - Vec3(41, 32, 23)).norm();
+        // OpenCASCADE's IGES writer drops digits.
+        CHECK(off < (file == step ? 1e-9 : 1e-8) * 50,
+          file << " read in unit " << lengthUnit << " is off by " << off);
+      }
+    }
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
+  const std::string only = argc > 1 ? argv[1] : "";
+  if (only.empty())
+  {
+    CheckUnits();
+  }
+  for (const Case& one : Cases())
+  {
+    if (!only.empty() && one.Name != only)
+    {
+      continue;
+    }
+    if (one.Step)
+    {
+      const std::string step = OutputPath(one.Name + ".stp");
+      WriteStep(one.Shape, step, "MM");
+      CheckFile(one, step, 0, 1.0, 1e-9);
+    }
+    // Solids (186) keep their orientation in IGES; trimmed surfaces (144) need not.
+    const std::string iges = OutputPath(one.Name + ".igs");
+    WriteIges(one.Shape, iges, "MM", 1);
+    CheckFile(one, iges, 0, 1.0, one.IgesTolerance);
+  }
+  return Failures != 0;
+}
