@@ -107,9 +107,12 @@ void TessellateNURBS(const NurbsSurface& surface, int resolution, vtkPolyData* o
   const std::vector<double> linesV =
     ParameterLines(surface.KnotsV, surface.DegreeV, surface.CountV, resolution);
 
+  // A trim loop follows its curve to 1e-6 of the size; the eye needs less.
+  const Vec2 strip((surface.LastU() - surface.FirstU()) / (linesU.size() - 1),
+    (surface.LastV() - surface.FirstV()) / (linesV.size() - 1));
   const ParameterPolygons mesh = surface.TrimLoops.empty()
     ? DivideRectangle(linesU, linesV)
-    : DivideTrimmedRectangle(linesU, linesV, surface.TrimLoops);
+    : DivideTrimmedRectangle(linesU, linesV, ThinLoops(surface.TrimLoops, strip, 0.003));
 
   vtkNew<vtkCellArray> polygons;
   for (const std::vector<int>& polygon : mesh.Polygons)
