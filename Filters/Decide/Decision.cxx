@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace trim
 {
@@ -107,26 +109,41 @@ private:
     }
   }
 
-  /// Kept columns that lose a whole facet of the border of the mesh: their nodes there could
-  /// reach the surface only by leaving the border.
+  /// Kept columns that lose a whole side on the border of the mesh: their nodes there could reach
+  /// the surface only by leaving the border.
   void EliminateLostBorders()
   {
-    for (const auto& face : this->TheBand.Faces)
+    // By column and the two pillars (in a block: nodes) that bound the side.
+    std::map<std::array<int, 3>, bool> lostSides;
+    for (std::size_t f = 0; f < this->TheBand.Faces.size(); ++f)
     {
+      const auto& face = this->TheBand.Faces[f];
       const int e = face.Element[0];
-      const int column = this->TheColumns.Column[e];
-      if (!face.Exterior || !this->Kept[e] || this->Fates[column] == Fate::Keep ||
-        this->TheColumns.IsLayerFace(this->TheBand, static_cast<int>(&face - this->TheBand.Faces.data())))
+      if (!face.Exterior || !this->Kept[e] ||
+        this->TheColumns.IsLayerFace(this->TheBand, static_cast<int>(f)))
       {
         continue;
       }
-      const bool lost = std::all_of(face.Node.begin(), face.Node.begin() + face.Count,
-        [this](int n) { return this->NodeStatus[n] != NodeKeep; });
-      const bool beyond = std::any_of(face.Node.begin(), face.Node.begin() + face.Count,
-        [this](int n) { return this->NodeStatus[n] == NodeEliminate; });
-      if (lost && beyond)
+      std::array<int, 3> side{ this->TheColumns.Column[e], std::numeric_limits<int>::max(), -1 };
+      bool keeps = false;
+      bool eliminates = false;
+      for (int i = 0; i < face.Count; ++i)
       {
-        this->SetColumn(column, 0);
+        const int pillar = this->TheColumns.Pillar[face.Node[i]];
+        side[1] = std::min(side[1], pillar);
+        side[2] = std::max(side[2], pillar);
+        keeps |= this->NodeStatus[face.Node[i]] == NodeKeep;
+        eliminates |= this->NodeStatus[face.Node[i]] == NodeEliminate;
+      }
+      const bool lost = !keeps && eliminates;
+      const auto known = lostSides.emplace(side, lost);
+      known.first->second = known.first->second && lost;
+    }
+    for (const auto& side : lostSides)
+    {
+      if (side.second && this->Fates[side.first[0]] != Fate::Keep)
+      {
+        this->SetColumn(side.first[0], 0);
       }
     }
   }

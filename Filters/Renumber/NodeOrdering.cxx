@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace trim
 {
@@ -23,6 +24,9 @@ namespace
 
 /// Coordinates nearer than this share of the extent are in one row.
 constexpr double RowGap = 1e-6;
+/// Cuthill-McKee is applied to its own result up to this often, in meshes with fewer nodes.
+constexpr int MostRounds = 6;
+constexpr int ManyNodes = 300000;
 
 std::vector<int> Identity(int count)
 {
@@ -192,8 +196,8 @@ LevelStructure Levels(const NodeGraph& graph, const Band::Lists& links, int root
 using Csr = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property,
   boost::no_property, boost::no_property, int, int>;
 
-/// Node graph with one more vertex, the last, joined to the nodes of `side`: a search from it
-/// starts at the whole side at once.
+/// Node graph, neighbours ascending. Unless `side` is empty there is one more vertex, the last,
+/// joined to its nodes: a search from it starts at the whole side at once.
 Csr BuildGraph(const NodeGraph& graph, const Band::Lists& links, const std::vector<int>& side)
 {
   std::vector<std::pair<int, int>> edges;
@@ -206,6 +210,7 @@ Csr BuildGraph(const NodeGraph& graph, const Band::Lists& links, const std::vect
   }
   for (int n = 0; n < graph.NumberOfNodes; ++n)
   {
+    const std::size_t first = edges.size();
     for (auto* e = links.begin(n); e != links.end(n); ++e)
     {
       for (int i = graph.Offset[*e]; i < graph.Offset[*e + 1]; ++i)
@@ -218,6 +223,7 @@ Csr BuildGraph(const NodeGraph& graph, const Band::Lists& links, const std::vect
         }
       }
     }
+    std::sort(edges.begin() + first, edges.end());
     if (onSide[n])
     {
       edges.emplace_back(n, root);
@@ -227,50 +233,39 @@ Csr BuildGraph(const NodeGraph& graph, const Band::Lists& links, const std::vect
   {
     edges.emplace_back(root, node);
   }
-  return Csr(boost::edges_are_sorted, edges.begin(), edges.end(), graph.NumberOfNodes + 1);
+  return Csr(boost::edges_are_sorted, edges.begin(), edges.end(),
+    graph.NumberOfNodes + (side.empty() ? 0 : 1));
 }
 
-std::vector<int> ReverseCuthillMcKee(const Csr& csr, int root)
+/// Maps that Boost's orderings work with.
+struct OrderingMaps
 {
-  const int count = static_cast<int>(boost::num_vertices(csr));
-  std::vector<int> order;
-  order.reserve(count);
-  std::vector<boost::default_color_type> color(count, boost::white_color);
-  std::vector<int> degree(count);
-  for (int i = 0; i < count; ++i)
+  explicit OrderingMaps(const Csr& csr)
+    : Color(boost::num_vertices(csr), boost::white_color)
+    , Degree(boost::num_vertices(csr))
+    , Index(boost::get(boost::vertex_index, csr))
   {
-    degree[i] = static_cast<int>(boost::out_degree(i, csr));
-  }
-  const auto index = boost::get(boost::vertex_index, csr);
-  const auto colors = boost::make_iterator_property_map(color.begin(), index);
-  const auto degrees = boost::make_iterator_property_map(degree.begin(), index);
-  std::vector<char> done(count, 0);
-  const auto search = [&](int start) {
-    const std::size_t before = order.size();
-    std::deque<Csr::vertex_descriptor> queue{ static_cast<Csr::vertex_descriptor>(start) };
-    boost::cuthill_mckee_ordering(csr, queue, std::back_inserter(order), colors, degrees);
-    for (std::size_t i = before; i < order.size(); ++i)
+    for (std::size_t i = 0; i < this->Degree.size(); ++i)
     {
-      done[order[i]] = 1; // Boost clears the colours at each call
-    }
-  };
-  search(root);
-  // Parts that are not joined with the root follow, each from its node of least degree.
-  std::vector<int> byDegree = Identity(count);
-  std::stable_sort(
-    byDegree.begin(), byDegree.end(), [&](int a, int b) { return degree[a] < degree[b]; });
-  for (const int node : byDegree)
-  {
-    if (!done[node])
-    {
-      search(node);
+      this->Degree[i] = static_cast<int>(boost::out_degree(static_cast<int>(i), csr));
     }
   }
-  std::vector<int> number(count - 1);
+  auto Colors() { return boost::make_iterator_property_map(this->Color.begin(), this->Index); }
+  auto Degrees() { return boost::make_iterator_property_map(this->Degree.begin(), this->Index); }
+
+  std::vector<boost::default_color_type> Color;
+  std::vector<int> Degree;
+  decltype(boost::get(boost::vertex_index, std::declval<const Csr&>())) Index;
+};
+
+/// Numbers from a Cuthill-McKee order, reversed, without the extra vertex.
+std::vector<int> Reversed(const std::vector<int>& order, int count)
+{
+  std::vector<int> number(count);
   int next = 0;
   for (auto it = order.rbegin(); it != order.rend(); ++it)
   {
-    if (*it != count - 1)
+    if (*it < count)
     {
       number[*it] = next++;
     }
@@ -278,25 +273,55 @@ std::vector<int> ReverseCuthillMcKee(const Csr& csr, int root)
   return number;
 }
 
+/// Boost's ordering with the starts it finds itself.
+std::vector<int> ReverseCuthillMcKee(const Csr& csr)
+{
+  OrderingMaps maps(csr);
+  std::vector<int> order;
+  boost::cuthill_mckee_ordering(csr, std::back_inserter(order), maps.Colors(), maps.Degrees());
+  return Reversed(order, static_cast<int>(boost::num_vertices(csr)));
+}
+
+/// The same from a given root; parts that are not joined with it follow, each from its node of
+/// least degree.
+std::vector<int> ReverseCuthillMcKee(const Csr& csr, int count, int root)
+{
+  OrderingMaps maps(csr);
+  std::vector<int> order;
+  std::vector<char> done(boost::num_vertices(csr), 0);
+  const auto search = [&](int start) {
+    const std::size_t before = order.size();
+    std::deque<Csr::vertex_descriptor> queue{ static_cast<Csr::vertex_descriptor>(start) };
+    boost::cuthill_mckee_ordering(
+      csr, queue, std::back_inserter(order), maps.Colors(), maps.Degrees());
+    for (std::size_t i = before; i < order.size(); ++i)
+    {
+      done[order[i]] = 1; // Boost clears the colours at each call
+    }
+  };
+  search(root);
+  std::vector<int> byDegree = Identity(count);
+  std::stable_sort(byDegree.begin(), byDegree.end(),
+    [&](int a, int b) { return maps.Degree[a] < maps.Degree[b]; });
+  for (const int node : byDegree)
+  {
+    if (!done[node])
+    {
+      search(node);
+    }
+  }
+  return Reversed(order, count);
+}
+
 /// The first node of least degree, where many implementations start.
 int LeastDegree(const Csr& csr)
 {
   int least = 0;
-  for (int i = 1; i + 1 < static_cast<int>(boost::num_vertices(csr)); ++i)
+  for (int i = 1; i < static_cast<int>(boost::num_vertices(csr)); ++i)
   {
     least = boost::out_degree(i, csr) < boost::out_degree(least, csr) ? i : least;
   }
   return least;
-}
-
-/// Where Boost's own ordering starts.
-int StartOfBoost(const Csr& csr)
-{
-  std::vector<boost::default_color_type> color(boost::num_vertices(csr), boost::white_color);
-  const auto index = boost::get(boost::vertex_index, csr);
-  const auto colors = boost::make_iterator_property_map(color.begin(), index);
-  return static_cast<int>(
-    boost::find_starting_node(csr, LeastDegree(csr), colors, boost::make_out_degree_map(csr)));
 }
 
 /// Nodes at one end of the longest axis.
@@ -336,6 +361,46 @@ struct Best
   }
 };
 
+/// Links from nodes to elements.
+Band::Lists LinkElements(const NodeGraph& graph)
+{
+  return BuildLists(graph.NumberOfNodes, [&](auto&& add) {
+    for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
+    {
+      for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
+      {
+        add(graph.Connectivity[i], static_cast<int>(e));
+      }
+    }
+  });
+}
+
+/// Offers Cuthill-McKee orderings, from several starts, of the graph numbered by `number`.
+void OfferCuthillMcKee(const NodeGraph& graph, const std::vector<int>& number, Best& best)
+{
+  NodeGraph renumbered = graph;
+  for (int& node : renumbered.Connectivity)
+  {
+    node = number[node];
+  }
+  const auto links = LinkElements(renumbered);
+  const Csr csr = BuildGraph(renumbered, links, {});
+  const auto offer = [&](const std::vector<int>& next) {
+    std::vector<int> chained(number.size());
+    for (std::size_t i = 0; i < number.size(); ++i)
+    {
+      chained[i] = next[number[i]];
+    }
+    best.Offer(graph, std::move(chained));
+  };
+  offer(ReverseCuthillMcKee(csr));
+  const int farEnd = Levels(renumbered, links, 0).Last;
+  for (const int root : { farEnd, Levels(renumbered, links, farEnd).Last, LeastDegree(csr) })
+  {
+    offer(ReverseCuthillMcKee(csr, graph.NumberOfNodes, root));
+  }
+}
+
 }
 
 int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number)
@@ -366,15 +431,7 @@ std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int
   }
   best.Bandwidth = NodeBandwidth(graph, best.Number);
 
-  const auto links = BuildLists(count, [&](auto&& add) {
-    for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
-    {
-      for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
-      {
-        add(graph.Connectivity[i], static_cast<int>(e));
-      }
-    }
-  });
+  const auto links = LinkElements(graph);
   // A pseudo-peripheral node: the far end of the far end. Its depth gives the bound.
   LevelStructure levels = Levels(graph, links, 0);
   int start = levels.Last;
@@ -395,10 +452,16 @@ std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int
   {
     return best.Number;
   }
-  const Csr single = BuildGraph(graph, links, {});
-  for (const int root : { start, levels.Last, LeastDegree(single), StartOfBoost(single) })
+  // The ordering breaks ties by the numbers it is given, so it may gain from its own result.
+  const int rounds = count < ManyNodes ? MostRounds : 1;
+  for (int round = 0; round < rounds && best.Bandwidth > bound && !aborted(); ++round)
   {
-    best.Offer(graph, ReverseCuthillMcKee(single, root));
+    const int before = best.Bandwidth;
+    OfferCuthillMcKee(graph, round == 0 ? Identity(count) : best.Number, best);
+    if (round > 0 && best.Bandwidth == before)
+    {
+      break;
+    }
   }
   if (best.Bandwidth > bound && !aborted())
   {
@@ -406,7 +469,7 @@ std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int
     const int* nodes = graph.Connectivity.data();
     const double width = 0.5 * (position(nodes[1]) - position(nodes[0])).norm();
     const Csr rooted = BuildGraph(graph, links, WholeSide(count, position, axes.col(0), width));
-    best.Offer(graph, ReverseCuthillMcKee(rooted, count));
+    best.Offer(graph, ReverseCuthillMcKee(rooted, count, count));
   }
   return best.Number;
 }

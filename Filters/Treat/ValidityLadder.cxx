@@ -15,7 +15,7 @@ constexpr double SmallestJacobian = 1e-6;
 /// Rounding of a coefficient that is zero by construction (a straight corner).
 constexpr double JacobianRounding = 1e-9;
 /// Two nodes nearer than this share of the element's shortest edge have become one.
-constexpr double SmallestEdgeShare = 1e-3;
+constexpr double SmallestDistanceShare = 1e-3;
 constexpr int LongestClimb = 40;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
@@ -29,16 +29,18 @@ struct Choices
   std::vector<TreatmentChoice> Treatments;        // by pillar
 };
 
-double ShortestEdge(const ElementPoints& p, int count)
+/// Between any two nodes of an element.
+double ShortestDistance(const ElementPoints& p, int count)
 {
-  const auto& topology = TopologyOf(count);
   double shortest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  for (int i = 1; i < count; ++i)
   {
-    shortest =
-      std::min(shortest, (p[topology.Edges[i].First] - p[topology.Edges[i].Second]).norm());
+    for (int j = 0; j < i; ++j)
+    {
+      shortest = std::min(shortest, (p[i] - p[j]).squaredNorm());
+    }
   }
-  return shortest;
+  return std::sqrt(shortest);
 }
 
 bool IsValid(const ElementPoints& points, int count, Optimization treatment)
@@ -95,7 +97,7 @@ public:
       }
       trimmed = this->Attempt();
     }
-    trimmed.Invalid = this->FindInvalid(trimmed);
+    this->LeaveInvalid(trimmed, aborted);
     trimmed.RescuedBy = this->Rungs;
     return trimmed;
   }
@@ -123,6 +125,35 @@ private:
         trimmed.Kept, this->Options.Treatment, this->Set.Treatments, trimmed.NodeMoves);
     }
     return trimmed;
+  }
+
+  /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
+  /// they were. The set of such nodes only grows, and an element that has only such is as it came.
+  void LeaveInvalid(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  {
+    while (!aborted())
+    {
+      trimmed.Invalid = this->FindInvalid(trimmed);
+      bool changed = false;
+      for (const int e : trimmed.Invalid)
+      {
+        const auto& element = this->TheBand.Elements[e];
+        this->Rungs[this->TheColumns.Column[e]] = Rung::Left;
+        for (int i = 0; i < element.Count; ++i)
+        {
+          const int pillar = this->TheColumns.Pillar[element.Node[i]];
+          changed |= this->Set.Corrections[pillar] != CorrectionChoice::Leave ||
+            this->Set.Treatments[pillar] != TreatmentChoice::LeaveCorner;
+          this->Set.Corrections[pillar] = CorrectionChoice::Leave;
+          this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
+        }
+      }
+      if (!changed)
+      {
+        return;
+      }
+      trimmed = this->Attempt();
+    }
   }
 
   /// Kept elements that the trim made invalid, ascending.
@@ -165,8 +196,8 @@ private:
       return false; // it came like this
     }
     return !IsValid(final.Points, final.Count, this->Options.Treatment) ||
-      ShortestEdge(final.Points, final.Count) <
-      SmallestEdgeShare * ShortestEdge(before, element.Count);
+      ShortestDistance(final.Points, final.Count) <
+      SmallestDistanceShare * ShortestDistance(before, element.Count);
   }
 
   std::vector<int> FindBadColumns(const TrimmedBand& trimmed) const
