@@ -2,6 +2,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -36,6 +37,7 @@ Listener::Listener()
   : Own(new Window)
 {
   this->Own->Before = vtkOutputWindow::GetInstance();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkOutputWindow::SetInstance(this->Own->Ears);
 }
 

@@ -144,8 +144,8 @@ void TestSurfaces(const Mesh& mesh)
     { "NaN coordinate of a control point", { "control|point" },
       set("NURBSControlPoints", 2, 1, NaN) },
     { "NaN weight", { "weight|control" }, set("NURBSControlPoints", 2, 3, NaN) },
-    { "zero weight", { "weight", "positive" }, set("NURBSControlPoints", 1, 3, 0) },
-    { "negative weight", { "weight", "positive" }, set("NURBSControlPoints", 1, 3, -1) },
+    { "zero weight", { "weight", "positive|above zero" }, set("NURBSControlPoints", 1, 3, 0) },
+    { "negative weight", { "weight", "positive|above zero" }, set("NURBSControlPoints", 1, 3, -1) },
   };
   for (const Case& test : cases)
   {

@@ -52,6 +52,13 @@ Placement PlacementOf(const std::string& surface, const Mesh& mesh)
   return at;
 }
 
+// Where every node has to come to lie on the surface; elsewhere (steep cuts, blocks, bends as
+// sharp as two elements, slots) what is left off is a note, as long as the filter says so.
+bool IsOrdinary(const std::string& surface, const Mesh& mesh)
+{
+  return mesh.Sheet && mesh.Flat && surface != "inclined" && surface != "slot";
+}
+
 std::string KindOf(const std::string& surface)
 {
   return surface == "leaning" ? "cylinder" : surface == "inclined" ? "plane" : surface;
@@ -64,6 +71,7 @@ int main(int argc, char* argv[])
   std::vector<std::string> kinds = SurfaceKinds();
   kinds.insert(kinds.end(), { "leaning", "inclined" });
   int trials = 0, bad = 0;
+  std::map<std::string, int> notes;
   std::size_t turn = 0;
   for (const std::string& meshName : Chosen(argument(1), MeshNames()))
   {
@@ -91,10 +99,23 @@ int main(int argc, char* argv[])
         Report report(meshName + " " + name + " " + std::to_string(treatment.Correction) + " " +
           std::to_string(treatment.Optimization));
         JudgeBothSides(mesh, surface, options, report);
+        const auto left = report.Notes().find(LeftOff);
+        if (left != report.Notes().end() && IsOrdinary(name, mesh))
+        {
+          report.Fail("left off the surface on an ordinary trim", "points", left->second, 0);
+        }
         ++trials;
         bad += report.Failures() > 0;
+        for (const auto& note : report.Notes())
+        {
+          ++notes[note.first];
+        }
       }
     }
+  }
+  for (const auto& note : notes)
+  {
+    std::printf("note in %d trials: %s\n", note.second, note.first.c_str());
   }
   std::printf("%d trials of two sides each, %d with failures\n", trials, bad);
   return bad > 0;

@@ -47,7 +47,7 @@ void CheckNodes(const Evidence& e, Report& report)
   const double tolerance = e.Case.Options.Tolerance * e.Diagonal;
   const double size = e.Case.Input->Box.ElementSize;
   // What the oracle itself may be wrong by.
-  const double doubt = 1e-13 * e.Diagonal + (e.Exact - 1e-9 * e.Diagonal);
+  const double doubt = 1e-13 * e.Diagonal + e.Rounding;
   std::vector<char> needed(e.In.Points.size(), 0);
   for (std::size_t c = 0; c < e.In.Elements.size(); ++c)
   {

@@ -34,6 +34,9 @@ struct TrimOptions
   double Tolerance = 1e-9;
 };
 
+/// Notes under this name are nodes of the new boundary that the filter reported as left.
+constexpr const char* LeftOff = "nodes left off the surface, as the summary says";
+
 class Report
 {
 public:
@@ -45,6 +48,9 @@ public:
   /// Counts, and prints "FAIL context: check: place: value (limit)" for the first few.
   void Fail(const std::string& check, const std::string& place, double value, double limit);
   void Fail(const std::string& check, const std::string& text);
+  /// Counts what the filter could not do and said so: no failure, but not silent either.
+  void Note(const std::string& what) { ++this->NoteCounts[what]; }
+  const std::map<std::string, int>& Notes() const { return this->NoteCounts; }
   int Failures() const { return this->Total; }
   int Failures(const std::string& check) const;
   const std::map<std::string, int>& ByCheck() const { return this->Counts; }
@@ -54,7 +60,7 @@ private:
   std::string Context;
   bool Quiet;
   int Total = 0;
-  std::map<std::string, int> Counts;
+  std::map<std::string, int> Counts, NoteCounts;
 };
 
 /// One trim: what went in and what came out of the two ports.
@@ -80,7 +86,8 @@ public:
   Model Out;
   Exterior Border;
   double Diagonal;
-  double Exact; ///< absolute limit for positions: 1e-9 of the diagonal and rounding
+  double Rounding; ///< of coordinates
+  double Exact;    ///< absolute limit for positions: 1e-9 of the diagonal and rounding
   std::vector<Id> PointOf; ///< of port 0, in the input
   std::vector<Id> CellOf;
   std::vector<char> KeptCell; ///< by input cell
@@ -98,6 +105,10 @@ public:
   /// A node on the wrong side whose elements all stay, or the other way round: there a piece of
   /// the model is lost or too much, whatever the correction.
   bool HasOrphans() const;
+  /// A value of the summary; NaN if it is missing.
+  double Number(const char* name) const;
+  /// Whether the ladder of rescues was climbed at all, by the summary.
+  bool Rescued() const;
 
 private:
   bool ReadOrigins(Report& report);

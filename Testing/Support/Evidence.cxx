@@ -2,11 +2,13 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 namespace judge
@@ -48,7 +50,8 @@ Evidence::Evidence(const Trial& trial, Report& report)
   // Coordinates cannot be better than their type.
   vtkPoints* points = trial.Trimmed->GetPoints();
   const bool single = points && points->GetDataType() == VTK_FLOAT;
-  this->Exact = 1e-9 * this->Diagonal + (single ? 1.2e-7 : 4.5e-16) * largest;
+  this->Rounding = (single ? 1.2e-7 : 4.5e-16) * largest;
+  this->Exact = 1e-9 * this->Diagonal + this->Rounding;
 
   const TrimOptions& options = trial.Options;
   this->SideSign = options.InvertSide ? -1 : 1;
@@ -196,6 +199,27 @@ bool Evidence::HasOrphans() const
     if (!cells.empty() &&
       ((this->NodeStatus[p] == 1 && kept == static_cast<std::ptrdiff_t>(cells.size())) ||
         (this->NodeStatus[p] == 0 && kept == 0)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+double Evidence::Number(const char* name) const
+{
+  vtkDataArray* array = this->Case.Trimmed->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0) : std::nan("");
+}
+
+bool Evidence::Rescued() const
+{
+  vtkFieldData* data = this->Case.Trimmed->GetFieldData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetName() && std::strncmp(array->GetName(), "Rescued", 7) == 0 &&
+      array->GetNumberOfValues() == 1 && array->GetComponent(0, 0) > 0)
     {
       return true;
     }

@@ -199,7 +199,9 @@ Mesh Irregular(int n, int nz, const MeshOptions& options)
 
 Mesh Blank(int n, int rings, int nz, const MeshOptions& options)
 {
-  return FromPlan("blank", BlankPlan(n, rings), nz, 0.4 * nz, Flat(), options);
+  Mesh mesh = FromPlan("blank", BlankPlan(n, rings), nz, 0.4 * nz, Flat(), options);
+  mesh.BorderTurn = M_PI / (2 * n);
+  return mesh;
 }
 
 Mesh Channel(int n, int nz, const MeshOptions& options)

@@ -43,6 +43,7 @@ struct Mesh
   Frame Box;
   bool Flat = true;  ///< skin is plane: volumes of parts are comparable
   bool Sheet = true; ///< has a thickness direction
+  double BorderTurn = 0; ///< angle at the vertices of a polygonal border, radians
   bool Regular = false; ///< rectangular sheet of equal elements, not permuted or perturbed
   int Nx = 0, Ny = 0, Nz = 0; ///< of regular ones
 };
