@@ -286,9 +286,14 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
         next = f;
       }
     }
-    if (next < 0 || nearest <= 0.1 * this->Precision)
+    if (next < 0)
     {
-      break; // on the skin as it is, or beyond its border
+      return false; // beyond the border of the skin
+    }
+    if (nearest <= 0.1 * this->Precision)
+    {
+      outside = 0.0; // it lies in that facet already
+      break;
     }
     if (!this->MeetFacet(next, meeting, planePoint, planeNormal, meeting, outside))
     {
@@ -296,7 +301,8 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
     }
     tried.push_back(next);
   }
-  return (meeting - this->TheBand.Point[node]).norm() <= this->Reach(node);
+  return outside <= InsideSlack &&
+    (meeting - this->TheBand.Point[node]).norm() <= this->Reach(node);
 }
 
 std::vector<int> NodeMover::SlidingEdges(int node) const
