@@ -53,10 +53,13 @@ Placement PlacementOf(const std::string& surface, const Mesh& mesh)
 }
 
 // Where every node has to come to lie on the surface; elsewhere (steep cuts, blocks, bends as
-// sharp as two elements, slots) what is left off is a note, as long as the filter says so.
+// sharp as two elements, slots, curves tighter than a stretched element) what is left off is a note, as long as the filter says so.
 bool IsOrdinary(const std::string& surface, const Mesh& mesh)
 {
-  return mesh.Sheet && mesh.Flat && surface != "inclined" && surface != "slot";
+  const bool closed = surface == "cylinder" || surface == "leaning" || surface == "cone" ||
+    surface == "contour" || surface == "roundrect";
+  return mesh.Sheet && mesh.Flat && surface != "inclined" && surface != "slot" &&
+    !(closed && mesh.Name == "stretched");
 }
 
 std::string KindOf(const std::string& surface)

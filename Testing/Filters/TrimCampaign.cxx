@@ -74,7 +74,7 @@ int main(int argc, char* argv[])
   }
   struct Row
   {
-    int Trims = 0, Good = 0, Rescued = 0, Warned = 0, Failed = 0;
+    int Trims = 0, Good = 0, Rescued = 0, Left = 0, Warned = 0, Failed = 0;
   };
   std::map<std::string, Row> table;
   std::map<std::string, int> checks;
@@ -102,6 +102,7 @@ int main(int argc, char* argv[])
       row.Failed += report.Failures() > 0;
       row.Good += report.Failures() == 0;
       row.Rescued += report.Failures() == 0 && !rescues.empty();
+      row.Left += report.Failures() == 0 && report.Notes().count(LeftOff) > 0;
       row.Warned += report.Failures() == 0 && !outcome.Warnings.empty();
     }
     for (const auto& check : report.ByCheck())
@@ -109,12 +110,16 @@ int main(int argc, char* argv[])
       ++checks[check.first];
     }
   }
-  std::printf("\n%-22s %6s %6s %8s %7s %7s\n", "", "trims", "good", "rescued", "warned", "failed");
+  // Good: no check failed. Of these, rescued: some rung of the ladder was climbed; left: nodes
+  // are off the surface, and the filter says so.
+  std::printf("\n%-22s %6s %6s %8s %6s %7s %7s\n", "", "trims", "good", "rescued", "left",
+    "warned", "failed");
   int failed = 0;
   for (const auto& row : table)
   {
-    std::printf("%-22s %6d %6d %8d %7d %7d\n", row.first.c_str(), row.second.Trims,
-      row.second.Good, row.second.Rescued, row.second.Warned, row.second.Failed);
+    std::printf("%-22s %6d %6d %8d %6d %7d %7d\n", row.first.c_str(), row.second.Trims,
+      row.second.Good, row.second.Rescued, row.second.Left, row.second.Warned,
+      row.second.Failed);
     failed += row.second.Failed;
   }
   for (const auto& check : checks)

@@ -42,6 +42,33 @@ double DistanceToEdgesAt(const Evidence& e, Id node, const Vec3& p)
   return best;
 }
 
+// Skin: exterior facets of a sheet that do not show its thickness.
+bool IsSkin(const Evidence& e, const Facet& facet)
+{
+  const double thickness = e.Case.Input->Box.LayerThickness;
+  const int n = facet.Size();
+  int thin = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    const Vec3 edge = e.In.Points[facet.Node[(i + 1) % n]] - e.In.Points[facet.Node[i]];
+    thin += edge.norm() < 1.2 * thickness;
+  }
+  return thin < 2;
+}
+
+std::vector<char> SkinPoints(const Evidence& e)
+{
+  std::vector<char> skin(e.In.Points.size(), 0);
+  for (const Facet& facet : e.Border.Facets().Exterior)
+  {
+    for (int i = 0; i < facet.Size() && e.Case.Input->Sheet && IsSkin(e, facet); ++i)
+    {
+      skin[facet.Node[i]] = 1;
+    }
+  }
+  return skin;
+}
+
 Vec3 Tuple(vtkDataArray* array, Id i)
 {
   return Vec3(array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2));
@@ -59,6 +86,7 @@ void CheckMoves(const Evidence& e, Report& report)
   {
     return; // reported by CheckArrays
   }
+  const std::vector<char> skin = SkinPoints(e);
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];
@@ -90,10 +118,11 @@ void CheckMoves(const Evidence& e, Report& report)
       report.Fail("NodeStatus", Point(p) + " differs between the ports",
         status->GetComponent(p, 0), e.NodeStatus[o]);
     }
-    // Distribution moves a node off its edge by intent; on a ridge the slide may go on round the
-    // next node.
-    if (correction == 3 && e.Case.Options.Optimization == 0 &&
-      e.Border.PlaceOf(o) != Exterior::Place::Ridge &&
+    // Distribution moves a node off its edge by intent; on the border the slide may go on round
+    // the next node.
+    const auto place = e.Border.PlaceOf(o);
+    const bool inner = place == Exterior::Place::Inside || (place == Exterior::Place::Face && skin[o]);
+    if (correction == 3 && e.Case.Options.Optimization == 0 && inner &&
       DistanceToEdgesAt(e, o, e.Out.Points[p]) > e.Exact)
     {
       report.Fail("type III stays on a mesh edge", Point(p),
@@ -112,33 +141,6 @@ void CheckMoves(const Evidence& e, Report& report)
 
 namespace
 {
-// Skin: exterior facets of a sheet that do not show its thickness.
-bool IsSkin(const Evidence& e, const Facet& facet)
-{
-  const double thickness = e.Case.Input->Box.LayerThickness;
-  const int n = facet.Size();
-  int thin = 0;
-  for (int i = 0; i < n; ++i)
-  {
-    const Vec3 edge = e.In.Points[facet.Node[(i + 1) % n]] - e.In.Points[facet.Node[i]];
-    thin += edge.norm() < 1.2 * thickness;
-  }
-  return thin < 2;
-}
-
-std::vector<char> SkinPoints(const Evidence& e)
-{
-  std::vector<char> skin(e.In.Points.size(), 0);
-  for (const Facet& facet : e.Border.Facets().Exterior)
-  {
-    for (int i = 0; i < facet.Size() && e.Case.Input->Sheet && IsSkin(e, facet); ++i)
-    {
-      skin[facet.Node[i]] = 1;
-    }
-  }
-  return skin;
-}
-
 void CheckPlaces(const Evidence& e, Report& report)
 {
   const std::vector<char> skin = SkinPoints(e);
