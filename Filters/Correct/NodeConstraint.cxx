@@ -133,17 +133,20 @@ NodeConstraint ConstrainNode(const Band& band, const Columns& columns,
       }
     }
     // Folds of the skin without a radius hold their nodes; inner layers fold alike.
-    std::vector<int> oneSide;
-    for (const int f : constraint.Faces)
-    {
-      oneSide.push_back(f);
-    }
-    AddCreases(band, oneSide, node, constraint.RidgeEdges);
+    AddCreases(band, constraint.Faces, node, constraint.RidgeEdges);
   }
   else
   {
     constraint.Faces = exterior;
     AddCreases(band, exterior, node, constraint.RidgeEdges);
+  }
+  // A ridge that lies beyond the surface to both sides of the node goes with what is cut off.
+  const bool ridgeGoes = nodeStatus[node] == NodeEliminate &&
+    std::all_of(constraint.RidgeEdges.begin(), constraint.RidgeEdges.end(),
+      [&](int edge) { return nodeStatus[band.OtherEnd(edge, node)] == NodeEliminate; });
+  if (ridgeGoes)
+  {
+    constraint.RidgeEdges.clear();
   }
   SetKind(band, node, constraint);
   return constraint;
