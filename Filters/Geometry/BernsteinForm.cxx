@@ -99,4 +99,44 @@ bool SquaredDistanceForm::IsConvex() const
   return uu > 0 && vv > 0 && uu * vv * (p - 1) * (q - 1) > uv * uv * p * q;
 }
 
+void SquaredDistanceForm::FindSlopes(const Vec4* net, int& slopeS, int& slopeT) const
+{
+  // D = F / w^2 + d^2 rises with s where w F_s - 2 w_s F > 0.
+  const int nu = this->CountU, nv = this->CountV, p = (nu - 1) / 2, q = (nv - 1) / 2;
+  double weight = HUGE_VAL, weightS = 0, weightT = 0, largest = 0;
+  for (int j = 0; j <= q; ++j)
+  {
+    for (int i = 0; i <= p; ++i)
+    {
+      const double w = net[i + j * (p + 1)].w();
+      weight = std::min(weight, w);
+      weightS = std::max(weightS, i < p ? std::abs(net[i + 1 + j * (p + 1)].w() - w) : 0.0);
+      weightT = std::max(weightT, j < q ? std::abs(net[i + (j + 1) * (p + 1)].w() - w) : 0.0);
+    }
+  }
+  double lowS = HUGE_VAL, highS = -HUGE_VAL, lowT = HUGE_VAL, highT = -HUGE_VAL;
+  for (int j = 0; j < nv; ++j)
+  {
+    for (int i = 0; i < nu; ++i)
+    {
+      const double f = this->F[i + j * nu];
+      largest = std::max(largest, std::abs(f));
+      if (i + 1 < nu)
+      {
+        lowS = std::min(lowS, this->F[i + 1 + j * nu] - f);
+        highS = std::max(highS, this->F[i + 1 + j * nu] - f);
+      }
+      if (j + 1 < nv)
+      {
+        lowT = std::min(lowT, this->F[i + (j + 1) * nu] - f);
+        highT = std::max(highT, this->F[i + (j + 1) * nu] - f);
+      }
+    }
+  }
+  // Differences of F stand for F_s / (2 p), those of w for w_s / p.
+  const double marginS = weightS * largest / weight, marginT = weightT * largest / weight;
+  slopeS = lowS > marginS ? 1 : (highS < -marginS ? -1 : 0);
+  slopeT = q > 0 ? (lowT > marginT ? 1 : (highT < -marginT ? -1 : 0)) : 0;
+}
+
 }

@@ -25,6 +25,13 @@ public:
   /// True if F is certainly convex over the patch.
   bool IsConvex() const;
 
+  /**
+   * How the distance changes over the whole patch: +1 if it rises with s (t), -1 if it falls,
+   * 0 if that is not certain.
+   * @param net as given to Set, not scaled.
+   */
+  void FindSlopes(const Vec4* net, int& slopeS, int& slopeT) const;
+
 private:
   static constexpr int Size = (2 * MaximumDegree + 1) * (2 * MaximumDegree + 1);
   int CountU = 0, CountV = 0;

@@ -84,6 +84,8 @@ private:
   const SurfaceModel& Model;
   const Vec3 P;
   double Bound = 0; ///< squared
+  static constexpr int MaximumBoxes = 50000; ///< beyond it the best found so far stands
+  int Boxes = 0;
   LeafDomain BestDomain{ 0, 0, 0, 0 };
 };
 
@@ -163,14 +165,13 @@ void ClosestPointSearch::VisitLeaf(int index)
 
 void ClosestPointSearch::SearchLeaf(int index)
 {
-  constexpr int MaximumBoxes = 20000; // beyond it the best found so far stands
   constexpr int StackSize = 128;
   const Leaf& leaf = this->Model.Leaves[index];
   const BezierPatch& patch = this->Model.Patches[leaf.Patch];
   LeafDomain stack[StackSize];
   int size = 0;
   stack[size++] = DomainOf(patch, index);
-  for (int boxes = 0; size > 0 && boxes < MaximumBoxes; ++boxes)
+  for (; size > 0 && this->Boxes < MaximumBoxes; ++this->Boxes)
   {
     const LeafDomain box = stack[--size];
     LeafDomain halves[2];
@@ -187,6 +188,7 @@ bool ClosestPointSearch::SearchBox(
   const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves)
 {
   const Vec4* net = this->Model.Net(patch);
+  const bool trimmed = !patch.Curve && !this->Model.Data[patch.Face].Loops.Empty();
   const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
   Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
   RestrictNet(patch, net, box.S0, box.S1, box.T0, box.T1, part);
@@ -212,6 +214,15 @@ bool ClosestPointSearch::SearchBox(
     std::min(point(0, q).squaredNorm(), point(p, q).squaredNorm());
 
   const double s = 0.5 * (box.S0 + box.S1), t = 0.5 * (box.T0 + box.T1);
+  if (trimmed)
+  {
+    const Vec2 uvLow(patch.U(box.S0, box.T0), patch.V(box.S0, box.T0));
+    const Vec2 uvHigh(patch.U(box.S1, box.T1), patch.V(box.S1, box.T1));
+    if (this->Model.Data[patch.Face].Loops.Classify(uvLow, uvHigh) == TrimState::Outside)
+    {
+      return false;
+    }
+  }
   if ((BezierPoint(patch, net, s, t) - this->P).squaredNorm() < this->Bound)
   {
     this->Consider(index, InvertPoint(patch, net, this->P, s, t, box), box);
@@ -225,6 +236,15 @@ bool ClosestPointSearch::SearchBox(
   std::copy(part, part + size, scaled);
   form.Set(p, q, scaled, this->Bound);
   if (form.Minimum() >= 0)
+  {
+    return false;
+  }
+  // Where the distance has a slope all over the box its minimum is elsewhere: in the next box,
+  // or on a loop, whose curve is searched by itself; unless the patch ends on that side.
+  int slopeS, slopeT;
+  form.FindSlopes(part, slopeS, slopeT);
+  if ((slopeS > 0 && box.S0 > 0) || (slopeS < 0 && box.S1 < 1) || (slopeT > 0 && box.T0 > 0) ||
+    (slopeT < 0 && box.T1 < 1))
   {
     return false;
   }

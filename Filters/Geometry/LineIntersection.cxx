@@ -1,6 +1,6 @@
 #include "LineIntersection.h"
 
-#include "ClosestPoint.h"
+#include "Neighbourhood.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +44,7 @@ private:
   bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
   Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   Solution Approach(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
+  bool IsInBox(const Solution& solution, const LeafDomain& box) const;
   bool Report(int patch, const Solution& solution, bool touch);
 
   const SurfaceModel& Model;
@@ -60,7 +61,8 @@ void LineSearch::Run()
   const Vec3 middle = this->A + 0.5 * (this->Low + this->High) * this->D;
   const Vec3 half = 0.5 * (this->High - this->Low) * this->D;
   const float slack = static_cast<float>(
-    1e-6 * (middle.cwiseAbs().maxCoeff() + half.cwiseAbs().maxCoeff()) + this->Tolerance);
+    1e-6 * (middle.cwiseAbs().maxCoeff() + half.cwiseAbs().maxCoeff()) + this->Tolerance +
+    this->Model.Gap);
   const Eigen::Vector3f m = middle.cast<float>(), e = half.cast<float>();
   int stack[TreeStackSize];
   int size = 0;
@@ -108,7 +110,7 @@ bool LineSearch::BoxMeetsLeaf(const Leaf& leaf) const
   const Vec3 a(x.dot(base), y.dot(base), z.dot(base));
   const Vec3 d(x.dot(this->D), y.dot(this->D), z.dot(this->D));
   double low = this->Low - this->Tolerance, high = this->High + this->Tolerance;
-  const double slack = this->Tolerance + 1e-6 * leaf.Radius;
+  const double slack = this->Tolerance + this->Model.Gap + 1e-6 * leaf.Radius;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double boxLow = leaf.Low[axis] - slack, boxHigh = leaf.High[axis] + slack;
@@ -245,6 +247,18 @@ LineSearch::Solution LineSearch::Approach(
   return x;
 }
 
+/**
+ * True if the solution belongs to this part of the patch. A root in a neighbouring part is that
+ * one's; at the rim both report it. Beyond the patch nobody else will: Report decides.
+ */
+bool LineSearch::IsInBox(const Solution& solution, const LeafDomain& box) const
+{
+  const double rimS = 1e-6 * (box.S1 - box.S0) + 1e-12, rimT = 1e-6 * (box.T1 - box.T0) + 1e-12;
+  return (solution.S >= box.S0 - rimS || box.S0 == 0) &&
+    (solution.S <= box.S1 + rimS || box.S1 == 1) && (solution.T >= box.T0 - rimT || box.T0 == 0) &&
+    (solution.T <= box.T1 + rimT || box.T1 == 1);
+}
+
 /// Puts the solution into the patch and keeps it if it still lies on the line and segment.
 bool LineSearch::Report(int index, const Solution& solution, bool touch)
 {
@@ -260,11 +274,17 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
   const double away = (r - meeting.K * this->D).norm();
   const double slack = this->Tolerance + 1e-14 * std::abs(meeting.K);
   const bool clamped = meeting.S != solution.S || meeting.T != solution.T;
-  if (away > (clamped ? std::max(slack, this->Model.Gap) : 2 * slack) || meeting.K < this->Low - slack ||
-    meeting.K > this->High + slack)
+  if (away > (clamped ? std::max(slack, this->Model.Gap) : 2 * slack) ||
+    meeting.K < this->Low - slack || meeting.K > this->High + slack)
   {
     return false;
   }
+  // Beside the patch: through the gap between two faces, or past the free border.
+  if (away > 2 * slack && ExamineNeighbourhood(this->Model, meeting.Point).Border)
+  {
+    return false;
+  }
+  meeting.Away = away;
   this->Meetings.push_back(meeting);
   return true;
 }
@@ -291,10 +311,7 @@ void LineSearch::VisitLeaf(int index)
     const Solution solution = this->Solve(patch, s, t, box);
     if (solution.Converged)
     {
-      // A root in a neighbouring leaf is that leaf's; at the rim both report it.
-      const double rimS = 1e-6 * (box.S1 - box.S0), rimT = 1e-6 * (box.T1 - box.T0);
-      if (solution.S >= box.S0 - rimS && solution.S <= box.S1 + rimS &&
-        solution.T >= box.T0 - rimT && solution.T <= box.T1 + rimT)
+      if (this->IsInBox(solution, box))
       {
         this->Report(leaf.Patch, solution, false);
       }
@@ -353,7 +370,10 @@ bool LineSearch::SearchBox(
     kLow = std::min(kLow, this->D.dot(r) / w);
     kHigh = std::max(kHigh, this->D.dot(r) / w);
   }
-  if ((low.array() > this->Tolerance).any() || (high.array() < -this->Tolerance).any() ||
+  // Beside the border of the patch there may be a gap to the next face.
+  const bool atBorder = box.S0 == 0 || box.S1 == 1 || box.T0 == 0 || box.T1 == 1;
+  const double tolerance = atBorder ? this->Tolerance + this->Model.Gap : this->Tolerance;
+  if ((low.array() > tolerance).any() || (high.array() < -tolerance).any() ||
     kLow > this->High + this->Tolerance || kHigh < this->Low - this->Tolerance)
   {
     return false;
@@ -377,7 +397,7 @@ bool LineSearch::SearchBox(
     const Eigen::Matrix2d inverse = m.inverse();
     double deviation = 0;
     Vec2 lowUnit = Vec2::Constant(HUGE_VAL), highUnit = -lowUnit;
-    const Vec2 unitTolerance = inverse.cwiseAbs() * Vec2::Constant(this->Tolerance * part[0].w());
+    const Vec2 unitTolerance = inverse.cwiseAbs() * Vec2::Constant(tolerance * part[0].w());
     for (int j = 0; j <= q; ++j)
     {
       for (int i = 0; i <= p; ++i)
@@ -407,9 +427,7 @@ bool LineSearch::SearchBox(
       const Solution solution = this->Solve(patch, s, t, box);
       if (solution.Converged)
       {
-        const double rimS = 1e-6 * (box.S1 - box.S0) + 1e-12, rimT = 1e-6 * (box.T1 - box.T0) + 1e-12;
-        if (solution.S >= box.S0 - rimS && solution.S <= box.S1 + rimS &&
-          solution.T >= box.T0 - rimT && solution.T <= box.T1 + rimT)
+        if (this->IsInBox(solution, box))
         {
           this->Report(index, solution, false);
         }

@@ -18,6 +18,7 @@ struct LineMeeting
   double S = 0, T = 0;
   Vec3 Point = Vec3::Zero(); ///< on the surface, about the local origin
   bool Touch = false;        ///< found as a tangency: its place is good to the root of rounding
+  double Away = 0;           ///< from the line; up to the gap where it slips between two faces
 };
 
 /**

@@ -102,6 +102,7 @@ private:
   const Vec3 X;
   std::vector<Contact> Contacts;
   std::vector<Sector> Sectors;
+  std::vector<std::pair<int, int>> Poles; ///< patch and side of those that were added
 };
 
 void SectorFinder::FindContacts()
@@ -327,6 +328,13 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
 void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
 {
   constexpr int Samples = 16;
+  // Every leaf along the side comes here with the same point.
+  const std::pair<int, int> pole(contact.Patch, side);
+  if (std::find(this->Poles.begin(), this->Poles.end(), pole) != this->Poles.end())
+  {
+    return;
+  }
+  this->Poles.push_back(pole);
   const SurfaceModel& model = this->Model;
   const BezierPatch& patch = model.Patches[contact.Patch];
   const Vec4* net = model.Net(patch);

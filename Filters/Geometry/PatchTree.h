@@ -9,6 +9,7 @@
 #define PatchTree_h
 
 #include "BezierPatch.h"
+#include "TrimLoops.h"
 
 #include <Eigen/Geometry>
 
@@ -16,14 +17,6 @@
 
 namespace nurbs
 {
-/// What the trim loops leave of a leaf.
-enum class TrimState : unsigned char
-{
-  Inside,
-  Crossed,
-  Outside
-};
-
 /**
  * One cell of the uniform grid laid over a patch. Reach and Deviation are certificates drawn
  * from the control net (see MeasureLeaf); both make one Newton run per leaf sufficient.

@@ -68,7 +68,7 @@ LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, 
   const LeafDomain& domain)
 {
   constexpr int MaximumSteps = 60;
-  constexpr double Small = 1e-7; // the step after one this small is below rounding
+  constexpr double Small = 2e-8; // the step after one this small is below rounding
   LocalFoot foot;
   foot.S = std::clamp(s, domain.S0, domain.S1);
   foot.T = std::clamp(t, domain.T0, domain.T1);

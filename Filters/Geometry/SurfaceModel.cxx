@@ -123,6 +123,10 @@ void SurfaceModel::AddLeaves()
   for (BezierPatch& patch : this->Patches)
   {
     ChooseGrid(this->Net(patch), patch);
+  }
+  this->RefineTrimmedGrids();
+  for (BezierPatch& patch : this->Patches)
+  {
     patch.FirstLeaf = static_cast<int>(count);
     count += static_cast<std::size_t>(patch.GridU) * patch.GridV;
   }
@@ -155,6 +159,37 @@ void SurfaceModel::AddLeaves()
   }
   this->Bounds.translate(this->Origin);
   this->Nodes = BuildTree(std::move(used), boxes);
+}
+
+/// Flat patches have one leaf; those that a loop crosses need more, to leave its holes empty.
+void SurfaceModel::RefineTrimmedGrids()
+{
+  constexpr double CellsAcross = 24;
+  constexpr int Finest = 32;
+  for (std::size_t k = 0; k < this->Patches.size(); ++k)
+  {
+    if (!this->Patches[k].Curve)
+    {
+      continue;
+    }
+    const BezierPatch& curve = this->Patches[k];
+    const FaceData& data = this->Data[curve.Face];
+    BezierPatch& patch = this->Patches[this->PatchAt(
+      curve.Face, 0.5 * (curve.U0 + curve.U1), 0.5 * (curve.V0 + curve.V1))];
+    const Vec4* net = this->Net(patch);
+    const Vec3 a = BezierPoint(patch, net, 0, 0.5), b = BezierPoint(patch, net, 0.5, 0.5),
+               c = BezierPoint(patch, net, 1, 0.5), d = BezierPoint(patch, net, 0.5, 0),
+               e = BezierPoint(patch, net, 0.5, 1);
+    const double lengthU = (b - a).norm() + (c - b).norm();
+    const double lengthV = (b - d).norm() + (e - b).norm();
+    const double cell = std::max(lengthU * (data.SpansU.Breaks.size() - 1),
+                          lengthV * (data.SpansV.Breaks.size() - 1)) /
+      CellsAcross;
+    const auto divisions = [=](double length)
+    { return std::clamp(static_cast<int>(std::ceil(length / cell)), 1, Finest); };
+    patch.GridU = std::max(patch.GridU, divisions(lengthU));
+    patch.GridV = std::max(patch.GridV, divisions(lengthV));
+  }
 }
 
 void SurfaceModel::FindTrimStates()

@@ -169,6 +169,35 @@ bool TrimLoops::Inside(double u, double v) const
   return inside;
 }
 
+TrimState TrimLoops::Classify(const Vec2& low, const Vec2& high) const
+{
+  if (this->Edges.empty())
+  {
+    return TrimState::Inside;
+  }
+  if (low.y() > this->High || high.y() < this->Low)
+  {
+    return TrimState::Outside;
+  }
+  const int bands = static_cast<int>(this->BandStart.size()) - 1;
+  const auto band = [&](double v)
+  { return std::clamp(static_cast<int>((v - this->Low) * this->Scale), 0, bands - 1); };
+  const int first = this->BandStart[band(low.y())], last = this->BandStart[band(high.y()) + 1];
+  for (int k = first; k < last; ++k)
+  {
+    const Edge& edge = this->Edges[this->BandEdges[k]];
+    double t0, t1;
+    if (std::max(edge.From.x(), edge.To.x()) >= low.x() &&
+      std::min(edge.From.x(), edge.To.x()) <= high.x() &&
+      ClipToRectangle(edge.From, edge.To, low, high, t0, t1))
+    {
+      return TrimState::Crossed;
+    }
+  }
+  const Vec2 middle = 0.5 * (low + high);
+  return this->Inside(middle.x(), middle.y()) ? TrimState::Inside : TrimState::Outside;
+}
+
 const TrimLoops::Edge& TrimLoops::LoopEdge(int loop, int index) const
 {
   const int first = this->FirstEdge[loop], count = this->FirstEdge[loop + 1] - first;

@@ -11,6 +11,14 @@
 
 namespace nurbs
 {
+/// What the trim loops leave of a piece of surface.
+enum class TrimState : unsigned char
+{
+  Inside,
+  Crossed,
+  Outside
+};
+
 class TrimLoops
 {
 public:
@@ -22,6 +30,9 @@ public:
 
   /// Even-odd rule. Cost: the edges of one band of v.
   bool Inside(double u, double v) const;
+
+  /// The same for a rectangle in (u, v).
+  TrimState Classify(const Vec2& low, const Vec2& high) const;
 
   struct Edge
   {

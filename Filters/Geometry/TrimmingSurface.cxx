@@ -22,6 +22,7 @@ struct TrimmingSurface::Implementation
   Vec2 FaceParameters(const BezierPatch& patch, double s, double t) const;
   Foot Finish(const Vec3& p, const SurfacePoint& found) const;
   bool IsPlain(const BezierPatch& patch, double s, double t) const;
+  bool IsOnSharedLoop(const Vec3& point) const;
   Vec3 NormalAt(int patch, double s, double t, const Vec3& point, bool& border) const;
 };
 
@@ -42,6 +43,17 @@ bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s
     }
   }
   return true;
+}
+
+/// A point outside the loops still counts on the loop itself, where rounding decides nothing,
+/// and between the loops of two faces, whose polygons are chords of the same edge.
+bool TrimmingSurface::Implementation::IsOnSharedLoop(const Vec3& point) const
+{
+  const SurfaceModel& model = this->Model;
+  const SurfacePoint near = FindClosestPoint(model, point, model.Gap * model.Gap, SurfacePoint());
+  return near.Patch >= 0 &&
+    (near.Squared <= 16 * model.Resolution * model.Resolution ||
+      !ExamineNeighbourhood(model, near.Point).Border);
 }
 
 Vec3 TrimmingSurface::Implementation::NormalAt(
@@ -156,7 +168,7 @@ std::vector<LineHit> TrimmingSurface::Intersect(
       model, start, 16 * model.Resolution * model.Resolution, SurfacePoint());
     if (point.Patch >= 0)
     {
-      meetings.push_back({ 0.0, point.Patch, point.S, point.T, point.Point, false });
+      meetings.push_back({ 0.0, point.Patch, point.S, point.T, point.Point, false, 0.0 });
     }
   }
   else
@@ -178,28 +190,30 @@ std::vector<LineHit> TrimmingSurface::Intersect(
     [](const LineMeeting& x, const LineMeeting& y)
     { return x.K != y.K ? x.K < y.K : (x.Patch != y.Patch ? x.Patch < y.Patch : x.S < y.S); });
 
-  double last = -HUGE_VAL;
+  double last = -HUGE_VAL, lastAway = 0;
   bool lastTouch = false;
   for (const LineMeeting& meeting : meetings)
   {
     const BezierPatch& patch = model.Patches[meeting.Patch];
-    if (!IsInsideTrim(model, meeting.Patch, meeting.S, meeting.T))
-    {
-      // On the loop itself rounding and the chords of the polygon decide nothing.
-      const SurfacePoint near =
-        FindClosestPoint(model, meeting.Point, model.Gap * model.Gap, SurfacePoint());
-      if (near.Patch < 0)
-      {
-        continue;
-      }
-    }
-    const double same = std::max(
-      (meeting.Touch || lastTouch) ? 1e-5 * model.Scale : 1e-9 * model.Scale, 2 * model.Gap);
-    if (meeting.K - last <= same)
+    if (!IsInsideTrim(model, meeting.Patch, meeting.S, meeting.T) &&
+      !this->Impl->IsOnSharedLoop(meeting.Point))
     {
       continue;
     }
+    const double same = std::max(
+      (meeting.Touch || lastTouch) ? 1e-5 * model.Scale : 1e-9 * model.Scale, 2 * model.Gap);
+    // Of meetings at one place the one on the line counts, not one that bridges a gap.
+    const bool repeated = meeting.K - last <= same;
+    if (repeated && (meeting.Away >= lastAway || lastAway <= 4 * model.Resolution))
+    {
+      continue;
+    }
+    if (repeated)
+    {
+      hits.pop_back();
+    }
     last = meeting.K;
+    lastAway = meeting.Away;
     lastTouch = meeting.Touch;
     LineHit hit;
     bool border;

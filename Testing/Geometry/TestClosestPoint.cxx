@@ -213,7 +213,10 @@ void TestSample(const samples::Named& sample, int queries)
     const Foot foot = trimming.ClosestPoint(p);
     const double bound = foot.Distance * (1 - 1e-10) - 1e-14 * scale;
     check::That(foot.Kind != FootKind::None, sample.Name + ": a foot is found");
-    check::That((Evaluate(surface, foot.U, foot.V) - foot.Point).norm() < 2e-13 * (scale + 1),
+    // u and v themselves are rounded, which steep weights make visible.
+    const SurfaceJet jet = EvaluateJet(surface, foot.U, foot.V);
+    check::Near((jet.S - foot.Point).norm(), 0,
+      2e-13 * (scale + 1) + 1e-15 * (jet.Su.norm() + jet.Sv.norm()),
       sample.Name + ": the foot is S(u, v)");
     check::Near((foot.Point - p).norm(), foot.Distance, 1e-14 * (scale + p.norm()), sample.Name + ": the distance");
     const double grid = brute.Distance(p);
@@ -224,7 +227,10 @@ void TestSample(const samples::Named& sample, int queries)
       projector.Perform(gp_Pnt(p.x(), p.y(), p.z()));
       if (projector.NbPoints() > 0)
       {
-        const double distance = projector.LowerDistance();
+        // It may leave the rectangle by its own tolerance, so the point is taken from inside.
+        double u, v;
+        projector.LowerDistanceParameters(u, v);
+        const double distance = (Evaluate(surface, u, v) - p).norm();
         check::That(distance >= bound, sample.Name + ": OpenCASCADE knows nothing nearer" + Numbers(foot.Distance, distance));
         missedByOther += distance > foot.Distance * (1 + 1e-7) + 1e-9 * scale;
       }

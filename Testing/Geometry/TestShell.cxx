@@ -1,0 +1,339 @@
+// Sides, seams, poles, sharp edges, free borders, orientation of shells and box queries.
+#include "Check.h"
+#include "SampleSurfaces.h"
+#include "TrimmingSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <sstream>
+
+using namespace nurbs;
+
+namespace
+{
+
+std::mt19937 Random(3);
+double Uniform(double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(Random);
+}
+Vec3 RandomVector()
+{
+  return Vec3(Uniform(-1, 1), Uniform(-1, 1), Uniform(-1, 1));
+}
+
+std::string Place(const Vec3& p, const Foot& foot)
+{
+  std::ostringstream text;
+  text << " at (" << p.transpose() << "), foot (" << foot.Point.transpose() << ") of face "
+       << foot.Face;
+  return text.str();
+}
+
+/// Faces turned over at random and in random order.
+std::vector<NurbsSurface> Shuffled(std::vector<NurbsSurface> faces)
+{
+  for (NurbsSurface& face : faces)
+  {
+    if (Random() % 2)
+    {
+      face = samples::ReversedU(face);
+    }
+  }
+  std::shuffle(faces.begin(), faces.end(), Random);
+  return faces;
+}
+
+/// A closed surface (within the box asked) against its signed distance in closed form.
+void TestSigns(const std::string& name, const std::vector<NurbsSurface>& faces, const Vec3& low,
+  const Vec3& high, const std::function<double(const Vec3&)>& exact)
+{
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    TrimmingSurface surface(turn == 0 ? faces : Shuffled(faces), 1e-7);
+    if (turn == 3)
+    {
+      surface.Flip();
+    }
+    double orientation = 0;
+    for (int k = 0; k < 4000; ++k)
+    {
+      Vec3 p = low + 0.5 * (RandomVector() + Vec3::Ones()).cwiseProduct(high - low);
+      if (k % 3 == 0) // near the surface
+      {
+        p = surface.ClosestPoint(p).Point + 0.01 * RandomVector();
+      }
+      if (k % 5 == 0) // on a grid, so that feet fall on edges, seams and poles
+      {
+        p = (p * 8).array().round() / 8;
+      }
+      if ((p.array() < low.array()).any() || (p.array() > high.array()).any())
+      {
+        continue;
+      }
+      const double distance = exact(p);
+      const Foot foot = surface.ClosestPoint(p);
+      check::Near(foot.Distance, std::abs(distance), 1e-11, name + ": the distance" + Place(p, foot));
+      check::That(foot.Kind == FootKind::Interior, name + ": no border" + Place(p, foot));
+      check::Near(foot.Normal.norm(), 1, 1e-12, name + ": unit normal" + Place(p, foot));
+      if (std::abs(distance) < 1e-9)
+      {
+        continue;
+      }
+      const double side = foot.SignedDistance * distance > 0 ? 1 : -1;
+      orientation = orientation == 0 ? side : orientation;
+      check::That(side == orientation, name + ": the side" + Place(p, foot));
+    }
+  }
+}
+
+void TestClosedSurfaces()
+{
+  const auto box = [](const Vec3& p)
+  {
+    const Vec3 q = (p - Vec3(0.5, 0.5, 0.5)).cwiseAbs() - Vec3(0.5, 0.5, 0.5);
+    const double outside = q.cwiseMax(0).norm();
+    return outside > 0 ? outside : q.maxCoeff();
+  };
+  TestSigns("box", samples::BoxShell(Vec3(0, 0, 0), Vec3(1, 1, 1)), Vec3(-1, -1, -1), Vec3(2, 2, 2), box);
+  const auto rounded = [](const Vec3& p)
+  {
+    const double x = std::abs(p.x()) - 0.7, y = std::abs(p.y()) - 0.5;
+    return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0) - 0.3;
+  };
+  TestSigns("rounded shell", samples::RoundedShell(1, 0.8, 0.3, 1), Vec3(-1.5, -1.4, 0.01), Vec3(1.5, 1.4, 0.99), rounded);
+  TestSigns("cylinder", { samples::Cylinder(1, 2) }, Vec3(-1.6, -1.6, 0.01), Vec3(1.6, 1.6, 1.99),
+    [](const Vec3& p) { return p.head<2>().norm() - 1; });
+  TestSigns("sphere", { samples::Sphere(1) }, Vec3(-2, -2, -2), Vec3(2, 2, 2), [](const Vec3& p) { return p.norm() - 1; });
+  TestSigns("torus", { samples::Torus(1, 0.4) }, Vec3(-2, -2, -1), Vec3(2, 2, 1),
+    [](const Vec3& p) { return std::hypot(p.head<2>().norm() - 1, p.z()) - 0.4; });
+  // A cone with its apex, capped by a disc that is a cone of no height.
+  const auto cone = [](const Vec3& p)
+  {
+    const double r = p.head<2>().norm(), z = p.z();
+    const Vec2 a(1, 0), d = Vec2(-1, 1.5), q(r, z);
+    const double t = std::clamp((q - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+    const double slope = (q - a - t * d).norm();
+    const double base = std::hypot(std::max(r - 1, 0.0), z);
+    const bool inside = z > 0 && z < 1.5 * (1 - r);
+    return inside ? -std::min(slope, base) : std::min(slope, base);
+  };
+  TestSigns("cone", { samples::Cone(1, 1.5), samples::Cone(1, 0) }, Vec3(-2, -2, -1), Vec3(2, 2, 2.5), cone);
+}
+
+/// Small gaps and overlaps at the edges of a box are no borders.
+void TestGaps()
+{
+  for (double gap : { 5e-5, -5e-5 })
+  {
+    std::vector<NurbsSurface> faces = samples::BoxShell(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    for (NurbsSurface& face : faces)
+    {
+      Vec3 center = Vec3::Zero();
+      for (const Vec4& point : face.ControlPoints)
+      {
+        center += 0.25 * point.head<3>();
+      }
+      for (Vec4& point : face.ControlPoints)
+      {
+        point.head<3>() += gap * (center - point.head<3>());
+      }
+    }
+    const TrimmingSurface tight(faces, 1e-3), loose(faces, 1e-6);
+    int borders = 0;
+    for (int k = 0; k < 4000; ++k)
+    {
+      const Vec3 p = Vec3(0.5, 0.5, 0.5) + 1.2 * RandomVector();
+      const Vec3 q = (p - Vec3(0.5, 0.5, 0.5)).cwiseAbs() - Vec3(0.5, 0.5, 0.5);
+      if (std::abs(q.maxCoeff()) < 1e-3)
+      {
+        continue;
+      }
+      const Foot foot = tight.ClosestPoint(p);
+      check::That(foot.Kind == FootKind::Interior, "gaps are closed" + Place(p, foot));
+      check::That((foot.SignedDistance > 0) == (q.maxCoeff() > 0), "the side beside a gap" + Place(p, foot));
+      borders += loose.ClosestPoint(p).Kind == FootKind::Border;
+    }
+    check::That(gap < 0 || borders > 100, "gaps beyond the tolerance are borders");
+  }
+}
+
+void TestFreeBorders()
+{
+  const TrimmingSurface plane({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
+  const TrimmingSurface tube({ samples::Cylinder(1, 2) }, 1e-9);
+  // An L of two planes: the edge they share is none, its ends are.
+  const TrimmingSurface angle({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)),
+                                samples::Plane(Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 1, 0)) },
+    1e-9);
+  // T-junction: one long face beside two short ones.
+  const TrimmingSurface tee({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 2, 0)),
+                              samples::Plane(Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 0.7, 0)),
+                              samples::Plane(Vec3(0, 0.7, 0), Vec3(0, 0, 1), Vec3(0, 1.3, 0)) },
+    1e-9);
+  const TrimmingSurface dome({ samples::Revolve(2, { 0, 0, 0, 1, 1, 1 },
+                               { { 1, 0, 1 }, { 1, 1, std::sqrt(0.5) }, { 0, 1, 1 } }) },
+    1e-9);
+  const TrimmingSurface quarter({ samples::Revolve(2, { 0, 0, 0, 1, 1, 1 },
+                                  { { 1, 0, 1 }, { 1, 1, std::sqrt(0.5) }, { 0, 1, 1 } }, 1) },
+    1e-9);
+  const auto expect = [](const TrimmingSurface& surface, const Vec3& p, FootKind kind, const char* what)
+  {
+    const Foot foot = surface.ClosestPoint(p);
+    check::That(foot.Kind == kind, what + Place(p, foot));
+    check::That(kind == FootKind::Border || foot.Normal.norm() > 0.999, what + std::string(" has a normal"));
+  };
+  expect(plane, Vec3(1.2, 0.5, 0.1), FootKind::Border, "beyond the edge of a plane");
+  expect(plane, Vec3(1.2, 1.5, 0.1), FootKind::Border, "beyond the corner of a plane");
+  expect(plane, Vec3(1, 0.5, 0.1), FootKind::Border, "over the edge of a plane");
+  expect(plane, Vec3(0.9999999, 0.5, 0.1), FootKind::Interior, "just inside the edge");
+  expect(tube, Vec3(1.1, 0, 1), FootKind::Interior, "beside the seam of a tube");
+  expect(tube, Vec3(1.1, 0, 2.2), FootKind::Border, "beyond the end of a tube, at the seam");
+  expect(tube, Vec3(0, 1.1, -0.2), FootKind::Border, "beyond the end of a tube");
+  expect(angle, Vec3(-0.1, 0.5, -0.1), FootKind::Interior, "outside the edge of an angle");
+  expect(angle, Vec3(-0.1, 0, -0.1), FootKind::Border, "at the end of the edge of an angle");
+  expect(angle, Vec3(-0.1, 1.3, -0.1), FootKind::Border, "beyond the end of the edge of an angle");
+  expect(tee, Vec3(-0.1, 0.7, -0.1), FootKind::Interior, "at a T-junction");
+  expect(tee, Vec3(-0.1, 0.3, -0.1), FootKind::Interior, "beside a T-junction");
+  expect(tee, Vec3(-0.1, 2.1, -0.1), FootKind::Border, "beyond the T");
+  expect(dome, Vec3(0, 0, 1.5), FootKind::Interior, "over the pole of a dome");
+  expect(dome, Vec3(0, 0, 0.9), FootKind::Interior, "under the pole of a dome");
+  expect(dome, Vec3(1.2, 0, -0.2), FootKind::Border, "under the rim of a dome");
+  expect(quarter, Vec3(0, 0, 1.5), FootKind::Border, "over the pole of a quarter of a dome");
+  expect(quarter, Vec3(0.5, -0.2, 0.5), FootKind::Border, "beside a quarter of a dome");
+  check::That(dome.ClosestPoint(Vec3(0, 0, 1.5)).Normal.cwiseAbs().isApprox(Vec3(0, 0, 1), 1e-6), "the normal at a pole is the limit");
+  check::That(plane.ClosestPoint(Vec3(0.5, 0.5, 1), 0.5).Kind == FootKind::None, "nothing within the distance");
+  check::Near(angle.ClosestPoint(Vec3(-0.1, 0.5, -0.1)).Normal.cwiseAbs().dot(Vec3(1, 0, 1)), std::sqrt(2.0), 1e-12, "mean normal on an edge");
+}
+
+void TestOrientation()
+{
+  // The largest face decides: the four big planes look outwards, so do all.
+  std::vector<NurbsSurface> faces = samples::RoundedShell(1, 0.8, 0.3, 1);
+  const double outwards = [&]()
+  {
+    const SurfaceJet jet = EvaluateJet(faces[0], 0.5, 0.5);
+    return jet.Su.cross(jet.Sv).y() < 0 ? 1.0 : -1.0;
+  }();
+  for (std::size_t k = 1; k < faces.size(); k += 2)
+  {
+    faces[k] = samples::ReversedU(faces[k]);
+  }
+  faces[2] = samples::ReversedU(faces[2]);
+  faces[0] = samples::Plane(Vec3(-0.7, -0.8, 0), Vec3(1.4, 0, 0), Vec3(0, 0, 1)); // the first of the two largest
+  TrimmingSurface surface(faces, 1e-7);
+  for (const Vec3& p : { Vec3(0, -1, 0.5), Vec3(1.2, 0, 0.5), Vec3(0, 1, 0.5), Vec3(-1.2, 0, 0.5), Vec3(1, 0.8, 0.5), Vec3(-1, -0.8, 0.5) })
+  {
+    check::That(surface.ClosestPoint(p).SignedDistance * outwards > 0, "oriented by the largest face" + Place(p, surface.ClosestPoint(p)));
+  }
+  surface.Flip();
+  check::That(surface.ClosestPoint(Vec3(0, -1, 0.5)).SignedDistance * outwards < 0, "turned round");
+  const auto hits = surface.Intersect(Vec3(0, -1, 0.5), Vec3(0, 0, 0.5));
+  check::That(hits.size() == 1 && hits[0].Normal.y() * outwards > 0, "hits have the same normals");
+  // Two shells, each by its own largest face.
+  std::vector<NurbsSurface> two = samples::BoxShell(Vec3(0, 0, 0), Vec3(1, 1, 1.1));
+  for (NurbsSurface& face : samples::BoxShell(Vec3(3, 0, 0), Vec3(4, 1, 1)))
+  {
+    two.push_back(samples::ReversedU(face));
+  }
+  const TrimmingSurface both(two, 1e-7);
+  check::That(both.ClosestPoint(Vec3(0.5, 0.5, 0.9)).SignedDistance < 0, "first shell");
+  check::That(both.ClosestPoint(Vec3(3.5, 0.5, 0.9)).SignedDistance > 0, "second shell");
+}
+
+void TestBoxes()
+{
+  for (const samples::Named& sample : samples::All())
+  {
+    const TrimmingSurface surface({ sample.Surface }, 1e-9);
+    const Box3 bounds = surface.Bounds();
+    const double scale = bounds.diagonal().norm();
+    int certain = 0, possible = 0;
+    for (int k = 0; k < 20000; ++k)
+    {
+      const Vec3 center = bounds.center() + 0.6 * RandomVector().cwiseProduct(bounds.sizes() + Vec3::Constant(0.1 * scale));
+      const Vec3 half = scale * std::pow(10.0, Uniform(-3, -1)) * (RandomVector().cwiseAbs() + Vec3::Constant(0.1));
+      const bool answer = surface.MayIntersect(Box3(center - half, center + half));
+      const Foot foot = surface.ClosestPoint(center);
+      const bool inside = ((foot.Point - center).cwiseAbs().array() <= half.array()).all();
+      check::That(answer || !inside, sample.Name + ": a box that holds the foot of its centre");
+      // Farther than its corner: certainly apart. Most of these have to be found.
+      if (foot.Distance > 1.2 * half.norm())
+      {
+        ++certain;
+        possible += answer;
+      }
+    }
+    check::That(possible < 0.2 * certain + 20, sample.Name + ": boxes are tight: " + std::to_string(possible) + " of " + std::to_string(certain));
+    check::That(surface.MayIntersect(bounds), "the whole box");
+    for (int k = 0; k < 500; ++k)
+    {
+      const NurbsSurface& s = sample.Surface;
+      const Vec3 p = Evaluate(s, Uniform(s.FirstU(), s.LastU()), Uniform(s.FirstV(), s.LastV()));
+      check::That(surface.MayIntersect(Box3(p, p)), sample.Name + ": a box that is one point of the surface");
+      check::That(bounds.contains(p), sample.Name + ": the bounds hold the surface");
+    }
+  }
+}
+
+void TestCurvature()
+{
+  const TrimmingSurface sphere({ samples::Sphere(2) }, 1e-9), torus({ samples::Torus(1, 0.25) }, 1e-9);
+  const TrimmingSurface plane({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
+  check::Near(sphere.RadiusOfCurvature(sphere.ClosestPoint(Vec3(3, 1, 1))), 2, 1e-6, "radius of the sphere");
+  check::Near(torus.RadiusOfCurvature(torus.ClosestPoint(Vec3(1, 1, 1))), 0.25, 1e-9, "radius of the torus");
+  check::That(std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)))), "a plane is flat");
+}
+
+/// Many faces: a strip of planes over a wave, one shell.
+void TestManyFaces()
+{
+  std::vector<NurbsSurface> faces;
+  constexpr int N = 32;
+  const auto corner = [](int i, int j) { return Vec3(i, j, 3 * std::sin(0.3 * i) * std::cos(0.2 * j)); };
+  for (int j = 0; j < N; ++j)
+  {
+    for (int i = 0; i < N; ++i)
+    {
+      faces.push_back(samples::FromNet(1, 1, 2, 2,
+        [&](double u, double v)
+        {
+          Vec4 x;
+          x << corner(i + int(u), j + int(v)), 1;
+          return x;
+        }));
+    }
+  }
+  const TrimmingSurface surface(Shuffled(faces), 1e-6);
+  double orientation = 0;
+  for (int k = 0; k < 5000; ++k)
+  {
+    const Vec3 p(Uniform(1, N - 1), Uniform(1, N - 1), Uniform(-4, 4));
+    const auto above = surface.Intersect(p, p + Vec3(0, 0, 20)), below = surface.Intersect(p, p - Vec3(0, 0, 20));
+    check::That(above.size() + below.size() == 1, "one face over or under each point");
+    const Foot foot = surface.ClosestPoint(p);
+    if (foot.Kind == FootKind::Border)
+    {
+      continue;
+    }
+    const double side = (below.size() == 1 ? 1 : -1) * (foot.SignedDistance > 0 ? 1 : -1);
+    orientation = orientation == 0 ? side : orientation;
+    check::That(side == orientation, "one side over 1024 faces" + Place(p, foot));
+  }
+}
+
+}
+
+int main()
+{
+  TestClosedSurfaces();
+  TestGaps();
+  TestFreeBorders();
+  TestOrientation();
+  TestBoxes();
+  TestCurvature();
+  TestManyFaces();
+  return check::Result();
+}
