@@ -24,6 +24,12 @@ def values(trim):
     return {name: trim.FieldData[name].GetRange(0)[0] for name in trim.FieldData.keys()}
 
 
+def formatted(value, form):
+    """No sign before a number that is rounded to zero."""
+    text = form % value
+    return form % 0 if float(text) == 0 else text
+
+
 def table(trims, names):
     """One row per trim, one column per quantity; rungs of the ladder only where one was used."""
     summaries = [values(trim) for trim in trims]
@@ -32,7 +38,7 @@ def table(trims, names):
     columns = COLUMNS + [(name, name, "%d") for name in rescues]
     rows = [["trim"] + [title for title, _, _ in columns]]
     for name, summary in zip(names, summaries):
-        rows.append([name] + [form % summary[array] for _, array, form in columns])
+        rows.append([name] + [formatted(summary[array], form) for _, array, form in columns])
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     lines = ["  ".join([row[0].ljust(widths[0])] +
                        [cell.rjust(width) for cell, width in zip(row[1:], widths[1:])])

@@ -1,15 +1,33 @@
 """The classes themselves in Python, without proxies."""
-from nurbstrim.NURBSTrimFilter import vtkTrimHexahedralGrid
-from nurbstrim.NURBSTrimRead import vtkNURBSSurfaceSource
+import os
+
+from nurbstrim import vtkCADSurfaceReader, vtkNURBSSurfaceSource, vtkTrimHexahedralGrid
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 
-from Checks import check, check_equal
+from Checks import DATA_DIRECTORY, check, check_equal
 
 cells = vtkCellTypeSource()
 cells.SetCellType(12)
-cells.SetBlocksDimensions(6, 4, 2)
-source = vtkNURBSSurfaceSource()
+cells.SetBlocksDimensions(20, 12, 2)
+surface = vtkNURBSSurfaceSource()
+surface.SetDegrees(1, 1)
+surface.SetControlNetSize(2, 2)
+surface.SetNumberOfControlPoints(4)
+for i, (y, z) in enumerate([(-3, -2), (15, -2), (-3, 4), (15, 4)]):
+    surface.SetControlPoint(i, 8.3, y, z, 1)
+for set_number, set_knot in [(surface.SetNumberOfKnotsU, surface.SetKnotU),
+                             (surface.SetNumberOfKnotsV, surface.SetKnotV)]:
+    set_number(4)
+    for i, knot in enumerate((0, 0, 1, 1)):
+        set_knot(i, knot)
+
 trim = vtkTrimHexahedralGrid()
+trim.SetInputConnection(0, cells.GetOutputPort())
+trim.SetInputConnection(1, surface.GetOutputPort())
+trim.Update()
+check_equal(trim.GetOutput().GetNumberOfCells(), 8 * 24, "elements left of the plane")
+check_equal(trim.GetOutputDataObject(1).GetNumberOfCells(), 20 * 24, "elements of port 1")
+
 check_equal(trim.GetNumberOfInputPorts(), 2, "input ports")
 check_equal(trim.GetNumberOfOutputPorts(), 2, "output ports")
 for name, value in [("CorrectionType", 3), ("Optimization", 1), ("InvertSide", True),
@@ -20,3 +38,6 @@ for name, value in [("CorrectionType", 3), ("Optimization", 1), ("InvertSide", T
     check_equal(getattr(trim, "Get" + name)(), value, name)
 trim.SetCorrectionType(7)
 check(1 <= trim.GetCorrectionType() <= 3, "CorrectionType is not kept in its range")
+check_equal(vtkCADSurfaceReader.CanReadFile(os.path.join(DATA_DIRECTORY, "WheelArch.igs")), 1,
+            "CanReadFile of an IGES file")
+check_equal(vtkCADSurfaceReader.CanReadFile(__file__), 0, "CanReadFile of a script")
