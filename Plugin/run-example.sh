@@ -11,7 +11,7 @@ build_project -DBUILD_TESTING=OFF >&2
 example="$build/example"
 rm -rf "$example"
 mkdir -p "$example"
-PV_PLUGIN_PATH="$build/lib" with_display \
+PV_PLUGIN_PATH="$build/lib" sh "$project/Plugin/with-display.sh" \
   pvpython --dr "$project/Plugin/Example/SidePanel.py" "$project/Data" "$example"
 
 echo "The trimmed mesh and the pictures are in $example" >&2

@@ -36,9 +36,3 @@ build_project()
     -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
   cmake --build "$build"
 }
-
-# Runs a command with a display of its own, rendered in software.
-with_display()
-{
-  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1600x1200x24" "$@"
-}

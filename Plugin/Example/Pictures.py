@@ -43,7 +43,8 @@ class Picture:
         self.view.CameraParallelScale = half_height
         self.view.CameraFocalPoint = [x, y, 0]
         distance, angle = 3000, math.radians(tilt)
-        self.view.CameraPosition = [x, y - distance * math.sin(angle), distance * math.cos(angle)]
+        aside, height = distance * math.sin(angle), distance * math.cos(angle)
+        self.view.CameraPosition = [x - 0.5 * aside, y - 0.87 * aside, height]
         self.view.CameraViewUp = [0, 1, 0]
 
     def add_mesh(self, port, array=None):
