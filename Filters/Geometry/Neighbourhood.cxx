@@ -199,7 +199,10 @@ void SectorFinder::AddLoopSector(const Contact& contact)
     const Vec2 d = (to - sector.Parameters);
     const Vec3 x =
       d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
-    return x.norm() > 0 ? Vec3(x.normalized()) : x;
+    const double length = x.norm();
+    // Along a collapsed side there is no way to go.
+    return length > 1e-9 * d.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
+                                                                     : Vec3(Vec3::Zero());
   };
   const bool left = loops.InsideIsLeft(curve.Loop);
   const Vec3 a = tangent(forward), b = tangent(backward);
@@ -211,10 +214,20 @@ void SectorFinder::AddLoopSector(const Contact& contact)
     angle = left ? angle : 2 * M_PI - angle;
     sector.Straight = std::abs(angle - M_PI) < 0.3; // a vertex of a polygon along a curve
   }
-  sector.Weighted = angle * normal;
-  sector.Rays[0] = { sector.Parameters, forward, a, left };
-  sector.Rays[1] = { sector.Parameters, backward, b, !left };
-  sector.RayCount = 2;
+  const Vec3 size = 1e-9 * (jet.Su.cwiseAbs() + jet.Sv.cwiseAbs() + jet.Suv.cwiseAbs());
+  const bool atPole = jet.Su.norm() <= size.norm() || jet.Sv.norm() <= size.norm();
+  if (!atPole) // else the collapsed side of the patch has the angle
+  {
+    sector.Weighted = angle * normal;
+  }
+  if (a.norm() > 0)
+  {
+    sector.Rays[sector.RayCount++] = { sector.Parameters, forward, a, left };
+  }
+  if (b.norm() > 0)
+  {
+    sector.Rays[sector.RayCount++] = { sector.Parameters, backward, b, !left };
+  }
   this->Sectors.push_back(sector);
 }
 
@@ -376,7 +389,7 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
   const int sides[2] = { side < 2 ? 2 : 0, side < 2 ? 3 : 1 };
   for (int k = 0; k < 2; ++k)
   {
-    if (patch.Sides[sides[k]] == SideKind::Border && !patch.Collapsed[sides[k]])
+    if (loops.Empty() && patch.Sides[sides[k]] == SideKind::Border && !patch.Collapsed[sides[k]])
     {
       const Vec2 from = place(k, 0), to = place(k, 1);
       // Left of the ray is inside where (ray, inwards from it) is counter-clockwise.

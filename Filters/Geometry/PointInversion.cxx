@@ -72,6 +72,7 @@ LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, 
   LocalFoot foot;
   foot.S = std::clamp(s, domain.S0, domain.S1);
   foot.T = std::clamp(t, domain.T0, domain.T1);
+  const bool curve = patch.DegreeV == 0;
   SurfaceJet jet;
   EvaluateBezier(patch, net, foot.S, foot.T, jet);
   Vec3 r = jet.S - p;
@@ -82,7 +83,7 @@ LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, 
   {
     const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
     bool heldS = (foot.S <= domain.S0 && f >= 0) || (foot.S >= domain.S1 && f <= 0);
-    bool heldT = (foot.T <= domain.T0 && g >= 0) || (foot.T >= domain.T1 && g <= 0);
+    bool heldT = curve || (foot.T <= domain.T0 && g >= 0) || (foot.T >= domain.T1 && g <= 0);
     Step step = NewtonStep(jet, r, heldS, heldT);
     // A step that would leave through a bound where the point already lies slides along it.
     const auto leaves = [](double x, double dx, double low, double high)

@@ -110,6 +110,22 @@ void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
           std::clamp((x.y() - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0));
       };
       BezierPatch curve = CurveOnPatch(patch, this->Nets, local(a), local(b), this->Nets);
+      const auto isPoint = [&]()
+      {
+        const Vec4* net = this->Net(curve);
+        double extent = 0;
+        for (int i = 1; i <= curve.DegreeU; ++i)
+        {
+          extent = std::max(
+            extent, (net[i].head<3>() / net[i].w() - net[0].head<3>() / net[0].w()).norm());
+        }
+        return extent <= this->Resolution;
+      };
+      if (isPoint()) // along a pole
+      {
+        this->Nets.resize(curve.Net);
+        continue;
+      }
       curve.Loop = edge.Loop;
       curve.LoopEdge = edge.Index;
       this->Patches.push_back(curve);

@@ -23,6 +23,15 @@ Vec3 RandomVector()
   return Vec3(Uniform(-1, 1), Uniform(-1, 1), Uniform(-1, 1));
 }
 
+std::string Place(const Vec3& p, const Foot& foot)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << " at (" << p.transpose() << "), foot (" << foot.Point.transpose() << ") at (" << foot.U
+       << ", " << foot.V << ") of face " << foot.Face << ", distance " << foot.Distance;
+  return text.str();
+}
+
 std::vector<Vec2> Circle(const Vec2& center, double radius, int points, bool clockwise = false)
 {
   std::vector<Vec2> loop;
@@ -161,7 +170,8 @@ void TestCurved(const std::string& name, NurbsSurface surface)
     {
       best = std::min(best, (x - p).norm());
     }
-    check::That(foot.Distance <= best * (1 + 1e-10) + 1e-13 * scale, name + ": nothing nearer");
+    check::That(foot.Distance <= best * (1 + 1e-10) + 1e-13 * scale,
+      name + ": nothing nearer than " + std::to_string(best) + Place(p, foot));
     check::That((Evaluate(surface, foot.U, foot.V) - foot.Point).norm() < 1e-11 * scale, name + ": the foot is S(u, v)");
     // The foot is inside the loops or on them.
     double toLoop = HUGE_VAL;
@@ -237,7 +247,7 @@ void TestTrimmedShell()
       const Vec3 q = (p - Vec3(0.5, 0.5, 0.5)).cwiseAbs() - Vec3(0.5, 0.5, 0.5);
       const double outside = q.cwiseMax(0).norm(), exact = outside > 0 ? outside : q.maxCoeff();
       const Foot foot = surface.ClosestPoint(p);
-      check::Near(foot.Distance, std::abs(exact), 1e-12, "distance to the trimmed box");
+      check::Near(foot.Distance, std::abs(exact), 1e-12, "distance to the trimmed box" + Place(p, foot));
       check::That(foot.Kind == FootKind::Interior, "loops shared by two faces are no border");
       if (std::abs(exact) > 1e-9)
       {
@@ -283,7 +293,7 @@ void TestWholeLoops()
       const double angle = k % 4 == 0 ? 0 : Uniform(0, 2 * M_PI), r = Uniform(0.5, 1.5);
       const Vec3 p(r * std::cos(angle), r * std::sin(angle), Uniform(0.7, 1.7));
       const Foot foot = surface->ClosestPoint(p);
-      check::That(foot.Kind == FootKind::Interior, "the seam is no border under loops");
+      check::That(foot.Kind == FootKind::Interior, "the seam is no border under loops" + Place(p, foot));
       check::Near(foot.Distance, std::abs(r - 1), 1e-12, "distance to the trimmed cylinder");
       check::That((foot.SignedDistance > 0) == (r > 1), "side of the trimmed cylinder");
     }
