@@ -2,6 +2,7 @@
 
 #include "CADSurfaceConversion.h"
 #include "NURBSFieldData.h"
+#include "TrimmedParameterGrid.h"
 
 #include <BRepTools.hxx>
 #include <BRepTools_WireExplorer.hxx>
@@ -382,6 +383,8 @@ std::vector<std::vector<Vec2>> SampleLoops(
       loops.push_back(loop);
     }
   }
+  // Corners on straight stretches say nothing.
+  loops = ThinLoops(loops, Vec2(form.LastU() - form.FirstU(), form.LastV() - form.FirstV()), 1e-10);
   if (loops.size() == 1 && IsRectangle(loops[0], form))
   {
     loops.clear();
@@ -399,7 +402,8 @@ void Scale(NurbsSurface& surface, double scale)
 }
 
 //------------------------------------------------------------------------------
-std::string ConvertFace(const TopoDS_Face& face, double scale, NurbsSurface& surface)
+std::string ConvertFace(
+  const TopoDS_Face& face, const std::vector<double>& limits, double scale, NurbsSurface& surface)
 {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   const Handle(Geom_Surface) basis = BRep_Tool::Surface(forward);
@@ -416,6 +420,11 @@ std::string ConvertFace(const TopoDS_Face& face, double scale, NurbsSurface& sur
   else
   {
     range = EnclosedRange(wires, basis);
+  }
+  if (limits.size() == 4)
+  {
+    range.First = range.First.cwiseMax(Vec2(limits[0], limits[2]));
+    range.Last = range.Last.cwiseMin(Vec2(limits[1], limits[3]));
   }
   for (double bound : { range.First.x(), range.First.y(), range.Last.x(), range.Last.y() })
   {

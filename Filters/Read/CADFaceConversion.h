@@ -8,6 +8,7 @@
 #include "NurbsSurface.h"
 
 #include <string>
+#include <vector>
 
 class TopoDS_Face;
 
@@ -16,10 +17,14 @@ namespace nurbs
 /**
  * Converts a face with its location and orientation; the result is multiplied by `scale`.
  *
+ * @param limits u, u, v, v: part of the surface's parameters beyond which the face does not
+ *               reach, whatever its wires say; empty: none.
+
  * @return empty, or in a few words why the face has no NURBS surface. OpenCASCADE's exceptions
  * pass through.
  */
-std::string ConvertFace(const TopoDS_Face& face, double scale, NurbsSurface& surface);
+std::string ConvertFace(
+  const TopoDS_Face& face, const std::vector<double>& limits, double scale, NurbsSurface& surface);
 }
 
 #endif

@@ -62,7 +62,7 @@ std::string TryConvert(const CADFace& face, double scale, NurbsSurface& surface)
 {
   try
   {
-    return ConvertFace(TopoDS::Face(face.Shape), scale, surface);
+    return ConvertFace(TopoDS::Face(face.Shape), face.Range, scale, surface);
   }
   catch (const Standard_Failure& failure)
   {

@@ -4,6 +4,7 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_IGESEntity.hxx>
+#include <IGESGeom_BSplineSurface.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <Interface_InterfaceModel.hxx>
@@ -162,12 +163,47 @@ bool HasFace(const TopoDS_Shape& shape)
   return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_FACE).More();
 }
 
-/// Names of shapes, whatever their location.
-using NameMap = std::unordered_map<const TopoDS_TShape*, std::string>;
-
-NameMap CollectNames(const Handle(Transfer_TransientProcess) & process)
+/// What the file says of a shape, whatever its location.
+struct ShapeNote
 {
-  NameMap names;
+  std::string Name;
+  std::vector<double> Range;
+};
+using NoteMap = std::unordered_map<const TopoDS_TShape*, ShapeNote>;
+
+/**
+ * The starting and ending parameters of a B-spline surface (type 128), alone or within a trimmed
+ * one, which may be less than the range of its knots. OpenCASCADE does not look at them.
+ */
+std::vector<double> IgesRange(Handle(IGESData_IGESEntity) entity)
+{
+  if (auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(entity))
+  {
+    entity = trimmed->Surface();
+  }
+  auto spline = Handle(IGESGeom_BSplineSurface)::DownCast(entity);
+  if (spline.IsNull())
+  {
+    return std::vector<double>();
+  }
+  // The file has U(0), U(1), V(0), V(1). OpenCASCADE (7.6, and later) reads them in the order
+  // UMin, VMin, UMax, VMax, so they come under each other's names.
+  const double firstU = spline->UMin();
+  const double lastU = spline->VMin();
+  const double firstV = spline->UMax();
+  const double lastV = spline->VMax();
+  // Out of the knots' range, or empty: some programs write what they like here.
+  const bool sound = firstU >= spline->KnotU(0) &&
+    lastU <= spline->KnotU(spline->NbKnotsU() - 1 - 2 * spline->DegreeU()) &&
+    firstV >= spline->KnotV(0) &&
+    lastV <= spline->KnotV(spline->NbKnotsV() - 1 - 2 * spline->DegreeV()) && firstU < lastU &&
+    firstV < lastV;
+  return sound ? std::vector<double>{ firstU, lastU, firstV, lastV } : std::vector<double>();
+}
+
+NoteMap CollectNotes(const Handle(Transfer_TransientProcess) & process)
+{
+  NoteMap notes;
   // Products last: they are named only where the item itself is not.
   for (bool products : { false, true })
   {
@@ -182,26 +218,27 @@ NameMap CollectNames(const Handle(Transfer_TransientProcess) & process)
       }
       const auto iges = Handle(IGESData_IGESEntity)::DownCast(entity);
       const std::string name = iges.IsNull() ? StepName(entity) : IgesName(iges);
-      std::string& known = names[shape.TShape().get()];
-      if (known.empty())
+      ShapeNote& known = notes[shape.TShape().get()];
+      known.Name = known.Name.empty() ? name : known.Name;
+      if (!iges.IsNull() && known.Range.empty())
       {
-        known = name;
+        known.Range = IgesRange(iges);
       }
     }
   }
-  return names;
+  return notes;
 }
 
-void CollectFaces(const TopoDS_Shape& shape, const NameMap& names, const std::string& owner,
+void CollectFaces(const TopoDS_Shape& shape, const NoteMap& notes, const std::string& owner,
   TopTools_MapOfShape& seen, CADModel& model)
 {
-  auto found = names.find(shape.TShape().get());
-  const std::string name = found == names.end() ? std::string() : found->second;
+  auto found = notes.find(shape.TShape().get());
+  const ShapeNote note = found == notes.end() ? ShapeNote() : found->second;
   if (shape.ShapeType() == TopAbs_FACE)
   {
     if (seen.Add(shape))
     {
-      model.Faces.push_back(CADFace{ shape, name, owner });
+      model.Faces.push_back(CADFace{ shape, note.Name, owner, note.Range });
     }
     return;
   }
@@ -213,7 +250,7 @@ void CollectFaces(const TopoDS_Shape& shape, const NameMap& names, const std::st
   // TopoDS_Iterator puts the owner's location and orientation on what it owns.
   for (TopoDS_Iterator it(shape); it.More(); it.Next())
   {
-    CollectFaces(it.Value(), names, name.empty() ? owner : name, seen, model);
+    CollectFaces(it.Value(), notes, note.Name.empty() ? owner : note.Name, seen, model);
   }
 }
 
@@ -283,11 +320,11 @@ bool ReadCADModel(const std::string& path, CADFormat format, CADModel& model, st
 
   const Handle(Transfer_TransientProcess) process =
     reader.WS()->TransferReader()->TransientProcess();
-  const NameMap names = CollectNames(process);
+  const NoteMap notes = CollectNotes(process);
   TopTools_MapOfShape seen;
   for (int i = 1; i <= reader.NbShapes(); ++i)
   {
-    CollectFaces(reader.Shape(i), names, std::string(), seen, model);
+    CollectFaces(reader.Shape(i), notes, std::string(), seen, model);
   }
   model.Untransferred = CountUntransferred(reader, process);
   return true;

@@ -20,6 +20,9 @@ struct CADFace
   TopoDS_Shape Shape;    ///< a face, in millimetres, with its location and orientation
   std::string Name;      ///< the file's name for it, or empty
   std::string OwnerName; ///< the nearest named shell, body or product around it, or empty
+  /// Part of the surface's parameters u, u, v, v that the file restricts the face to, where
+  /// OpenCASCADE does not; empty: all of it.
+  std::vector<double> Range;
 };
 
 struct CADModel
