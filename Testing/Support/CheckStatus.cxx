@@ -157,6 +157,32 @@ void CheckStatuses(const Evidence& e, Report& report)
   CheckElementStatuses(e, report);
 }
 
+namespace
+{
+// The estimate takes the surface as plane within a tetrahedron; its error is the sagitta over
+// the element against the element's width across the surface.
+double ChordError(const Evidence& e, const std::array<Vec3, 8>& corners, int size)
+{
+  const Vec3 middle = PositionAt(corners, size, Vec3(1.0 / 3, 1.0 / 3, 0.5));
+  const double step = 1e-3 * e.Case.Input->Box.ElementSize;
+  Vec3 gradient;
+  for (int k = 0; k < 3; ++k)
+  {
+    gradient[k] =
+      e.Signed(middle + step * Vec3::Unit(k)) - e.Signed(middle - step * Vec3::Unit(k));
+  }
+  gradient.normalize();
+  double low = 1e300, high = -1e300, longest = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    low = std::min(low, gradient.dot(corners[i] - middle));
+    high = std::max(high, gradient.dot(corners[i] - middle));
+    longest = std::max(longest, (corners[i] - corners[0]).norm());
+  }
+  return longest * longest / (8 * e.Case.Cut->MinimumRadius * (high - low));
+}
+}
+
 void CheckFractions(const Evidence& e, Report& report, int maximumCells)
 {
   std::vector<Id> cut;
@@ -167,13 +193,6 @@ void CheckFractions(const Evidence& e, Report& report, int maximumCells)
       cut.push_back(c);
     }
   }
-  // The estimate takes the surface as plane within a tetrahedron: its sagitta is its error.
-  const double bend = 1.5 * e.Case.Input->Box.ElementSize / e.Case.Cut->MinimumRadius;
-  if (bend > 0.6)
-  {
-    return;
-  }
-  const double limit = 0.03 + 0.2 * bend;
   const std::size_t stride = std::max<std::size_t>(1, cut.size() / maximumCells);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(0, 1);
@@ -181,6 +200,11 @@ void CheckFractions(const Evidence& e, Report& report, int maximumCells)
   {
     const auto corners = e.In.Corners(cut[k]);
     const int size = e.In.Elements[cut[k]].Size;
+    const double limit = 0.03 + ChordError(e, corners, size);
+    if (limit > 0.25)
+    {
+      continue;
+    }
     double beyond = 0, all = 0;
     for (int i = 0; i < 1000; ++i)
     {

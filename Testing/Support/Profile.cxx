@@ -117,8 +117,14 @@ double SplineProfile::Roughly(const Vec2& p) const
   int where = 0;
   this->Nearest(p, 0, SampleCount + 1, 1, best, where);
   double distance = std::numeric_limits<double>::infinity();
-  for (int i = std::max(where - 1, 0); i < std::min(where + 1, SampleCount); ++i)
+  // The last two: on a closed curve the segments round the seam are neighbours.
+  for (int i : { where - 1, where, where == 0 ? SampleCount - 1 : -1,
+         where == SampleCount ? 0 : -1 })
   {
+    if (i < 0 || i >= SampleCount)
+    {
+      continue;
+    }
     const Vec2 a = this->Samples[i], d = this->Samples[i + 1] - a;
     const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
     const double here = (p - a - t * d).norm();
@@ -135,6 +141,18 @@ double SplineProfile::Signed(const Vec2& p) const
   double best = std::numeric_limits<double>::infinity();
   int where = 0;
   this->Nearest(p, 0, SampleCount + 1, 1, best, where);
+  const double here = this->Refined(p, where);
+  if (where != 0 && where != SampleCount)
+  {
+    return here;
+  }
+  // Closed curves: the foot may be beyond the seam.
+  const double there = this->Refined(p, SampleCount - where);
+  return std::abs(there) < std::abs(here) ? there : here;
+}
+
+double SplineProfile::Refined(const Vec2& p, int where) const
+{
   const double step = (this->Last - this->First) / SampleCount;
   double low = std::max(this->First, this->First + (where - 1.5) * step);
   double high = std::min(this->Last, this->First + (where + 1.5) * step);

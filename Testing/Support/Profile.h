@@ -78,6 +78,8 @@ private:
     Vec2 C, D1, D2;
   };
   Jet At(double t) const;
+  /// The closest point by Newton's method between the neighbours of a sample.
+  double Refined(const Vec2& p, int where) const;
   void Nearest(const Vec2& p, int first, int last, int node, double& best, int& where) const;
   void BuildBoxes(int first, int last, int node);
 
