@@ -89,6 +89,14 @@ double Facet::LeadsInto(int corner, const Vec3& direction) const
   return std::min(st[0] * u.norm(), st[1] * v.norm()) / length;
 }
 
+double Facet::LengthInEdges(int corner, const Vec3& move) const
+{
+  const Vec3& at = this->Corner[corner];
+  return LeastSquares(this->Corner[(corner + 1) % this->Count] - at,
+    this->Corner[(corner + this->Count - 1) % this->Count] - at, move)
+    .norm();
+}
+
 Vec3 Facet::NormalAt(int corner) const
 {
   const Vec3& at = this->Corner[corner];

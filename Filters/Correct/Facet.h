@@ -31,6 +31,9 @@ public:
    */
   double LeadsInto(int corner, const Vec3& direction) const;
 
+  /// Length of a move from a corner, measured in the facet's edges there.
+  double LengthInEdges(int corner, const Vec3& move) const;
+
   /// Unit normal at a corner.
   Vec3 NormalAt(int corner) const;
 

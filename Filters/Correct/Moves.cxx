@@ -10,6 +10,11 @@ namespace trim
 namespace
 {
 
+/// Projections shorter than this many elements are never questioned.
+constexpr double LongProjection = 0.75;
+/// How many times longer than a slide a projection has to be to give way to it.
+constexpr double MuchLonger = 1.5;
+
 /// One edge direction of a pillar: where it leads and what it would cost.
 struct Direction
 {
@@ -59,6 +64,41 @@ void SlidePillar(const Band& band, const Columns& columns, const NodeMover& move
   }
 }
 
+/// The longest move of a pillar, in elements.
+double LongestMove(const std::map<int, NodeMove>& found)
+{
+  double longest = 0.0;
+  for (const auto& move : found)
+  {
+    longest = std::max(longest, move.second.Elements);
+  }
+  return longest;
+}
+
+/**
+ * Type II. In stretched elements the way straight to the surface may lead past the next nodes,
+ * which folds the mesh, where the edges show a shorter way, counted in elements: then it is taken.
+ */
+void ProjectPillar(const Band& band, const Columns& columns, const NodeMover& mover,
+  const std::vector<int>& nodes, bool maySlide, std::map<int, NodeMove>& result)
+{
+  for (const int node : nodes)
+  {
+    result[node] = mover.Project(node);
+  }
+  const double length = LongestMove(result);
+  if (!maySlide || length < LongProjection)
+  {
+    return;
+  }
+  std::map<int, NodeMove> slid;
+  SlidePillar(band, columns, mover, nodes, slid);
+  if (length > MuchLonger * LongestMove(slid))
+  {
+    result = std::move(slid);
+  }
+}
+
 }
 
 Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover,
@@ -100,14 +140,19 @@ Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover
       {
         SlidePillar(band, columns, mover, nodes, found);
       }
+      if (!slide)
+      {
+        ProjectPillar(band, columns, mover, nodes, chosen == CorrectionChoice::AsAsked, found);
+      }
       for (const int node : nodes)
       {
-        const NodeMove move = slide ? found[node] : mover.Project(node);
+        const NodeMove& move = found[node];
         moves.Failed[node] = !move.Found;
         if (move.Found)
         {
           moves.Position[node] = AsStored(band, move.Target);
-          moves.Applied[node] = move.By;
+          moves.Applied[node] =
+            moves.Position[node] != band.Point[node] ? move.By : Correction::None;
         }
       }
     }

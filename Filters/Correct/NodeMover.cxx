@@ -177,8 +177,11 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
       faces.push_back(f);
     }
   }
-  move.Found = this->Meet(node, faces, p2, n, planeNormal, move.Target);
+  move.Found = this->Meet(node, faces, p2, n, planeNormal, move);
   move.By = Correction::Project;
+  const auto& into = this->TheBand.Faces[bestFace];
+  move.Elements =
+    Facet(this->TheBand, into).LengthInEdges(CornerOf(into, node), move.Target - n);
   return move;
 }
 
@@ -191,7 +194,7 @@ NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNorm
   if (constraint.Kind == ConstraintKind::Faces)
   {
     move.Found =
-      this->Meet(node, constraint.Faces, through, through, planeNormal, move.Target);
+      this->Meet(node, constraint.Faces, through, through, planeNormal, move);
   }
   else if (constraint.Kind == ConstraintKind::Free)
   {
@@ -262,8 +265,9 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
 }
 
 bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
-  const Vec3& planePoint, const Vec3& planeNormal, Vec3& meeting) const
+  const Vec3& planePoint, const Vec3& planeNormal, NodeMove& move) const
 {
+  Vec3& meeting = move.Target;
   double outside = 0.0;
   if (!this->MeetFacet(faces.front(), guess, planePoint, planeNormal, meeting, outside))
   {
@@ -290,16 +294,15 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
     {
       return false; // beyond the border of the skin
     }
+    tried.push_back(next);
     if (nearest <= 0.1 * this->Precision)
     {
       outside = 0.0; // it lies in that facet already
-      break;
     }
-    if (!this->MeetFacet(next, meeting, planePoint, planeNormal, meeting, outside))
+    else if (!this->MeetFacet(next, meeting, planePoint, planeNormal, meeting, outside))
     {
       return false;
     }
-    tried.push_back(next);
   }
   return outside <= InsideSlack &&
     (meeting - this->TheBand.Point[node]).norm() <= this->Reach(node);
@@ -346,6 +349,7 @@ NodeMove NodeMover::SlideAlong(int node, int edge) const
     move.Found = true;
     move.Target = hits.front().Point;
     move.By = Correction::Slide;
+    move.Elements = hits.front().K;
   }
   return move;
 }

@@ -26,6 +26,7 @@ struct NodeMove
   bool Found = false;
   Vec3 Target = Vec3::Zero();
   Correction By = Correction::None;
+  double Elements = 0; ///< length of the move in edges of the face it leads into
 };
 
 class NodeMover
@@ -60,9 +61,10 @@ public:
 private:
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   NodeMove ProjectOnFaces(int node, const NodeConstraint& constraint) const;
-  /// The meeting point of the surface, a facet (the one it lies in) and a plane, from a guess.
+  /// The meeting point of the surface, a facet (the one it lies in) and a plane, from a guess;
+  /// sets Target.
   bool Meet(int node, const std::vector<int>& faces, const Vec3& guess, const Vec3& planePoint,
-    const Vec3& planeNormal, Vec3& meeting) const;
+    const Vec3& planeNormal, NodeMove& move) const;
   bool MeetFacet(int face, const Vec3& guess, const Vec3& planePoint, const Vec3& planeNormal,
     Vec3& meeting, double& outside) const;
   std::vector<int> FacesAround(const std::vector<int>& faces) const;

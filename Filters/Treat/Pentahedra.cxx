@@ -189,12 +189,21 @@ bool AnyLayer(const Band& band, const std::vector<ExposedEdge>& edges, const Mov
   return false;
 }
 
+/// True if one of the nodes must not be touched (in a block each has a choice of its own).
+bool IsLeft(const Band& band, const Columns& columns, const std::vector<ExposedEdge>& edges,
+  const std::vector<TreatmentChoice>& choice)
+{
+  return std::any_of(edges.begin(), edges.end(), [&](const ExposedEdge& edge) {
+    const auto& element = band.Elements[edge.Element];
+    return choice[columns.Pillar[CornerAt(element, edge, 0).A]] == TreatmentChoice::LeaveCorner ||
+      choice[columns.Pillar[CornerAt(element, edge, 1).A]] == TreatmentChoice::LeaveCorner;
+  });
+}
+
 Optimization Resolve(Optimization asked, TreatmentChoice choice)
 {
   switch (choice)
   {
-    case TreatmentChoice::LeaveCorner:
-      return Optimization::None;
     case TreatmentChoice::Distribute:
       return Optimization::Distribute;
     case TreatmentChoice::Degenerate:
@@ -224,7 +233,8 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
       band, edges, moves, [](const CornerShape& shape) { return !IsCorner(shape); });
     const bool twice = std::any_of(edges.begin(), edges.end(),
       [&](const ExposedEdge& edge) { return isWedge[edge.Element] != 0; });
-    if (twice || (!straight && choice[pillar.first] == TreatmentChoice::AsAsked))
+    const bool left = IsLeft(band, columns, edges, choice);
+    if (twice || left || (!straight && choice[pillar.first] == TreatmentChoice::AsAsked))
     {
       continue;
     }

@@ -160,11 +160,12 @@ private:
   std::vector<int> FindInvalid(const TrimmedBand& trimmed) const
   {
     const int count = this->TheBand.NumberOfElements();
+    const std::vector<char> coincides = this->FindCoincidentNodes(trimmed);
     std::vector<char> invalid(count, 0);
     vtkSMPTools::For(0, count, 256, [&](Id begin, Id end) {
       for (Id e = begin; e < end; ++e)
       {
-        invalid[e] = trimmed.Kept[e] && this->IsSpoiled(trimmed, static_cast<int>(e));
+        invalid[e] = trimmed.Kept[e] && this->IsSpoiled(trimmed, static_cast<int>(e), coincides);
       }
     });
     std::vector<int> list;
@@ -178,12 +179,59 @@ private:
     return list;
   }
 
-  bool IsSpoiled(const TrimmedBand& trimmed, int e) const
+  /// Moved nodes that came to lie on the other end of a mesh edge, though no kept element need
+  /// have both: the parts of the new boundary would touch.
+  std::vector<char> FindCoincidentNodes(const TrimmedBand& trimmed) const
+  {
+    std::vector<int> users(this->TheBand.NumberOfNodes(), 0);
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    {
+      if (trimmed.Kept[e])
+      {
+        const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+        for (int i = 0; i < final.Count; ++i)
+        {
+          ++users[final.Node[i]];
+        }
+      }
+    }
+    std::vector<char> coincides(this->TheBand.NumberOfNodes(), 0);
+    const auto& moves = trimmed.NodeMoves;
+    for (const auto& edge : this->TheBand.Edges)
+    {
+      const int a = edge.First;
+      const int b = edge.Second;
+      if (users[a] == 0 || users[b] == 0 ||
+        (moves.Applied[a] == Correction::None && moves.Applied[b] == Correction::None))
+      {
+        continue;
+      }
+      const double before = (this->TheBand.Point[a] - this->TheBand.Point[b]).norm();
+      const double after = (moves.Position[a] - moves.Position[b]).norm();
+      if (after < SmallestDistanceShare * before)
+      {
+        // The one that fewer elements need has to give way.
+        const bool aGives = moves.Applied[b] == Correction::None ||
+          (moves.Applied[a] != Correction::None && users[a] <= users[b]);
+        coincides[aGives ? a : b] = 1;
+      }
+    }
+    return coincides;
+  }
+
+  bool IsSpoiled(const TrimmedBand& trimmed, int e, const std::vector<char>& coincides) const
   {
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
     if (!final.Touched)
     {
       return false;
+    }
+    for (int i = 0; i < final.Count; ++i)
+    {
+      if (coincides[final.Node[i]])
+      {
+        return true;
+      }
     }
     const auto& element = this->TheBand.Elements[e];
     ElementPoints before;
