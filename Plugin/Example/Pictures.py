@@ -17,7 +17,7 @@ EDGE_COLOR = [0.25, 0.30, 0.35]
 FINE_EDGE_COLOR = [0.50, 0.56, 0.62]  # where an element is only a few pixels wide
 
 # Places: x, y and half the height of the picture, in millimetres.
-WHOLE_SHEET = (800, 510, 620)
+WHOLE_SHEET = (800, 530, 660)
 REAR_OF_ROOF = (1235, 965, 75)
 PILLAR_FOOT = (1395, 675, 60)
 FRONT_DOOR_TOP = (660, 890, 60)
