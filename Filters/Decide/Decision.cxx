@@ -1,6 +1,7 @@
 #include "Decision.h"
 
 #include "EliminatedFraction.h"
+#include "Jacobian.h"
 #include "Manifold.h"
 #include "Status.h"
 
@@ -20,19 +21,6 @@ namespace
 constexpr double CollapsedShare = 0.2;
 /// Sweeps of mending; in the later half elements are only eliminated, so that it ends.
 constexpr int MendingSweeps = 20;
-
-double VolumeOf(const std::array<Vec3, 8>& p, int count)
-{
-  const auto tetrahedron = [&p](int a, int b, int c, int d) {
-    return (p[b] - p[a]).cross(p[c] - p[a]).dot(p[d] - p[a]) / 6.0;
-  };
-  if (count == 6)
-  {
-    return tetrahedron(0, 1, 2, 5) + tetrahedron(0, 1, 5, 4) + tetrahedron(0, 4, 5, 3);
-  }
-  return tetrahedron(0, 1, 2, 6) + tetrahedron(0, 2, 3, 6) + tetrahedron(0, 3, 7, 6) +
-    tetrahedron(0, 7, 4, 6) + tetrahedron(0, 4, 5, 6) + tetrahedron(0, 5, 1, 6);
-}
 
 /// The working state of one decision.
 class Mender
@@ -177,8 +165,8 @@ private:
 
   bool Collapses(const BandElement& element) const
   {
-    std::array<Vec3, 8> before;
-    std::array<Vec3, 8> after;
+    ElementPoints before;
+    ElementPoints after;
     for (int i = 0; i < element.Count; ++i)
     {
       before[i] = this->TheBand.Point[element.Node[i]];

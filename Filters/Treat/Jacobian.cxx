@@ -131,16 +131,13 @@ double SmallestCorner(const ElementPoints& p, const int (&corners)[N][3])
 
 }
 
-JacobianRange MeasureJacobian(const ElementPoints& points, int count)
+namespace
 {
-  JacobianRange range;
-  range.IntegrationPoint = std::numeric_limits<double>::infinity();
-  int samples = 0;
-  const auto take = [&](double value) {
-    range.IntegrationPoint = std::min(range.IntegrationPoint, value);
-    range.Mean += value;
-    ++samples;
-  };
+
+/// Calls take(value) with the determinant at each integration point; returns their number.
+template <typename Take>
+int ForIntegrationPoints(const ElementPoints& points, int count, const Take& take)
+{
   const double gauss[2] = { 0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0) };
   if (count == 8)
   {
@@ -148,19 +145,38 @@ JacobianRange MeasureJacobian(const ElementPoints& points, int count)
     {
       take(HexahedronAt(points, gauss[i & 1], gauss[(i >> 1) & 1], gauss[i >> 2]));
     }
-    range.Bezier = SmallestHexahedronCoefficient(points);
+    return 8;
   }
-  else
+  for (int i = 0; i < 6; ++i)
   {
-    for (int i = 0; i < 6; ++i)
-    {
-      take(WedgeAt(points, i % 3 == 1 ? 2.0 / 3.0 : 1.0 / 6.0,
-        i % 3 == 2 ? 2.0 / 3.0 : 1.0 / 6.0, gauss[i / 3]));
-    }
-    range.Bezier = SmallestWedgeCoefficient(points);
+    take(WedgeAt(points, i % 3 == 1 ? 2.0 / 3.0 : 1.0 / 6.0, i % 3 == 2 ? 2.0 / 3.0 : 1.0 / 6.0,
+      gauss[i / 3]));
   }
+  return 6;
+}
+
+}
+
+JacobianRange MeasureJacobian(const ElementPoints& points, int count)
+{
+  JacobianRange range;
+  range.IntegrationPoint = std::numeric_limits<double>::infinity();
+  const int samples = ForIntegrationPoints(points, count, [&range](double value) {
+    range.IntegrationPoint = std::min(range.IntegrationPoint, value);
+    range.Mean += value;
+  });
   range.Mean /= samples;
+  range.Bezier =
+    count == 8 ? SmallestHexahedronCoefficient(points) : SmallestWedgeCoefficient(points);
   return range;
+}
+
+double VolumeOf(const ElementPoints& points, int count)
+{
+  double sum = 0.0;
+  const int samples =
+    ForIntegrationPoints(points, count, [&sum](double value) { sum += value; });
+  return sum / samples * (count == 8 ? 1.0 : 0.5);
 }
 
 double ScaledJacobian(const ElementPoints& p, int count)

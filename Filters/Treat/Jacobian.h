@@ -31,6 +31,9 @@ struct JacobianRange
 /// All three of one element of `count` (8 or 6) nodes in VTK's order.
 JacobianRange MeasureJacobian(const ElementPoints& points, int count);
 
+/// Volume: the integral of the Jacobian, which the integration points give exactly.
+double VolumeOf(const ElementPoints& points, int count);
+
 /**
  * Verdict's scaled Jacobian: the smallest determinant of unit edge vectors over the corners,
  * for hexahedra also over the centre's; for wedges scaled so that the ideal one has 1.

@@ -16,6 +16,8 @@ constexpr double SmallestJacobian = 1e-6;
 constexpr double JacobianRounding = 1e-9;
 /// Two nodes nearer than this share of the element's shortest edge have become one.
 constexpr double SmallestDistanceShare = 1e-3;
+/// An element with less of its volume left has collapsed.
+constexpr double SmallestVolumeShare = 0.01;
 constexpr int LongestClimb = 40;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
@@ -243,7 +245,9 @@ private:
     {
       return false; // it came like this
     }
-    return !IsValid(final.Points, final.Count, this->Options.Treatment) ||
+    return VolumeOf(final.Points, final.Count) <
+      SmallestVolumeShare * VolumeOf(before, element.Count) ||
+      !IsValid(final.Points, final.Count, this->Options.Treatment) ||
       ShortestDistance(final.Points, final.Count) <
       SmallestDistanceShare * ShortestDistance(before, element.Count);
   }

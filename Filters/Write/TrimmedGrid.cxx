@@ -230,12 +230,6 @@ ElementPoints PointsOfKept(const HexMesh& mesh, const TrimResult& result, const 
   return points;
 }
 
-/// Volume of an element: the mean of the Jacobian over the integration points, which is exact.
-double ElementVolume(const ElementPoints& points, int count)
-{
-  return MeasureJacobian(points, count).Mean * (count == 8 ? 1.0 : 0.5);
-}
-
 /// ScaledJacobian of touched elements, and what the summary says of quality and volume.
 void AddQuality(const HexMesh& mesh, const TrimResult& result, const KeptMesh& kept,
   bool allElements, Summary& summary, vtkUnstructuredGrid* output)
@@ -255,7 +249,7 @@ void AddQuality(const HexMesh& mesh, const TrimResult& result, const KeptMesh& k
         FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]).Touched;
       values[i] = touched || allElements ? static_cast<float>(ScaledJacobian(points, nodes))
                                          : std::numeric_limits<float>::quiet_NaN();
-      volume[i] = std::abs(ElementVolume(points, nodes));
+      volume[i] = std::abs(VolumeOf(points, nodes));
     }
   });
   summary.Volume = std::accumulate(volume.begin(), volume.end(), 0.0);
