@@ -355,53 +355,42 @@ private:
         links.emplace(link.back(), &link);
       }
     }
-    auto remove = [&links](int end, const Chain* link)
+    auto take = [&links](const Chain* link)
     {
-      auto range = links.equal_range(end);
-      auto found = std::find_if(
-        range.first, range.second, [link](const auto& entry) { return entry.second == link; });
-      if (found != range.second)
+      for (int end : { link->front(), link->back() })
       {
+        auto range = links.equal_range(end);
+        auto found = std::find_if(
+          range.first, range.second, [link](const auto& entry) { return entry.second == link; });
+        if (found == range.second)
+        {
+          return false;
+        }
         links.erase(found);
       }
+      return true;
     };
-    while (!links.empty())
+    // Every piece has an arc; run along the arc's direction it is counter-clockwise.
+    for (const Chain& arc : arcs)
     {
-      const int start = links.begin()->first;
-      std::vector<int> piece;
-      int end = start;
-      do
+      if (!take(&arc))
       {
-        auto next = links.find(end);
-        if (next == links.end())
-        {
-          break;
-        }
+        continue;
+      }
+      std::vector<int> piece(arc.begin(), arc.end() - 1);
+      int end = arc.back();
+      for (auto next = links.find(end); end != arc.front() && next != links.end();
+           next = links.find(end))
+      {
         const Chain* link = next->second;
         const bool forward = link->front() == end;
-        remove(link->front(), link);
-        remove(link->back(), link);
+        take(link);
         forward ? piece.insert(piece.end(), link->begin(), link->end() - 1)
                 : piece.insert(piece.end(), link->rbegin(), link->rend() - 1);
         end = forward ? link->back() : link->front();
-      } while (end != start);
-      this->AddPiece(piece);
+      }
+      TriangulatePolygon(this->Result.Points, piece, this->Result.Polygons);
     }
-  }
-
-  void AddPiece(std::vector<int>& piece)
-  {
-    const std::vector<Vec2>& points = this->Result.Points;
-    double area = 0.0;
-    for (size_t k = 1; k + 1 < piece.size(); ++k)
-    {
-      area += Cross(points[piece[0]], points[piece[k]], points[piece[k + 1]]);
-    }
-    if (area < 0.0)
-    {
-      std::reverse(piece.begin(), piece.end());
-    }
-    TriangulatePolygon(points, piece, this->Result.Polygons);
   }
 
   std::vector<double> Lines[2];

@@ -1,0 +1,254 @@
+/**
+ * Files that are missing, broken or empty of surfaces: each is one error that names the file,
+ * with an empty output, and nothing else is printed.
+ */
+#include "IgesText.h"
+#include "ReadTesting.h"
+
+#include "vtkCADSurfaceReader.h"
+#include "vtkMultiBlockDataSet.h"
+
+#include <cstdio>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace
+{
+/// Collects what is written to stdout and stderr while it lives.
+class OutputCapture
+{
+public:
+  OutputCapture()
+    : Path(OutputPath("printed.txt"))
+  {
+    this->Flush();
+    const int file = open(this->Path.c_str(), O_CREAT | O_TRUNC | O_RDWR, 0600);
+    for (int stream : { 1, 2 })
+    {
+      this->Saved[stream - 1] = dup(stream);
+      dup2(file, stream);
+    }
+    close(file);
+  }
+  ~OutputCapture() { this->Finish(); }
+
+  std::string Finish()
+  {
+    this->Flush();
+    for (int stream : { 1, 2 })
+    {
+      if (this->Saved[stream - 1] >= 0)
+      {
+        dup2(this->Saved[stream - 1], stream);
+        close(this->Saved[stream - 1]);
+        this->Saved[stream - 1] = -1;
+      }
+    }
+    return ReadText(this->Path);
+  }
+
+private:
+  void Flush()
+  {
+    std::fflush(nullptr);
+    std::cout.flush();
+    std::cerr.flush();
+  }
+  std::string Path;
+  int Saved[2] = { -1, -1 };
+};
+
+void CheckError(const std::string& path, const std::string& part)
+{
+  OutputCapture capture;
+  const ReadResult result = ReadFile(path);
+  const std::string printed = capture.Finish();
+  CHECK(result.Errors.size() == 1, path << ": " << result.Errors.size() << " errors");
+  CHECK(result.Warnings.empty(), path << ": " << result.Warnings.size() << " warnings");
+  CHECK(result.Output->GetNumberOfBlocks() == 0, path << ": the output is not empty");
+  CHECK(printed.empty(), path << ": prints " << printed.substr(0, 300));
+  if (!result.Errors.empty())
+  {
+    const std::string& error = result.Errors[0];
+    CHECK(error.find(part) != std::string::npos, path << ": no \"" << part << "\" in " << error);
+    CHECK(error.find(path) != std::string::npos, path << " is not named in " << error);
+    // VTK puts two line ends behind the message, and one before it.
+    const size_t colon = error.find("): ");
+    CHECK(error.find('\n', colon) + 2 >= error.size(), path << ": more than one line: " << error);
+  }
+}
+
+IgesText Curves()
+{
+  IgesText iges;
+  iges.Add(110, "0.,0.,0.,10.,0.,0.");
+  iges.Add(100, "0.,0.,0.,5.,0.,0.,5.");
+  return iges;
+}
+
+/// A file in the output directory with this content.
+std::string File(const std::string& name, const std::string& text)
+{
+  const std::string path = OutputPath(name);
+  WriteText(path, text);
+  return path;
+}
+
+void TestNoFile()
+{
+  CheckError(OutputPath("missing.igs"), "cannot be found");
+  CheckError(OutputPath(""), "is a directory");
+  CheckError(File("empty.igs", ""), "is empty");
+  CheckError(File("empty.step", ""), "is empty");
+  CheckError("/dev/null", "is no ordinary file");
+  const std::string secret = File("secret.igs", Curves().Text());
+  chmod(secret.c_str(), 0);
+  if (access(secret.c_str(), R_OK) != 0)
+  {
+    CheckError(secret, "cannot be opened");
+  }
+  chmod(secret.c_str(), 0600);
+
+  vtkNew<vtkCADSurfaceReader> reader;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(reader);
+  reader->Update();
+  CHECK(capture->Errors.size() == 1, "without a name: " << capture->Errors.size() << " errors");
+}
+
+void TestOtherContent()
+{
+  const std::string neither = "neither IGES nor STEP";
+  CheckError(File("text.igs", "solid\nfacet normal 0 0 1\n"), neither);
+  CheckError(File("text.step", "x"), neither);
+  CheckError(File("zeros.stp", std::string(100000, '\0')), neither);
+  CheckError(File("blank.igs", std::string(1000, ' ')), neither);
+  CheckError(File("stl.step", "<?xml version=\"1.0\"?>\n<VTKFile/>\n"), neither);
+  std::string noise;
+  unsigned int state = 1;
+  for (int i = 0; i < 50000; ++i)
+  {
+    state = state * 1664525u + 1013904223u;
+    noise.push_back(static_cast<char>(state >> 24));
+  }
+  CheckError(File("noise.igs", noise), neither);
+}
+
+/// Cut after every tenth line, and within lines.
+void TestTruncated()
+{
+  for (const char* name : { "RearDoor.igs", "SidePanelOuter.igs" })
+  {
+    const std::string text = ReadText(std::string(EXAMPLE_DATA) + "/" + name);
+    for (size_t length = 81; length + 81 < text.size(); length += 810)
+    {
+      CheckError(File("cut.igs", text.substr(0, length)), "is cut short");
+      CheckError(File("cut.igs", text.substr(0, length + 37)), "is cut short");
+    }
+  }
+  // A gap in the middle: fewer lines than the last one promises.
+  const std::string text = ReadText(std::string(EXAMPLE_DATA) + "/RearDoor.igs");
+  CheckError(File("gap.igs", text.substr(0, 81 * 80) + text.substr(81 * 83)), "is cut short");
+  const std::string step = ReadText(std::string(READ_TEST_FILES) + "/solvespace-plate.step");
+  for (size_t length : { size_t(20), size_t(500), step.size() / 2, step.size() - 30 })
+  {
+    CheckError(File("cut.step", step.substr(0, length)), "is cut short");
+  }
+}
+
+void TestNoSurface()
+{
+  const std::string curves = OutputPath("curves.igs");
+  Curves().Write(curves);
+  CheckError(curves, "holds curves but no surface");
+  CheckError(File("nothing.igs", IgesText().Text()), "");
+  CheckError(File("nothing.step",
+               "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+               "FILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\n"
+               "ENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"),
+    "");
+  CheckError(File("garbage.step", "ISO-10303-21;\nHEADER;\n@@@((((;\nEND-ISO-10303-21;\n"), "");
+  // A spline whose numbers make no sense.
+  IgesText broken;
+  broken.Add(128, "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.");
+  CheckError(File("broken.igs", broken.Text()), "");
+  IgesText compressed;
+  std::string text = compressed.Text();
+  text[72] = 'C';
+  CheckError(File("compressed.igs", text), "compressed or binary");
+}
+
+void TestCanReadFile()
+{
+  auto canRead = [](const std::string& path)
+  { return vtkCADSurfaceReader::CanReadFile(path.c_str()); };
+  CHECK(canRead(std::string(EXAMPLE_DATA) + "/RearDoor.igs") == 1, "IGES");
+  CHECK(canRead(std::string(READ_TEST_FILES) + "/solvespace-plate.step") == 1, "STEP");
+  // By content, not by name.
+  CHECK(canRead(File("misnamed.txt", Curves().Text())) == 1, "misnamed");
+  CHECK(canRead(File("text.igs", "solid\n")) == 0, "text");
+  CHECK(canRead(OutputPath("missing.igs")) == 0, "missing");
+  CHECK(canRead(OutputPath("")) == 0, "directory");
+  CHECK(vtkCADSurfaceReader::CanReadFile(nullptr) == 0, "null");
+}
+
+/// After an error the same reader reads a good file, and line ends do not matter.
+void TestRecovery()
+{
+  vtkNew<vtkCADSurfaceReader> reader;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(reader);
+  reader->SetFileName(OutputPath("missing.igs").c_str());
+  reader->Update();
+  std::string text = ReadText(std::string(EXAMPLE_DATA) + "/RearDoor.igs");
+  for (size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+  {
+    text.insert(at, 1, '\r');
+  }
+  reader->SetFileName(File("dos.igs", text).c_str());
+  reader->Update();
+  CHECK(capture->Errors.size() == 1, capture->Errors.size() << " errors");
+  CHECK(reader->GetOutput()->GetNumberOfBlocks() == 12, "faces");
+  reader->SetFileName(OutputPath("missing.igs").c_str());
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0, "old faces stay after an error");
+}
+
+/// Aborting leaves the output empty, without an error.
+void TestAbort()
+{
+  vtkNew<vtkCADSurfaceReader> reader;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(reader);
+  struct AbortAtProgress : public vtkCommand
+  {
+    static AbortAtProgress* New() { return new AbortAtProgress; }
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+      ++this->Calls;
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+    int Calls = 0;
+  };
+  vtkNew<AbortAtProgress> abort;
+  reader->AddObserver(vtkCommand::ProgressEvent, abort);
+  reader->SetFileName((std::string(EXAMPLE_DATA) + "/RearDoor.igs").c_str());
+  reader->Update();
+  CHECK(abort->Calls > 0, "no progress");
+  CHECK(capture->Errors.empty(), "an error on abort");
+  CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0, "output after abort");
+}
+}
+
+int main()
+{
+  TestNoFile();
+  TestOtherContent();
+  TestTruncated();
+  TestNoSurface();
+  TestCanReadFile();
+  TestRecovery();
+  TestAbort();
+  return Failures != 0;
+}
