@@ -37,13 +37,8 @@ public:
 
   SurfacePoint Best;
 
-  void TryGuess(const SurfacePoint& guess)
-  {
-    const BezierPatch& patch = this->Model.Patches[guess.Patch];
-    const LeafDomain whole{ 0, 1, 0, 1 };
-    this->Consider(guess.Patch,
-      InvertPoint(patch, this->Model.Net(patch), this->P, guess.S, guess.T, whole), whole);
-  }
+  /// Newton from a point of the surface, on into the next patch where it leaves one.
+  void Walk(int patch, double s, double t);
 
   void Run();
 
@@ -86,8 +81,41 @@ private:
   double Bound = 0; ///< squared
   static constexpr int MaximumBoxes = 50000; ///< beyond it the best found so far stands
   int Boxes = 0;
+  bool Walked = false;
   LeafDomain BestDomain{ 0, 0, 0, 0 };
 };
+
+void ClosestPointSearch::Walk(int index, double s, double t)
+{
+  constexpr int MaximumPatches = 8;
+  this->Walked = true;
+  const LeafDomain whole{ 0, 1, 0, 1 };
+  for (int k = 0; k < MaximumPatches; ++k)
+  {
+    const BezierPatch& patch = this->Model.Patches[index];
+    const LocalFoot foot = InvertPoint(patch, this->Model.Net(patch), this->P, s, t, whole);
+    const bool nearer = foot.Squared < this->Best.Squared;
+    this->Consider(index, foot, whole);
+    if (patch.Curve || !nearer)
+    {
+      return;
+    }
+    const int stepU = foot.S == 0 ? -1 : (foot.S == 1 ? 1 : 0);
+    const int stepV = foot.T == 0 ? -1 : (foot.T == 1 ? 1 : 0);
+    const FaceData& data = this->Model.Data[patch.Face];
+    const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
+    const int countV = static_cast<int>(data.SpansV.Breaks.size()) - 1;
+    const int i = (index - data.FirstPatch) % countU + stepU;
+    const int j = (index - data.FirstPatch) / countU + stepV;
+    if ((stepU == 0 && stepV == 0) || i < 0 || i >= countU || j < 0 || j >= countV)
+    {
+      return;
+    }
+    index = data.FirstPatch + j * countU + i;
+    s = stepU == 0 ? foot.S : 0.5 - 0.5 * stepU;
+    t = stepV == 0 ? foot.T : 0.5 - 0.5 * stepV;
+  }
+}
 
 void ClosestPointSearch::Run()
 {
@@ -146,18 +174,30 @@ void ClosestPointSearch::VisitLeaf(int index)
   const Vec4* net = this->Model.Net(patch);
   const LeafDomain domain = DomainOf(patch, index);
   const Vec3 d = this->P - leaf.Center;
-  const double distance = d.norm();
-  const bool certain = distance <= leaf.Reach;
+  const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
+  const double z = leaf.Z.cast<double>().dot(d);
+  const double squaredSide = x * x + (patch.Curve ? 0 : y * y);
+  const double squaredHeight = z * z + (patch.Curve ? y * y : 0);
+  const bool certain =
+    leaf.SideCost * std::sqrt(squaredSide) + leaf.HeightCost * std::sqrt(squaredHeight) < 1;
   if (certain && this->Best.Patch == leaf.Patch && this->BestIsMinimumOf(domain))
   {
     return; // a local minimum here is the only one
   }
-  const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
   const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
   const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
-  const LocalFoot foot = InvertPoint(patch, net, this->P, s, t, domain);
-  this->Consider(leaf.Patch, foot, domain);
-  if (!certain || !(foot.Squared <= static_cast<double>(leaf.Reach) * leaf.Reach))
+  if (!this->Walked && !patch.Curve)
+  {
+    // The first leaf is mostly beside the right one: a walk gives a bound that excludes the rest.
+    this->Walk(leaf.Patch, s, t);
+    if (SquaredDistanceToLeaf(leaf, this->P) > this->Bound ||
+      (certain && this->Best.Patch == leaf.Patch && this->BestIsMinimumOf(domain)))
+    {
+      return;
+    }
+  }
+  this->Consider(leaf.Patch, InvertPoint(patch, net, this->P, s, t, domain), domain);
+  if (!certain)
   {
     this->SearchLeaf(index);
   }
@@ -289,7 +329,7 @@ SurfacePoint FindClosestPoint(
   ClosestPointSearch search(model, p, maximumSquared);
   if (guess.Patch >= 0)
   {
-    search.TryGuess(guess);
+    search.Walk(guess.Patch, guess.S, guess.T);
   }
   search.Run();
   return search.Best;

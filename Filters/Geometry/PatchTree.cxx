@@ -18,139 +18,195 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf)
 namespace
 {
 
-/// Greatest first and second differences of a homogeneous net about a centre.
+/// Greatest first and second derivatives by the control net, about a centre.
 struct NetBounds
 {
   Vec3 MeanU = Vec3::Zero(), MeanV = Vec3::Zero();
   double DeviationU = 0, DeviationV = 0; ///< of the first derivative from its mean
+  double NormalU = 0, NormalV = 0;       ///< component of the first derivative along the normal
   double WeightU = 0, WeightV = 0;       ///< first derivative of the weight
   double SecondUU = 0, SecondUV = 0, SecondVV = 0;
+  double NormalUU = 0, NormalUV = 0, NormalVV = 0; ///< second derivatives along the normal
   double WeightUU = 0, WeightUV = 0, WeightVV = 0;
-  double Extent = 0, MaxWeight = 0;
+  double Extent = 0, NormalExtent = 0, MaxWeight = 0;
+  double Radius = 0; ///< of the Cartesian points
 };
 
-NetBounds BoundNet(int p, int q, const Vec4* net, const Vec3& center)
+/// Greatest lengths of the differences of a net; of three parts of them.
+struct DifferenceBounds
 {
-  const int nu = p + 1;
+  double Length = 0, Normal = 0, Weight = 0;
+  void Add(const Vec4& d, const Vec3& normal, const Vec3& mean)
+  {
+    const Vec3 x = d.head<3>() - mean;
+    this->Length = std::max(this->Length, x.squaredNorm());
+    this->Normal = std::max(this->Normal, std::abs(normal.dot(d.head<3>())));
+    this->Weight = std::max(this->Weight, std::abs(d.w()));
+  }
+  void Store(double factor, double& length, double& normal, double& weight) const
+  {
+    length = factor * std::sqrt(this->Length);
+    normal = factor * this->Normal;
+    weight = factor * this->Weight;
+  }
+};
+
+/// @param net about the centre; its mean derivatives and normal are found first.
+NetBounds BoundNet(int p, int q, const Vec4* net)
+{
+  const int nu = p + 1, nv = q + 1;
   NetBounds b;
-  const auto at = [&](int i, int j) -> Vec4
+  for (int j = 0; j < nv; ++j)
   {
-    Vec4 a = net[i + j * nu];
-    a.head<3>() -= a.w() * center;
-    return a;
-  };
-  const auto du = [&](int i, int j) -> Vec4 { return p * (at(i + 1, j) - at(i, j)); };
-  const auto dv = [&](int i, int j) -> Vec4 { return q * (at(i, j + 1) - at(i, j)); };
-  for (int j = 0; j <= q; ++j)
-  {
-    b.MeanU += (at(p, j) - at(0, j)).head<3>() / (q + 1);
+    b.MeanU += (net[p + j * nu] - net[j * nu]).head<3>() / nv;
   }
-  for (int i = 0; i <= p && q > 0; ++i)
+  for (int i = 0; i < nu && q > 0; ++i)
   {
-    b.MeanV += (at(i, q) - at(i, 0)).head<3>() / (p + 1);
+    b.MeanV += (net[i + q * nu] - net[i]).head<3>() / nu;
   }
-  const auto raise = [](double& bound, double value) { bound = std::max(bound, value); };
-  for (int j = 0; j <= q; ++j)
+  Vec3 normal = b.MeanU.cross(b.MeanV);
+  // A curve has no normal: all directions across it count, so the lengths themselves are used.
+  const double area = normal.norm();
+  normal = area > 0 ? Vec3(normal / area) : Vec3(Vec3::Zero());
+  const Vec3 zero = Vec3::Zero();
+  const Vec3 stepU = b.MeanU / std::max(p, 1), stepV = b.MeanV / std::max(q, 1);
+  DifferenceBounds points, u, v, uu, uv, vv;
+  Vec4 row[MaximumBezierDegree + 1]; // differences along v of the row above
+  for (int j = 0; j < nv; ++j)
   {
-    for (int i = 0; i <= p; ++i)
+    const Vec4* c = net + j * nu;
+    for (int i = 0; i < nu; ++i)
     {
-      const Vec4 a = at(i, j);
-      raise(b.Extent, a.head<3>().norm());
-      raise(b.MaxWeight, a.w());
+      points.Add(c[i], normal, zero);
+      b.MaxWeight = std::max(b.MaxWeight, c[i].w());
+      b.Radius = std::max(b.Radius, c[i].head<3>().squaredNorm() / (c[i].w() * c[i].w()));
       if (i < p)
       {
-        const Vec4 d = du(i, j);
-        raise(b.DeviationU, (d.head<3>() - b.MeanU).norm());
-        raise(b.WeightU, std::abs(d.w()));
-      }
-      if (j < q)
-      {
-        const Vec4 d = dv(i, j);
-        raise(b.DeviationV, (d.head<3>() - b.MeanV).norm());
-        raise(b.WeightV, std::abs(d.w()));
+        u.Add(c[i + 1] - c[i], normal, stepU);
       }
       if (i + 1 < p)
       {
-        const Vec4 d = (p - 1) * (du(i + 1, j) - du(i, j));
-        raise(b.SecondUU, d.head<3>().norm());
-        raise(b.WeightUU, std::abs(d.w()));
+        uu.Add(c[i + 2] - 2 * c[i + 1] + c[i], normal, zero);
       }
-      if (j + 1 < q)
+      if (j < q)
       {
-        const Vec4 d = (q - 1) * (dv(i, j + 1) - dv(i, j));
-        raise(b.SecondVV, d.head<3>().norm());
-        raise(b.WeightVV, std::abs(d.w()));
-      }
-      if (i < p && j < q)
-      {
-        const Vec4 d = q * (du(i, j + 1) - du(i, j));
-        raise(b.SecondUV, d.head<3>().norm());
-        raise(b.WeightUV, std::abs(d.w()));
+        const Vec4 d = c[i + nu] - c[i];
+        v.Add(d, normal, stepV);
+        if (j > 0)
+        {
+          vv.Add(d - row[i], normal, zero);
+        }
+        row[i] = d;
+        if (i > 0)
+        {
+          uv.Add(d - row[i - 1], normal, zero);
+        }
       }
     }
+  }
+  double unused;
+  points.Store(1, b.Extent, b.NormalExtent, unused);
+  b.Radius = std::sqrt(b.Radius);
+  u.Store(p, b.DeviationU, b.NormalU, b.WeightU);
+  v.Store(q, b.DeviationV, b.NormalV, b.WeightV);
+  uu.Store(p * (p - 1), b.SecondUU, b.NormalUU, b.WeightUU);
+  uv.Store(p * q, b.SecondUV, b.NormalUV, b.WeightUV);
+  vv.Store(q * (q - 1), b.SecondVV, b.NormalVV, b.WeightVV);
+  if (area == 0)
+  {
+    b.NormalU = b.DeviationU;
+    b.NormalUU = b.SecondUU;
+    b.NormalExtent = b.Extent;
   }
   return b;
 }
 
+/// Moves a net so that the centre is its origin.
+void CenterNet(const Vec3& center, int size, const Vec4* net, Vec4* centered)
+{
+  for (int k = 0; k < size; ++k)
+  {
+    centered[k] = net[k];
+    centered[k].head<3>() -= net[k].w() * center;
+  }
+}
+
 /**
- * Row norms of T = (J^T J)^(-1/2) for J = [MeanU MeanV]: with x = T y and |y| = 1 every step x
- * of unit length on the surface is reached. False if J has lost rank.
+ * Steps (s, t) = (Along y1 + Back y2, Across y2) with y of unit length reach every step of unit
+ * length on the plane of the mean derivatives (Gram-Schmidt); Back is an absolute value.
  */
-bool UnitSteps(const NetBounds& b, bool curve, double& stepU, double& stepV)
+struct UnitSteps
+{
+  double Along = 0, Back = 0, Across = 0;
+
+  /// Bound of a linear map whose columns have the lengths u and v.
+  double Linear(double u, double v) const
+  {
+    return std::hypot(this->Along * u, this->Across * v + this->Back * u);
+  }
+  /// Bound of a quadratic form whose entries are at most uu, uv, vv.
+  double Quadratic(double uu, double uv, double vv) const
+  {
+    const double a = this->Along * this->Along * uu;
+    const double b = this->Along * (this->Across * uv + this->Back * uu);
+    const double c = this->Across * this->Across * vv + 2 * this->Across * this->Back * uv +
+      this->Back * this->Back * uu;
+    return 0.5 * (a + c) + std::hypot(0.5 * (a - c), b);
+  }
+};
+
+/// False if the mean derivatives have lost rank.
+bool FindUnitSteps(const NetBounds& b, bool curve, UnitSteps& steps)
 {
   const double e = b.MeanU.squaredNorm(), g = b.MeanV.squaredNorm(), f = b.MeanU.dot(b.MeanV);
-  stepV = 0;
-  if (curve)
-  {
-    stepU = e > 0 ? 1.0 / std::sqrt(e) : 0;
-    return e > 0;
-  }
-  const double det = e * g - f * f;
-  if (!(det > 1e-12 * e * g) || !(det > 0))
+  if (!(e > 0))
   {
     return false;
   }
-  // Rows of any T with T T^T = (J^T J)^-1 have the norms of the diagonal of the inverse.
-  stepU = std::sqrt(g / det);
-  stepV = std::sqrt(e / det);
+  steps.Along = 1.0 / std::sqrt(e);
+  if (curve)
+  {
+    return true;
+  }
+  const double across = g - f * f / e;
+  if (!(across > 1e-12 * g))
+  {
+    return false;
+  }
+  steps.Across = 1.0 / std::sqrt(across);
+  steps.Back = std::abs(f) / e * steps.Across;
   return true;
 }
 
 /**
- * Largest r such that F(s, t) = |A - w P|^2 - d^2 w^2 is convex over the leaf for all |P| <= r,
- * d <= r, with A the homogeneous net about the leaf's centre. Then {S : |S - P| <= d} is a
- * convex set of parameters, so a point of the leaf that fulfils the Kuhn-Tucker conditions is
- * its closest point.
+ * When F(s, t) = |A - w P|^2 - d^2 w^2 is convex over the leaf, for every d that occurs on it; A is
+ * the homogeneous net about the leaf's centre. Then {S : |S - P| <= d} is a convex set of
+ * parameters, so a point of the leaf that fulfils the Kuhn-Tucker conditions is its closest
+ * point. With subscripts for derivatives along a unit step,
+ *   F_uu / 2 = |A_u|^2 - 2 w_u A_u.P + A.A_uu - w_uu A.P - w A_uu.P + (w_u^2 + w w_uu)(P^2 - d^2)
+ * where |P^2 - d^2| <= 2 |P| R + R^2; each term is bounded by the net and is linear in the
+ * components of P across (side) and along the normal (height).
  */
-double ConvexReach(const NetBounds& b, double stepU, double stepV)
+void MeasureReach(const NetBounds& b, const UnitSteps& steps, Leaf& leaf)
 {
-  const double uu = stepU * stepU, uv = 2 * stepU * stepV, vv = stepV * stepV;
-  const double first = stepU * b.DeviationU + stepV * b.DeviationV;
-  const double second = uu * b.SecondUU + uv * b.SecondUV + vv * b.SecondVV;
-  const double weight = stepU * b.WeightU + stepV * b.WeightV;
-  const double weight2 = uu * b.WeightUU + uv * b.WeightUV + vv * b.WeightVV;
-  const auto convex = [&](double r)
+  const double first = steps.Linear(b.DeviationU, b.DeviationV);
+  const double firstNormal = steps.Linear(b.NormalU, b.NormalV);
+  const double second = steps.Quadratic(b.SecondUU, b.SecondUV, b.SecondVV);
+  const double secondNormal = steps.Quadratic(b.NormalUU, b.NormalUV, b.NormalVV);
+  const double weight = steps.Linear(b.WeightU, b.WeightV);
+  const double weight2 = steps.Quadratic(b.WeightUU, b.WeightUV, b.WeightVV);
+  const double w = b.MaxWeight, r = b.Radius;
+  const double twist = weight * weight + w * weight2;
+  const double fixed = 0.999 * ((1 - first) * (1 - first) - b.Extent * second - twist * r * r);
+  if (!(first < 1) || !(fixed > 0))
   {
-    const double slope = 1 - first - weight * r;
-    return slope > 0 &&
-      slope * slope > (b.Extent + b.MaxWeight * r) * (second + weight2 * r) +
-          r * r * (weight * weight + b.MaxWeight * weight2);
-  };
-  double low = 0, high = 1e6 * (b.Extent + 1e-300);
-  if (!convex(low))
-  {
-    return -1;
+    return;
   }
-  if (convex(high))
-  {
-    return high;
-  }
-  for (int i = 0; i < 60; ++i)
-  {
-    const double middle = i < 30 ? std::sqrt((low + 1e-9 * high) * high) : 0.5 * (low + high);
-    (convex(middle) ? low : high) = middle;
-  }
-  return 0.999 * low;
+  const double side = 2 * weight * (1 + first) + weight2 * b.Extent + w * second + 2 * twist * r;
+  const double height =
+    2 * weight * firstNormal + weight2 * b.NormalExtent + w * secondNormal + 2 * twist * r;
+  leaf.SideCost = static_cast<float>(side / fixed);
+  leaf.HeightCost = static_cast<float>(height / fixed);
 }
 
 }
@@ -158,9 +214,10 @@ double ConvexReach(const NetBounds& b, double stepU, double stepV)
 void ChooseGrid(const Vec4* net, BezierPatch& patch)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
-  const Vec3 center = BezierPoint(patch, net, 0.5, 0.5);
-  const NetBounds b = BoundNet(p, q, net, center);
-  const double radius = b.Extent / b.MaxWeight;
+  Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  CenterNet(BezierPoint(patch, net, 0.5, 0.5), (p + 1) * (q + 1), net, centered);
+  const NetBounds b = BoundNet(p, q, centered);
+  const double radius = b.Radius;
   // Lengths of the patch along s and t; a collapsed direction is not divided for its own sake.
   const double lengthU = std::max(b.MeanU.norm(), 1e-3 * b.Extent);
   const double lengthV = std::max(b.MeanV.norm(), 1e-3 * b.Extent);
@@ -168,7 +225,7 @@ void ChooseGrid(const Vec4* net, BezierPatch& patch)
     (b.SecondUV + radius * b.WeightUV) / lengthV;
   const double bendV = (b.SecondVV + radius * b.WeightVV) / lengthV +
     (b.SecondUV + radius * b.WeightUV) / lengthU;
-  constexpr double Flat = 0.15;
+  constexpr double Flat = 0.25;
   constexpr int Finest = 16;
   const auto divisions = [=](double bend)
   { return std::clamp(static_cast<int>(std::ceil(std::min(bend / Flat, 1e3) - 1e-6)), 1, Finest); };
@@ -181,7 +238,9 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
 {
   const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
   leaf.Center = BezierPoint(patch, part, 0.5, 0.5);
-  const NetBounds b = BoundNet(p, q, part, leaf.Center);
+  Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  CenterNet(leaf.Center, size, part, centered);
+  const NetBounds b = BoundNet(p, q, centered);
 
   // Frame of the oriented box; for a curve or a collapsed leaf any frame will do.
   Vec3 x = b.MeanU, z = b.MeanU.cross(b.MeanV);
@@ -204,17 +263,16 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
 
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
   Vec3 boxLow = low, boxHigh = high;
-  double radius = 0;
+  const double radius = b.Radius;
   for (int k = 0; k < size; ++k)
   {
     const Vec3 point = part[k].head<3>() / part[k].w();
-    const Vec3 d = point - leaf.Center;
+    const Vec3 d = centered[k].head<3>() / part[k].w();
     const Vec3 local(x.dot(d), y.dot(d), z.dot(d));
     low = low.cwiseMin(local);
     high = high.cwiseMax(local);
     boxLow = boxLow.cwiseMin(point);
     boxHigh = boxHigh.cwiseMax(point);
-    radius = std::max(radius, d.norm());
   }
   // Outwards by more than the rounding of float axes and of the net.
   const double margin = 1e-6 * radius + 1e-15 * leaf.Center.cwiseAbs().maxCoeff();
@@ -229,18 +287,18 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   box.max() = (boxHigh.array() + boxMargin).matrix().cast<float>();
 
   const double sizeS = domain.S1 - domain.S0, sizeT = domain.T1 - domain.T0;
-  double stepU, stepV;
   std::fill(leaf.Inverse, leaf.Inverse + 4, 0.0f);
-  leaf.Reach = -1.0f;
+  leaf.SideCost = leaf.HeightCost = std::numeric_limits<float>::infinity();
   leaf.Deviation = 2.0f;
-  if (!UnitSteps(b, q == 0, stepU, stepV))
+  UnitSteps steps;
+  if (!FindUnitSteps(b, q == 0, steps))
   {
     return;
   }
-  leaf.Reach = static_cast<float>(ConvexReach(b, stepU, stepV));
-  leaf.Deviation = static_cast<float>(
-    std::min(2.0, stepU * (b.DeviationU + radius * b.WeightU) + stepV * (b.DeviationV + radius * b.WeightV)) +
-    1e-6);
+  MeasureReach(b, steps, leaf);
+  const double deviation = steps.Linear(
+    b.DeviationU + radius * b.WeightU, b.DeviationV + radius * b.WeightV);
+  leaf.Deviation = static_cast<float>(std::min(2.0, deviation + 1e-6));
   const double weight = part[size / 2].w(); // J0 holds derivatives of w S
   const double ux = x.dot(b.MeanU) / weight, uy = y.dot(b.MeanU) / weight;
   const double vx = x.dot(b.MeanV) / weight, vy = y.dot(b.MeanV) / weight;

@@ -18,8 +18,8 @@
 namespace nurbs
 {
 /**
- * One cell of the uniform grid laid over a patch. Reach and Deviation are certificates drawn
- * from the control net (see MeasureLeaf); both make one Newton run per leaf sufficient.
+ * One cell of the uniform grid laid over a patch. The costs and Deviation are certificates
+ * drawn from the control net; they make one Newton run per leaf sufficient.
  */
 struct Leaf
 {
@@ -27,7 +27,8 @@ struct Leaf
   Eigen::Vector3f X, Y, Z; ///< axes of the oriented box; Z is the normal at Center
   Eigen::Vector3f Low, High;
   float Inverse[4];  ///< (s, t) = middle + Inverse (x, y) in the plane of the box
-  float Reach;       ///< for points within it the squared distance is quasi-convex in (s, t)
+  float SideCost;    ///< a point at (side, height) above Center has one closest point in the leaf
+  float HeightCost;  ///< if SideCost side + HeightCost height < 1
   float Deviation;   ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
   float Radius;      ///< of a ball about Center that holds the leaf
   int Patch;
