@@ -45,6 +45,9 @@ private:
   Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   Solution Approach(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   bool IsInBox(const Solution& solution, const LeafDomain& box) const;
+  bool IsBesidePatch(const Solution& solution, const LeafDomain& box) const;
+  bool MayHoldRoot(const Leaf& leaf, const LeafDomain& box, double s, double t, const Vec3& point,
+    double slope) const;
   bool Report(int patch, const Solution& solution, bool touch);
 
   const SurfaceModel& Model;
@@ -247,16 +250,19 @@ LineSearch::Solution LineSearch::Approach(
   return x;
 }
 
-/**
- * True if the solution belongs to this part of the patch. A root in a neighbouring part is that
- * one's; at the rim both report it. Beyond the patch nobody else will: Report decides.
- */
+/// True if the solution lies in this part of the patch; at its rim two parts report it.
 bool LineSearch::IsInBox(const Solution& solution, const LeafDomain& box) const
 {
   const double rimS = 1e-6 * (box.S1 - box.S0) + 1e-12, rimT = 1e-6 * (box.T1 - box.T0) + 1e-12;
-  return (solution.S >= box.S0 - rimS || box.S0 == 0) &&
-    (solution.S <= box.S1 + rimS || box.S1 == 1) && (solution.T >= box.T0 - rimT || box.T0 == 0) &&
-    (solution.T <= box.T1 + rimT || box.T1 == 1);
+  return solution.S >= box.S0 - rimS && solution.S <= box.S1 + rimS &&
+    solution.T >= box.T0 - rimT && solution.T <= box.T1 + rimT;
+}
+
+/// A solution beside the patch, which no other part will report: Report decides whether it counts.
+bool LineSearch::IsBesidePatch(const Solution& solution, const LeafDomain& box) const
+{
+  return (solution.S < 0 && box.S0 == 0) || (solution.S > 1 && box.S1 == 1) ||
+    (solution.T < 0 && box.T0 == 0) || (solution.T > 1 && box.T1 == 1);
 }
 
 /// Puts the solution into the patch and keeps it if it still lies on the line and segment.
@@ -289,6 +295,27 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
   return true;
 }
 
+/**
+ * False if the leaf certainly has no root. From a point of the leaf one step with the mean
+ * derivatives ends within c / (1 - c) of its length of any root, c = Deviation / slope.
+ */
+bool LineSearch::MayHoldRoot(const Leaf& leaf, const LeafDomain& box, double s, double t,
+  const Vec3& point, double slope) const
+{
+  const Vec3 normal = leaf.Z.cast<double>();
+  const Vec3 r = this->A - point;
+  const Vec3 d = r - (normal.dot(r) / normal.dot(this->D)) * this->D;
+  const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
+  const double c = leaf.Deviation / slope;
+  const double radius = 1.01 * c / (1 - c) * std::sqrt(x * x + y * y) + this->Model.Gap;
+  const float* m = leaf.Inverse;
+  const double ds = m[0] * x + m[1] * y, dt = m[2] * x + m[3] * y;
+  const double reachS = radius * std::sqrt(double(m[0]) * m[0] + double(m[1]) * m[1]);
+  const double reachT = radius * std::sqrt(double(m[2]) * m[2] + double(m[3]) * m[3]);
+  return s + ds >= box.S0 - reachS && s + ds <= box.S1 + reachS && t + dt >= box.T0 - reachT &&
+    t + dt <= box.T1 + reachT;
+}
+
 void LineSearch::VisitLeaf(int index)
 {
   const Leaf& leaf = this->Model.Leaves[index];
@@ -299,23 +326,36 @@ void LineSearch::VisitLeaf(int index)
   }
   const LeafDomain box = DomainOf(patch, index);
   const Vec3 normal = leaf.Z.cast<double>();
-  const double slope = normal.dot(this->D);
+  const double slope = std::abs(normal.dot(this->D));
   // The map to the plane across the line is then a contraction away from an affine one.
-  if (leaf.Deviation < 0.3 * std::abs(slope))
+  if (leaf.Deviation < 0.3 * slope)
   {
-    const double k = normal.dot(leaf.Center - this->A) / slope;
-    const Vec3 d = this->A + k * this->D - leaf.Center;
+    const double middleS = 0.5 * (box.S0 + box.S1), middleT = 0.5 * (box.T0 + box.T1);
+    if (!this->MayHoldRoot(leaf, box, middleS, middleT, leaf.Center, slope))
+    {
+      return;
+    }
+    const Vec3 r = this->A - leaf.Center;
+    const Vec3 d = r - (normal.dot(r) / normal.dot(this->D)) * this->D;
     const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
-    const double s = 0.5 * (box.S0 + box.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
-    const double t = 0.5 * (box.T0 + box.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
-    const Solution solution = this->Solve(patch, s, t, box);
+    const Solution solution =
+      this->Solve(patch, middleS + leaf.Inverse[0] * x + leaf.Inverse[1] * y,
+        middleT + leaf.Inverse[2] * x + leaf.Inverse[3] * y, box);
     if (solution.Converged)
     {
-      if (this->IsInBox(solution, box))
+      const bool inside = this->IsInBox(solution, box);
+      if ((inside || this->IsBesidePatch(solution, box)) &&
+        (this->Report(leaf.Patch, solution, false) || inside))
       {
-        this->Report(leaf.Patch, solution, false);
+        return;
       }
-      return;
+      const double s = std::clamp(solution.S, box.S0, box.S1);
+      const double t = std::clamp(solution.T, box.T0, box.T1);
+      const Vec3 point = BezierPoint(patch, this->Model.Net(patch), s, t);
+      if (!this->MayHoldRoot(leaf, box, s, t, point, slope))
+      {
+        return;
+      }
     }
   }
   this->SearchLeaf(index);
@@ -427,11 +467,12 @@ bool LineSearch::SearchBox(
       const Solution solution = this->Solve(patch, s, t, box);
       if (solution.Converged)
       {
-        if (this->IsInBox(solution, box))
+        const bool inside = this->IsInBox(solution, box);
+        if ((inside || this->IsBesidePatch(solution, box)) &&
+          (this->Report(index, solution, false) || inside))
         {
-          this->Report(index, solution, false);
+          return false;
         }
-        return false;
       }
     }
   }

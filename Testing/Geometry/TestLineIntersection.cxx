@@ -36,6 +36,14 @@ std::string Describe(const std::vector<LineHit>& hits)
   return text.str();
 }
 
+std::string Points(const Vec3& a, const Vec3& b)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << " from (" << a.transpose() << ") to (" << b.transpose() << ")";
+  return text.str();
+}
+
 void CheckHits(const TrimmingSurface& surface, const Vec3& a, const Vec3& b,
   const std::vector<LineHit>& hits, const std::string& name)
 {
@@ -163,7 +171,7 @@ void TestCompleteness(const samples::Named& sample)
     {
       slope = std::min(slope, std::abs(hit.Normal.dot(d.normalized())));
     }
-    check::That(Contains(hits, before / (before + after), slope > 1e-3 ? 1e-8 : 1e-5), sample.Name + ": through a known point, " + Describe(hits));
+    check::That(Contains(hits, before / (before + after), slope > 1e-3 ? 1e-8 : 1e-5), sample.Name + ": through a known point at " + std::to_string(before / (before + after)) + ", " + Describe(hits) + Points(a, b));
   }
 }
 
