@@ -21,7 +21,7 @@ constexpr double SmallestVolumeShare = 0.01;
 constexpr int LongestClimb = 40;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
-constexpr double SmallestShare = 0.02;
+constexpr double SmallestShare = 0.15;
 
 /// Everything the ladder may set.
 struct Choices
@@ -292,8 +292,9 @@ private:
     }
   }
 
-  /// Keeps the eliminated columns that share nodes with a column; false if there are none.
-  bool KeepAround(const TrimmedBand& trimmed, int column)
+  /// Keeps the eliminated columns that share nodes with a column, or only those nodes that found
+  /// no place; false if there are none.
+  bool KeepAround(const TrimmedBand& trimmed, int column, bool failedOnly)
   {
     bool any = false;
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
@@ -301,7 +302,12 @@ private:
       for (int i = 0; this->TheColumns.Column[e] == column && i < this->TheBand.Elements[e].Count;
            ++i)
       {
-        for (const int other : this->TheBand.ElementsOfNode(this->TheBand.Elements[e].Node[i]))
+        const int node = this->TheBand.Elements[e].Node[i];
+        if (failedOnly && !trimmed.NodeMoves.Failed[node])
+        {
+          continue;
+        }
+        for (const int other : this->TheBand.ElementsOfNode(node))
         {
           const int around = this->TheColumns.Column[other];
           if (!trimmed.Kept[other] && this->Set.Fates[around] == Fate::ByVolume &&
@@ -322,6 +328,15 @@ private:
     switch (this->Rungs[column])
     {
       case Rung::None:
+        // A border node without a place, mostly a corner that is kept: with the elements round
+        // it kept it need not move.
+        this->Rungs[column] = Rung::FateFirst;
+        if (this->KeepAround(trimmed, column, true))
+        {
+          return;
+        }
+        [[fallthrough]];
+      case Rung::FateFirst:
         this->Rungs[column] = Rung::Treatment;
         if (trimmed.Treated.Exposed.size() && trimmed.Treated.Exposed[column])
         {
@@ -354,7 +369,7 @@ private:
       case Rung::Fate:
         this->Set.Fates[column] = Fate::ByVolume;
         this->Rungs[column] = Rung::FateAround;
-        if (this->KeepAround(trimmed, column))
+        if (this->KeepAround(trimmed, column, false))
         {
           return;
         }

@@ -30,6 +30,7 @@ struct LadderOptions
 enum class Rung : unsigned char
 {
   None,
+  FateFirst, ///< the eliminated elements round a node that has no place are kept
   Treatment,
   Correction,
   Fate,      ///< eliminated instead of kept

@@ -151,7 +151,7 @@ int vtkTrimHexahedralGrid::RequestData(
 
   // Asked from every thread, but only one of them looks; negative: no news of the progress.
   const trim::Progress progress = [this](double done) {
-    if (vtkSMPTools::GetSingleThread())
+    if (!vtkSMPTools::IsParallelScope() || vtkSMPTools::GetSingleThread())
     {
       if (done >= 0.0)
       {

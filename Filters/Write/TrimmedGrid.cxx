@@ -39,6 +39,15 @@ struct KeptMesh
   std::vector<int> BandElement; ///< of each kept cell, -1 away from the cut
 };
 
+/// What ParaView colours by at first, unless the input has active scalars of its own.
+void ColourByStatus(vtkUnstructuredGrid* grid)
+{
+  if (!grid->GetPointData()->GetScalars() && !grid->GetCellData()->GetScalars())
+  {
+    grid->GetCellData()->SetActiveScalars("ElementStatus");
+  }
+}
+
 /// Nodes of a kept cell in input ids, with edges dropped where it became a wedge.
 int NodesOfKept(const HexMesh& mesh, const TrimResult& result, Id cell, int bandElement,
   std::array<Id, 8>& nodes)
@@ -274,7 +283,9 @@ void SummariseTouched(const TrimResult& result, Summary& summary)
       continue;
     }
     const auto final = FinalShape(near.Mesh, near.Trimmed, e);
-    if (!final.Touched)
+    const bool moved = std::any_of(final.Node.begin(), final.Node.begin() + final.Count,
+      [&near](int n) { return near.Trimmed.NodeMoves.Applied[n] != Correction::None; });
+    if (!moved)
     {
       continue;
     }
@@ -331,6 +342,7 @@ void CountRungs(const TrimResult& result, Summary& summary)
       case Rung::Correction:
         ++summary.RescuedByCorrection;
         break;
+      case Rung::FateFirst:
       case Rung::Fate:
       case Rung::FateAround:
         ++summary.RescuedByFate;
@@ -402,6 +414,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Tri
   GatherAttributes(input->GetCellData(), kept.Cells, output->GetCellData());
   AddPointStatuses(result, kept.Points, output->GetPointData());
   AddCellStatuses(result, kept.Cells, output->GetCellData());
+  ColourByStatus(output);
   AddOriginalIds(kept, output);
 
   Summary summary;
@@ -422,6 +435,7 @@ void WriteStatusGrid(vtkUnstructuredGrid* input, const TrimResult& result,
   ids.resize(input->GetNumberOfCells());
   std::iota(ids.begin(), ids.end(), Id(0));
   AddCellStatuses(result, ids, output->GetCellData());
+  ColourByStatus(output);
 }
 
 }
