@@ -164,7 +164,7 @@ LineSearch::Solution LineSearch::Solve(
     const double length = std::max(std::abs(ds), std::abs(dt));
     const double s1 = std::clamp(x.S + ds, box.S0 - marginS, box.S1 + marginS);
     const double t1 = std::clamp(x.T + dt, box.T0 - marginT, box.T1 + marginT);
-    if (length < 1e-7 && (length < 0.1 * before || length < 1e-13))
+    if (length < 1e-9 && (length < 0.1 * before || length < 1e-13))
     {
       x.S = s1;
       x.T = t1;
