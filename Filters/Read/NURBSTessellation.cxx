@@ -1,6 +1,7 @@
 #include "NURBSTessellation.h"
 
 #include "NURBSFieldData.h"
+#include "SurfaceConstruction.h"
 #include "TrimmedParameterGrid.h"
 
 #include "vtkCellArray.h"
@@ -19,30 +20,58 @@ namespace nurbs
 {
 namespace
 {
-/**
- * Parameter values that divide the domain: every distinct knot, and between knots evenly, so
- * that there are at least `resolution` strips. Kinks of the surface thus lie on polygon edges.
- */
-std::vector<double> ParameterLines(
-  const std::vector<double>& knots, int degree, int count, int resolution)
+const double Pi = 3.14159265358979323846;
+
+/// How far the lines of the surface turn between two parameters u, in radians: the most of a few
+/// lines of constant v.
+double TurnAlongU(const NurbsSurface& surface, double first, double last)
 {
-  const double first = knots[degree];
-  const double last = knots[count];
-  std::vector<double> lines{ first };
-  for (int k = degree; k < count; ++k)
+  const int steps = 8;
+  double most = 0.0;
+  for (double t : { 0.0, 0.5, 1.0 })
   {
-    const double width = knots[k + 1] - knots[k];
-    if (!(width > 1e-12 * (last - first)))
+    const double v = surface.FirstV() + t * (surface.LastV() - surface.FirstV());
+    double turn = 0.0;
+    Vec3 point = Evaluate(surface, first, v);
+    Vec3 before = Vec3::Zero();
+    for (int i = 1; i <= steps; ++i)
+    {
+      const Vec3 next = Evaluate(surface, first + (last - first) * i / steps, v);
+      const Vec3 chord = next - point;
+      turn += std::atan2(before.cross(chord).norm(), before.dot(chord));
+      before = chord;
+      point = next;
+    }
+    most = std::max(most, turn);
+  }
+  return most;
+}
+
+/**
+ * Parameter values that divide the domain along u: every distinct knot, so that kinks lie on
+ * polygon edges, and between knots evenly: at least `resolution` strips in all, and none that
+ * turns by more than seven and a half degrees.
+ */
+std::vector<double> LinesAlongU(const NurbsSurface& surface, int resolution)
+{
+  const double longest = Pi / 24.0;
+  const int most = 64; // for one span, whatever it does
+  const double size = surface.LastU() - surface.FirstU();
+  std::vector<double> lines{ surface.FirstU() };
+  for (int k = surface.DegreeU; k < surface.CountU; ++k)
+  {
+    const double first = surface.KnotsU[k];
+    const double last = surface.KnotsU[k + 1];
+    if (!(last - first > 1e-12 * size))
     {
       continue;
     }
-    // Two strips at least where the span may be curved.
-    const int least = degree > 1 ? 2 : 1;
-    const int share = static_cast<int>(std::ceil(resolution * width / (last - first) - 1e-9));
-    const int strips = std::max(least, share);
+    const double share = std::ceil(resolution * (last - first) / size - 1e-9);
+    const double needed = std::ceil(TurnAlongU(surface, first, last) / longest);
+    const int strips = static_cast<int>(std::max({ 1.0, share, std::min<double>(most, needed) }));
     for (int i = 1; i <= strips; ++i)
     {
-      lines.push_back(i == strips ? knots[k + 1] : knots[k] + width * i / strips);
+      lines.push_back(i == strips ? last : first + (last - first) * i / strips);
     }
   }
   return lines;
@@ -102,10 +131,8 @@ void FillPoints(
 void TessellateNURBS(const NurbsSurface& surface, int resolution, vtkPolyData* output)
 {
   resolution = std::max(1, resolution);
-  const std::vector<double> linesU =
-    ParameterLines(surface.KnotsU, surface.DegreeU, surface.CountU, resolution);
-  const std::vector<double> linesV =
-    ParameterLines(surface.KnotsV, surface.DegreeV, surface.CountV, resolution);
+  const std::vector<double> linesU = LinesAlongU(surface, resolution);
+  const std::vector<double> linesV = LinesAlongU(Transpose(surface), resolution);
 
   // A trim loop follows its curve to 1e-6 of the size; the eye needs less.
   const Vec2 strip((surface.LastU() - surface.FirstU()) / (linesU.size() - 1),

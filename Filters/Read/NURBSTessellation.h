@@ -16,9 +16,10 @@ namespace nurbs
  * Fills `output` with polygons whose points lie on the surface.
  *
  * The parameter rectangle is divided at the knots, and between them evenly, into at least
- * `resolution` strips along u and along v. Where the surface has trim loops only what lies
- * inside them (even-odd rule) is drawn: cells that a loop crosses are cut along it, so that the
- * border is the loop itself, and neighbouring polygons share their points.
+ * `resolution` strips along u and along v, more where the surface bends strongly. Where the surface
+ * has trim loops only what lies inside them (even-odd rule) is drawn: cells that a loop crosses are
+ * cut along it, so that the border is the loop itself, and neighbouring polygons share their
+ * points.
  *
  * Point data: `Normals` (unit, along S_u x S_v), `TCoords` (u, v, each scaled to 0..1 over the
  * domain). Polygons are oriented alike. Field data: the definition (WriteNURBSFieldData).
