@@ -1,8 +1,21 @@
 # Runs a command with a display of its own, rendered in software; ends with 77 (which ctest takes
-# for skipped) where there is no xvfb-run.
-if ! command -v xvfb-run >/dev/null; then
-  echo "Not run: no xvfb-run here; it is in Debian's package xvfb." >&2
+# for skipped) where there is no Xvfb. Not xvfb-run: on a busy machine it starts the command
+# before its server is ready, and two that start together race for one display number. Here the
+# server itself takes a free number and tells it when it is ready.
+if ! command -v Xvfb >/dev/null; then
+  echo "Not run: no Xvfb here; it is in Debian's package xvfb." >&2
   exit 77
 fi
-# Starting from different numbers, commands that run at the same time do not race for one display.
-LIBGL_ALWAYS_SOFTWARE=1 exec xvfb-run -a -n $((100 + $$ % 800)) -s "-screen 0 1600x1200x24" "$@"
+directory=$(mktemp -d)
+mkfifo "$directory/number"
+Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp \
+  3>"$directory/number" >"$directory/log" 2>&1 &
+server=$!
+trap 'kill $server 2>/dev/null; rm -rf "$directory"' EXIT
+trap 'exit 143' INT TERM
+if ! read -r number <"$directory/number"; then
+  echo "Xvfb did not start:" >&2
+  cat "$directory/log" >&2
+  exit 1
+fi
+DISPLAY=":$number" LIBGL_ALWAYS_SOFTWARE=1 "$@"
