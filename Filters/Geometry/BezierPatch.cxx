@@ -355,10 +355,34 @@ void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double 
   }
 }
 
-Vec3 BezierPoint(const BezierPatch& patch, const Vec4* net, double s, double t)
+namespace
 {
-  const Bernstein<-1> bu(patch.DegreeU, s);
-  const Bernstein<-1> bv(patch.DegreeV, t);
+
+/// Bernstein polynomials without derivatives.
+struct BernsteinValues
+{
+  double N[MaximumBezierDegree + 1];
+
+  BernsteinValues(int degree, double x)
+  {
+    this->N[0] = 1.0;
+    for (int j = 1; j <= degree; ++j)
+    {
+      double carry = 0.0;
+      for (int i = 0; i < j; ++i)
+      {
+        const double value = this->N[i];
+        this->N[i] = carry + (1.0 - x) * value;
+        carry = x * value;
+      }
+      this->N[j] = carry;
+    }
+  }
+};
+
+Quad HomogeneousPoint(const BezierPatch& patch, const Vec4* net, double s, double t)
+{
+  const BernsteinValues bu(patch.DegreeU, s), bv(patch.DegreeV, t);
   Quad a;
   const double* point = net->data();
   for (int j = 0; j <= patch.DegreeV; ++j)
@@ -366,11 +390,24 @@ Vec3 BezierPoint(const BezierPatch& patch, const Vec4* net, double s, double t)
     Quad row;
     for (int i = 0; i <= patch.DegreeU; ++i, point += 4)
     {
-      row.Add(bu.N[0][i], point);
+      row.Add(bu.N[i], point);
     }
-    a.Add(bv.N[0][j], row);
+    a.Add(bv.N[j], row);
   }
+  return a;
+}
+
+}
+
+Vec3 BezierPoint(const BezierPatch& patch, const Vec4* net, double s, double t)
+{
+  const Quad a = HomogeneousPoint(patch, net, s, t);
   return a.Head() / a.W();
+}
+
+double BezierWeight(const BezierPatch& patch, const Vec4* net, double s, double t)
+{
+  return HomogeneousPoint(patch, net, s, t).W();
 }
 
 //------------------------------------------------------------------------------

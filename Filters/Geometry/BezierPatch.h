@@ -68,6 +68,9 @@ void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double 
 /// S alone.
 Vec3 BezierPoint(const BezierPatch& patch, const Vec4* net, double s, double t);
 
+/// The weight there, the denominator of S.
+double BezierWeight(const BezierPatch& patch, const Vec4* net, double s, double t);
+
 /// The net of the part [s0, s1] x [t0, t1] of a patch (de Casteljau).
 void RestrictNet(const BezierPatch& patch, const Vec4* net, double s0, double s1, double t0,
   double t1, Vec4* part);

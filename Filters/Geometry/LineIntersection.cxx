@@ -307,7 +307,9 @@ bool LineSearch::MayHoldRoot(const Leaf& leaf, const LeafDomain& box, double s, 
   const Vec3 d = r - (normal.dot(r) / normal.dot(this->D)) * this->D;
   const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
   const double c = leaf.Deviation / slope;
-  const double radius = 1.01 * c / (1 - c) * std::sqrt(x * x + y * y) + this->Model.Gap;
+  // With weights the step is scaled by a weight that is known to about c as well.
+  const double factor = (this->Model.Patches[leaf.Patch].Rational ? 3.0 : 1.01) * c / (1 - c);
+  const double radius = factor * std::sqrt(x * x + y * y) + this->Model.Gap;
   const float* m = leaf.Inverse;
   const double ds = m[0] * x + m[1] * y, dt = m[2] * x + m[3] * y;
   const double reachS = radius * std::sqrt(double(m[0]) * m[0] + double(m[1]) * m[1]);

@@ -131,6 +131,12 @@ void CenterNet(const Vec3& center, int size, const Vec4* net, Vec4* centered)
   }
 }
 
+/// std::hypot guards against overflow at ten times the cost.
+inline double Hypotenuse(double a, double b)
+{
+  return std::sqrt(a * a + b * b);
+}
+
 /**
  * Steps (s, t) = (Along y1 + Back y2, Across y2) with y of unit length reach every step of unit
  * length on the plane of the mean derivatives (Gram-Schmidt); Back is an absolute value.
@@ -142,7 +148,7 @@ struct UnitSteps
   /// Bound of a linear map whose columns have the lengths u and v.
   double Linear(double u, double v) const
   {
-    return std::hypot(this->Along * u, this->Across * v + this->Back * u);
+    return Hypotenuse(this->Along * u, this->Across * v + this->Back * u);
   }
   /// Bound of a quadratic form whose entries are at most uu, uv, vv.
   double Quadratic(double uu, double uv, double vv) const
@@ -151,7 +157,7 @@ struct UnitSteps
     const double b = this->Along * (this->Across * uv + this->Back * uu);
     const double c = this->Across * this->Across * vv + 2 * this->Across * this->Back * uv +
       this->Back * this->Back * uu;
-    return 0.5 * (a + c) + std::hypot(0.5 * (a - c), b);
+    return 0.5 * (a + c) + Hypotenuse(0.5 * (a - c), b);
   }
 };
 
@@ -211,26 +217,31 @@ void MeasureReach(const NetBounds& b, const UnitSteps& steps, Leaf& leaf)
 
 }
 
-void ChooseGrid(const Vec4* net, BezierPatch& patch)
+Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
   Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
   CenterNet(BezierPoint(patch, net, 0.5, 0.5), (p + 1) * (q + 1), net, centered);
   const NetBounds b = BoundNet(p, q, centered);
-  const double radius = b.Radius;
   // Lengths of the patch along s and t; a collapsed direction is not divided for its own sake.
   const double lengthU = std::max(b.MeanU.norm(), 1e-3 * b.Extent);
   const double lengthV = std::max(b.MeanV.norm(), 1e-3 * b.Extent);
-  const double bendU = (b.SecondUU + radius * b.WeightUU) / lengthU +
-    (b.SecondUV + radius * b.WeightUV) / lengthV;
-  const double bendV = (b.SecondVV + radius * b.WeightVV) / lengthV +
-    (b.SecondUV + radius * b.WeightUV) / lengthU;
-  constexpr double Flat = 0.25;
-  constexpr int Finest = 16;
-  const auto divisions = [=](double bend)
-  { return std::clamp(static_cast<int>(std::ceil(std::min(bend / Flat, 1e3) - 1e-6)), 1, Finest); };
-  patch.GridU = divisions(bendU);
-  patch.GridV = q > 0 ? divisions(bendV) : 1;
+  if (!(b.Extent > 0))
+  {
+    return Vec2::Zero();
+  }
+  const double twist = b.SecondUV + b.Radius * b.WeightUV;
+  return Vec2((b.SecondUU + b.Radius * b.WeightUU) / lengthU + twist / lengthV,
+    (b.SecondVV + b.Radius * b.WeightVV) / lengthV + twist / lengthU);
+}
+
+void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch)
+{
+  constexpr double Finest = 16;
+  const Vec2 divisions =
+    (bend / flatness).array().ceil().max(1.0).min(Finest).matrix();
+  patch.GridU = static_cast<int>(divisions.x());
+  patch.GridV = patch.DegreeV > 0 ? static_cast<int>(divisions.y()) : 1;
 }
 
 void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
@@ -299,7 +310,8 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   const double deviation = steps.Linear(
     b.DeviationU + radius * b.WeightU, b.DeviationV + radius * b.WeightV);
   leaf.Deviation = static_cast<float>(std::min(2.0, deviation + 1e-6));
-  const double weight = part[size / 2].w(); // J0 holds derivatives of w S
+  // J0 holds derivatives of w S.
+  const double weight = patch.Rational ? BezierWeight(patch, part, 0.5, 0.5) : 1.0;
   const double ux = x.dot(b.MeanU) / weight, uy = y.dot(b.MeanU) / weight;
   const double vx = x.dot(b.MeanV) / weight, vy = y.dot(b.MeanV) / weight;
   if (q == 0)

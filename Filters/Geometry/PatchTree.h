@@ -49,8 +49,11 @@ struct LeafDomain
 };
 LeafDomain DomainOf(const BezierPatch& patch, int leaf);
 
-/// Chooses how finely a patch has to be divided for its leaves to be nearly flat.
-void ChooseGrid(const Vec4* net, BezierPatch& patch);
+/// How far the tangents of a patch turn along s and t, relative to its size (about radians).
+Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net);
+
+/// Divides a patch so that no leaf bends by more than the flatness, within bounds.
+void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch);
 
 /// Box, inverse map and certificates of one leaf; part is the net restricted to it.
 void MeasureLeaf(

@@ -136,10 +136,7 @@ void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
 void SurfaceModel::AddLeaves()
 {
   std::size_t count = 0;
-  for (BezierPatch& patch : this->Patches)
-  {
-    ChooseGrid(this->Net(patch), patch);
-  }
+  this->ChooseGrids();
   this->RefineTrimmedGrids();
   for (BezierPatch& patch : this->Patches)
   {
@@ -175,6 +172,34 @@ void SurfaceModel::AddLeaves()
   }
   this->Bounds.translate(this->Origin);
   this->Nodes = BuildTree(std::move(used), boxes);
+}
+
+/// Nearly flat leaves, but not more of them than a surface of many patches can afford.
+void SurfaceModel::ChooseGrids()
+{
+  constexpr double Flat = 0.25; // of a few patches; beyond about 0.5 queries get slower
+  constexpr std::size_t Affordable = 50000;
+  std::vector<Vec2> bends;
+  bends.reserve(this->Patches.size());
+  for (const BezierPatch& patch : this->Patches)
+  {
+    bends.push_back(MeasureBend(patch, this->Net(patch)));
+  }
+  double flatness = Flat;
+  for (int attempt = 0; attempt < 4; ++attempt, flatness *= 1.5)
+  {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < bends.size(); ++k)
+    {
+      BezierPatch& patch = this->Patches[k];
+      ChooseGrid(bends[k], flatness, patch);
+      count += static_cast<std::size_t>(patch.GridU) * patch.GridV;
+    }
+    if (count <= std::max(Affordable, 2 * bends.size()))
+    {
+      break;
+    }
+  }
 }
 
 /// Flat patches have one leaf; those that a loop crosses need more, to leave its holes empty.

@@ -52,6 +52,7 @@ struct SurfaceModel
 private:
   void AddFace(int face);
   void AddTrimCurves(int face, int firstPatch, int lastPatch);
+  void ChooseGrids();
   void RefineTrimmedGrids();
   void AddLeaves();
   void FindTrimStates();
