@@ -1,14 +1,15 @@
 # Runs a command with a display of its own, rendered in software; ends with 77 (which ctest takes
-# for skipped) where there is no Xvfb. Not xvfb-run: on a busy machine it starts the command
-# before its server is ready, and two that start together race for one display number. Here the
-# server itself takes a free number and tells it when it is ready.
+# for skipped) where there is no Xvfb. Not xvfb-run: two that start together race for one display
+# number, while here the server itself takes a free one and tells it when it is ready.
 if ! command -v Xvfb >/dev/null; then
   echo "Not run: no Xvfb here; it is in Debian's package xvfb." >&2
   exit 77
 fi
 directory=$(mktemp -d)
 mkfifo "$directory/number"
-Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp \
+# -noreset: ParaView opens a connection to probe OpenGL and closes it again; a server that resets
+# itself after its last client may refuse the next one.
+Xvfb -displayfd 3 -noreset -screen 0 1600x1200x24 -nolisten tcp \
   3>"$directory/number" >"$directory/log" 2>&1 &
 server=$!
 trap 'kill $server 2>/dev/null; rm -rf "$directory"' EXIT
