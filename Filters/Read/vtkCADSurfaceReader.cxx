@@ -1,6 +1,6 @@
 #include "vtkCADSurfaceReader.h"
 
-#include "CADFile.h"
+#include "CADChildProcess.h"
 #include "CADFormat.h"
 #include "NURBSTessellation.h"
 
@@ -71,8 +71,8 @@ int vtkCADSurfaceReader::RequestData(
   };
   std::vector<nurbs::NamedSurface> surfaces;
   std::string message;
-  if (!nurbs::ReadCADFile(this->FileName ? this->FileName : "", InMillimetres(this->LengthUnit),
-        surfaces, message, goOn))
+  if (!nurbs::ReadCADFileInChild(this->FileName ? this->FileName : "",
+        InMillimetres(this->LengthUnit), surfaces, message, goOn))
   {
     if (!message.empty())
     {

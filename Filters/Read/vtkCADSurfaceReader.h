@@ -19,6 +19,10 @@
  * surfaces is one error, and the output is empty. Faces that cannot be converted are one
  * warning.
  *
+ * The file is read by a process forked for it, because OpenCASCADE crashes on many damaged files:
+ * that too is one error then. The process may use two minutes of processor time and one more for
+ * each megabyte.
+ *
  * Not handled: compressed and binary IGES; layers, colours and the structure of assemblies
  * beyond names and placement; curves.
  *

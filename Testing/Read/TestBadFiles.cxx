@@ -179,6 +179,42 @@ void TestNoSurface()
   CheckError(File("compressed.igs", text), "compressed or binary");
 }
 
+/// References to nothing, on which OpenCASCADE 7.6 crashes.
+void TestCrash()
+{
+  const std::string text = ReadText(std::string(READ_TEST_FILES) + "/solvespace-plate.step");
+  std::string broken = text;
+  const size_t point = broken.find("=CARTESIAN_POINT", broken.find("VERTEX_POINT"));
+  broken.insert(broken.rfind('#', point) + 1, "99");
+  CheckError(File("crash.step", broken), "crash");
+}
+
+/// A few bytes changed at random: an error, a warning, or surfaces, but nothing else.
+void TestMutated()
+{
+  unsigned int state = 2026;
+  auto random = [&state](size_t below)
+  {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) % below;
+  };
+  const std::string sources[] = { std::string(EXAMPLE_DATA) + "/RearDoor.igs",
+    std::string(READ_TEST_FILES) + "/gotools-cylinder-sphere.igs",
+    std::string(READ_TEST_FILES) + "/solvespace-plate.step" };
+  for (int run = 0; run < 90; ++run)
+  {
+    std::string text = ReadText(sources[run % 3]);
+    for (size_t changes = 1 + random(8); changes > 0; --changes)
+    {
+      text[random(text.size())] = static_cast<char>(32 + random(95));
+    }
+    const std::string path = File(run % 3 < 2 ? "mutated.igs" : "mutated.step", text);
+    const ReadResult result = ReadFile(path);
+    CHECK(result.Errors.size() <= 1 && result.Warnings.size() <= 1, "run " << run);
+    CHECK(result.Errors.empty() != result.Surfaces.empty(), "run " << run << ": error or surfaces");
+  }
+}
+
 void TestCanReadFile()
 {
   auto canRead = [](const std::string& path)
@@ -247,6 +283,8 @@ int main()
   TestOtherContent();
   TestTruncated();
   TestNoSurface();
+  TestCrash();
+  TestMutated();
   TestCanReadFile();
   TestRecovery();
   TestAbort();

@@ -1,0 +1,26 @@
+/**
+ * @file CADChildProcess.h
+ * @brief Reads a CAD file in a process of its own, which may crash without harm.
+ *
+ * OpenCASCADE 7.6 follows null references on many damaged files. Catching the signal in ParaView
+ * would leave its memory in an unknown state, so the reading is done by a forked child that
+ * sends the surfaces back through a pipe.
+ */
+#ifndef CADChildProcess_h
+#define CADChildProcess_h
+
+#include "CADFile.h"
+
+namespace nurbs
+{
+/**
+ * The same as ReadCADFile, with the same parameters and results; a crash of the child, or more
+ * processor time than two minutes and one more for each megabyte of the file, is an error that
+ * names the file. Stopping by `progress` ends the child at once.
+ */
+bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
+  std::vector<NamedSurface>& surfaces, std::string& error,
+  const ReadProgress& progress = ReadProgress());
+}
+
+#endif
