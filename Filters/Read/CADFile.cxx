@@ -3,6 +3,7 @@
 #include "CADFaceConversion.h"
 #include "CADFormat.h"
 #include "CADModel.h"
+#include "IgesWeights.h"
 
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
@@ -136,6 +137,12 @@ bool ReadCADFile(const std::string& path, double unitInMillimetres,
     return false;
   }
   const std::string file = "CAD file \"" + path + "\"";
+  const std::string weight = format == CADFormat::IGES ? FindBadIgesWeight(path) : std::string();
+  if (!weight.empty())
+  {
+    error = file + ": " + weight + "; give every control point a positive weight";
+    return false;
+  }
   try
   {
     auto transferProgress = [&progress](double share)

@@ -179,6 +179,23 @@ void TestNoSurface()
   CheckError(File("compressed.igs", text), "compressed or binary");
 }
 
+/// Weights that OpenCASCADE would take for one without a word.
+void TestWeights()
+{
+  const std::string knots = "0.,0.,1.,1.,0.,0.,1.,1.,";
+  const std::string points = ",0.,0.,0.,9.,0.,0.,0.,9.,0.,9.,9.,3.,0.,1.,0.,1.";
+  for (const char* weight : { "-1.", "0.", "-2.D-1" })
+  {
+    IgesText iges;
+    iges.Add(128, "1,1,1,1,0,0,0,0,0," + knots + "1.,1.,1.,1." + points);
+    iges.Add(128, "1,1,1,1,0,0,0,0,0," + knots + "1.,2.," + std::string(weight) + ",1." + points);
+    CheckError(File("weight.igs", iges.Text()), "weight 3 of the B-spline at directory line D3");
+  }
+  IgesText good;
+  good.Add(128, "1,1,1,1,0,0,0,0,0," + knots + "1.,2.D0,2.5E-1,1." + points);
+  ReadFaces(File("weight.igs", good.Text()), 1);
+}
+
 /// References to nothing, on which OpenCASCADE 7.6 crashes.
 void TestCrash()
 {
@@ -283,6 +300,7 @@ int main()
   TestOtherContent();
   TestTruncated();
   TestNoSurface();
+  TestWeights();
   TestCrash();
   TestMutated();
   TestCanReadFile();
