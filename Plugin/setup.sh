@@ -25,7 +25,7 @@ install_packages()
   echo "Installing ${missing[*]}"
   "${as_root[@]}" apt-get update
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y --no-install-recommends "${missing[@]}"
+    apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "${missing[@]}"
 }
 
 # build_project [cmake argument...]: the Release build in build/.
