@@ -72,7 +72,7 @@ private:
       known.T1 >= domain.T1;
   }
 
-  void VisitLeaf(int index);
+  void VisitLeaf(int boxIndex);
   void SearchLeaf(int index);
   bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
 
@@ -163,13 +163,15 @@ void ClosestPointSearch::Run()
   }
 }
 
-void ClosestPointSearch::VisitLeaf(int index)
+void ClosestPointSearch::VisitLeaf(int boxIndex)
 {
-  const Leaf& leaf = this->Model.Leaves[index];
-  if (SquaredDistanceToLeaf(leaf, this->P) > this->Bound)
+  const LeafBox& oriented = this->Model.LeafBoxes[boxIndex];
+  if (SquaredDistanceToLeaf(oriented, this->P) > this->Bound)
   {
     return;
   }
+  const int index = oriented.Leaf;
+  const Leaf& leaf = this->Model.Leaves[index];
   const BezierPatch& patch = this->Model.Patches[leaf.Patch];
   const Vec4* net = this->Model.Net(patch);
   const LeafDomain domain = DomainOf(patch, index);
@@ -190,7 +192,7 @@ void ClosestPointSearch::VisitLeaf(int index)
   {
     // The first leaf is mostly beside the right one: a walk gives a bound that excludes the rest.
     this->Walk(leaf.Patch, s, t);
-    if (SquaredDistanceToLeaf(leaf, this->P) > this->Bound ||
+    if (SquaredDistanceToLeaf(oriented, this->P) > this->Bound ||
       (certain && this->Best.Patch == leaf.Patch && this->BestIsMinimumOf(domain)))
     {
       return;

@@ -38,8 +38,8 @@ private:
     bool Converged;
   };
 
-  void VisitLeaf(int index);
-  bool BoxMeetsLeaf(const Leaf& leaf) const;
+  void VisitLeaf(int boxIndex);
+  bool MeetsBox(const LeafBox& box) const;
   void SearchLeaf(int index);
   bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
   Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
@@ -106,21 +106,22 @@ void LineSearch::Run()
   }
 }
 
-bool LineSearch::BoxMeetsLeaf(const Leaf& leaf) const
+bool LineSearch::MeetsBox(const LeafBox& box) const
 {
-  const Vec3 x = leaf.X.cast<double>(), y = leaf.Y.cast<double>(), z = leaf.Z.cast<double>();
-  const Vec3 base = this->A - leaf.Center;
+  const Vec3 x = box.X.cast<double>(), y = box.Y.cast<double>(), z = x.cross(y);
+  const Vec3 base = this->A - box.Center.cast<double>();
   const Vec3 a(x.dot(base), y.dot(base), z.dot(base));
   const Vec3 d(x.dot(this->D), y.dot(this->D), z.dot(this->D));
+  const double radius = (box.High - box.Low).sum();
   double low = this->Low - this->Tolerance, high = this->High + this->Tolerance;
-  const double slack = this->Tolerance + this->Model.Gap + 1e-6 * leaf.Radius;
+  const double slack = this->Tolerance + this->Model.Gap + 1e-6 * radius;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double boxLow = leaf.Low[axis] - slack, boxHigh = leaf.High[axis] + slack;
+    const double boxLow = box.Low[axis] - slack, boxHigh = box.High[axis] + slack;
     if (std::abs(d[axis]) < 1e-12)
     {
       // Parallel to a pair of sides up to the rounding of the float axes.
-      const double drift = 1e-6 * leaf.Radius;
+      const double drift = 1e-6 * radius;
       if (a[axis] < boxLow - drift || a[axis] > boxHigh + drift)
       {
         return false;
@@ -318,11 +319,16 @@ bool LineSearch::MayHoldRoot(const Leaf& leaf, const LeafDomain& box, double s, 
     t + dt <= box.T1 + reachT;
 }
 
-void LineSearch::VisitLeaf(int index)
+void LineSearch::VisitLeaf(int boxIndex)
 {
+  if (!this->MeetsBox(this->Model.LeafBoxes[boxIndex]))
+  {
+    return;
+  }
+  const int index = this->Model.LeafBoxes[boxIndex].Leaf;
   const Leaf& leaf = this->Model.Leaves[index];
   const BezierPatch& patch = this->Model.Patches[leaf.Patch];
-  if (patch.Curve || !this->BoxMeetsLeaf(leaf))
+  if (patch.Curve)
   {
     return;
   }

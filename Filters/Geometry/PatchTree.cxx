@@ -245,7 +245,7 @@ void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch)
 }
 
 void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
-  Eigen::AlignedBox3f& box)
+  LeafBox& oriented, Eigen::AlignedBox3f& aligned)
 {
   const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
   leaf.Center = BezierPoint(patch, part, 0.5, 0.5);
@@ -285,17 +285,28 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
     boxLow = boxLow.cwiseMin(point);
     boxHigh = boxHigh.cwiseMax(point);
   }
-  // Outwards by more than the rounding of float axes and of the net.
-  const double margin = 1e-6 * radius + 1e-15 * leaf.Center.cwiseAbs().maxCoeff();
   leaf.X = x.cast<float>();
   leaf.Y = y.cast<float>();
   leaf.Z = z.cast<float>();
-  leaf.Low = (low.array() - margin).matrix().cast<float>();
-  leaf.High = (high.array() + margin).matrix().cast<float>();
-  leaf.Radius = static_cast<float>(radius * (1 + 1e-6) + margin);
-  const double boxMargin = 1e-7 * std::max(boxLow.cwiseAbs().maxCoeff(), boxHigh.cwiseAbs().maxCoeff());
-  box.min() = (boxLow.array() - boxMargin).matrix().cast<float>();
-  box.max() = (boxHigh.array() + boxMargin).matrix().cast<float>();
+  oriented.X = leaf.X;
+  oriented.Y = leaf.Y;
+  // The rounding of the centre is made good; that of the axes and of the net by a margin. Without
+  // volatile GCC 12 (-O2) takes the conversion to float and back for no conversion.
+  Vec3 offset;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    volatile float rounded = static_cast<float>(leaf.Center[axis]);
+    oriented.Center[axis] = rounded;
+    offset[axis] = leaf.Center[axis] - static_cast<double>(rounded);
+  }
+  const Vec3 shift(x.dot(offset), y.dot(offset), z.dot(offset));
+  const double margin = 1e-6 * (radius + offset.norm()) + 1e-15 * leaf.Center.cwiseAbs().maxCoeff();
+  oriented.Low = (low + shift - Vec3::Constant(margin)).cast<float>();
+  oriented.High = (high + shift + Vec3::Constant(margin)).cast<float>();
+  const double boxMargin =
+    1e-7 * std::max(boxLow.cwiseAbs().maxCoeff(), boxHigh.cwiseAbs().maxCoeff());
+  aligned.min() = (boxLow.array() - boxMargin).matrix().cast<float>();
+  aligned.max() = (boxHigh.array() + boxMargin).matrix().cast<float>();
 
   const double sizeS = domain.S1 - domain.S0, sizeT = domain.T1 - domain.T0;
   std::fill(leaf.Inverse, leaf.Inverse + 4, 0.0f);
@@ -359,7 +370,7 @@ public:
       }
       const int child = last - first == 0
         ? TreeNode::Empty
-        : (last - first == 1 ? ~this->Leaves[first] : this->Build(first, last));
+        : (last - first == 1 ? ~first : this->Build(first, last));
       TreeNode& node = this->Nodes[index]; // Build may have moved it
       node.Child[c] = child;
       for (int axis = 0; axis < 3; ++axis)
@@ -406,10 +417,10 @@ private:
 }
 
 std::vector<TreeNode> BuildTree(
-  std::vector<int> leaves, const std::vector<Eigen::AlignedBox3f>& boxes)
+  std::vector<int>& order, const std::vector<Eigen::AlignedBox3f>& boxes)
 {
-  TreeBuilder builder(leaves, boxes);
-  builder.Build(0, static_cast<int>(leaves.size()));
+  TreeBuilder builder(order, boxes);
+  builder.Build(0, static_cast<int>(order.size()));
   return std::move(builder.Nodes);
 }
 

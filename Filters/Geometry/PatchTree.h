@@ -23,22 +23,31 @@ namespace nurbs
  */
 struct Leaf
 {
-  Vec3 Center;          ///< a point of the surface inside the leaf
-  Eigen::Vector3f X, Y, Z; ///< axes of the oriented box; Z is the normal at Center
-  Eigen::Vector3f Low, High;
+  Vec3 Center;             ///< a point of the surface inside the leaf
+  Eigen::Vector3f X, Y, Z; ///< axes of its oriented box; Z is the mean normal
   float Inverse[4];  ///< (s, t) = middle + Inverse (x, y) in the plane of the box
   float SideCost;    ///< a point at (side, height) above Center has one closest point in the leaf
   float HeightCost;  ///< if SideCost side + HeightCost height < 1
   float Deviation;   ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
-  float Radius;      ///< of a ball about Center that holds the leaf
   int Patch;
   TrimState Trim;
+};
+
+/**
+ * The oriented box of a leaf. One cache line, and stored in the order of the tree: large surfaces
+ * are searched at the speed of memory.
+ */
+struct alignas(64) LeafBox
+{
+  Eigen::Vector3f Center, X, Y; ///< the third axis is X x Y
+  Eigen::Vector3f Low, High;
+  int Leaf;
 };
 
 struct TreeNode
 {
   Eigen::Array4f Low[3], High[3];
-  int Child[4]; ///< a node, or ~leaf, or Empty
+  int Child[4]; ///< a node, or ~ of a leaf box, or Empty
   static constexpr int Empty = 0x7fffffff;
 };
 
@@ -55,13 +64,13 @@ Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net);
 /// Divides a patch so that no leaf bends by more than the flatness, within bounds.
 void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch);
 
-/// Box, inverse map and certificates of one leaf; part is the net restricted to it.
-void MeasureLeaf(
-  const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
-  Eigen::AlignedBox3f& box);
+/// Boxes, inverse map and certificates of one leaf; part is the net restricted to it.
+void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
+  LeafBox& oriented, Eigen::AlignedBox3f& aligned);
 
-/// Four-way tree over the boxes of the leaves listed.
-std::vector<TreeNode> BuildTree(std::vector<int> leaves, const std::vector<Eigen::AlignedBox3f>& boxes);
+/// Four-way tree over aligned boxes; order is permuted into that of the tree.
+std::vector<TreeNode> BuildTree(
+  std::vector<int>& order, const std::vector<Eigen::AlignedBox3f>& boxes);
 
 }
 

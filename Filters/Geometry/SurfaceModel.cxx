@@ -145,6 +145,7 @@ void SurfaceModel::AddLeaves()
   }
   this->Leaves.resize(count);
   std::vector<Eigen::AlignedBox3f> boxes(count);
+  std::vector<LeafBox> oriented(count);
   Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
   for (std::size_t index = 0; index < this->Patches.size(); ++index)
   {
@@ -156,7 +157,9 @@ void SurfaceModel::AddLeaves()
       Leaf& leaf = this->Leaves[patch.FirstLeaf + k];
       leaf.Patch = static_cast<int>(index);
       leaf.Trim = TrimState::Inside;
-      MeasureLeaf(patch, domain, part, leaf, boxes[patch.FirstLeaf + k]);
+      MeasureLeaf(patch, domain, part, leaf, oriented[patch.FirstLeaf + k],
+        boxes[patch.FirstLeaf + k]);
+      oriented[patch.FirstLeaf + k].Leaf = patch.FirstLeaf + k;
     }
   }
   this->FindTrimStates();
@@ -171,7 +174,12 @@ void SurfaceModel::AddLeaves()
     }
   }
   this->Bounds.translate(this->Origin);
-  this->Nodes = BuildTree(std::move(used), boxes);
+  this->Nodes = BuildTree(used, boxes);
+  this->LeafBoxes.reserve(used.size());
+  for (int leaf : used)
+  {
+    this->LeafBoxes.push_back(oriented[leaf]);
+  }
 }
 
 /// Nearly flat leaves, but not more of them than a surface of many patches can afford.

@@ -11,6 +11,8 @@
 #include "TrimLoops.h"
 #include "TrimmingSurface.h"
 
+#include <algorithm>
+
 namespace nurbs
 {
 struct FaceData
@@ -31,6 +33,7 @@ struct SurfaceModel
   std::vector<BezierPatch> Patches;
   std::vector<Vec4> Nets;
   std::vector<Leaf> Leaves;
+  std::vector<LeafBox> LeafBoxes; ///< in the order of the tree, without leaves outside loops
   std::vector<TreeNode> Nodes;
   Vec3 Origin = Vec3::Zero();
   double Scale = 1.0;       ///< diagonal of the bounding box
@@ -58,16 +61,20 @@ private:
   void FindTrimStates();
 };
 
-/// Squared distance from p to the oriented box of a leaf, never too large; p - Center in double.
-inline float SquaredDistanceToLeaf(const Leaf& leaf, const Vec3& p)
+/// Squared distance from p to the oriented box of a leaf, never too large.
+inline float SquaredDistanceToLeaf(const LeafBox& box, const Vec3& p)
 {
-  const Eigen::Vector3f d = (p - leaf.Center).cast<float>();
+  const Eigen::Vector3f d = (p - box.Center.cast<double>()).cast<float>();
   const float slack = 4e-7f * d.cwiseAbs().sum();
-  const Eigen::Vector3f local(leaf.X.dot(d), leaf.Y.dot(d), leaf.Z.dot(d));
-  const Eigen::Vector3f e =
-    (leaf.Low - local).cwiseMax(local - leaf.High).array().operator-(slack).matrix().cwiseMax(
-      Eigen::Vector3f::Zero());
-  return e.squaredNorm() * (1 - 1e-6f);
+  const Eigen::Vector3f local(box.X.dot(d), box.Y.dot(d), box.X.cross(box.Y).dot(d));
+  float sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const float e = std::max(
+      std::max(box.Low[axis] - local[axis], local[axis] - box.High[axis]) - slack, 0.0f);
+    sum += e * e;
+  }
+  return sum * (1 - 1e-6f);
 }
 
 /// A point prepared for distances to the float boxes of the tree.
@@ -123,9 +130,9 @@ void SurfaceModel::ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) 
       {
         stack[size++] = child;
       }
-      else if (SquaredDistanceToLeaf(this->Leaves[~child], p) <= limit)
+      else if (SquaredDistanceToLeaf(this->LeafBoxes[~child], p) <= limit)
       {
-        visit(~child);
+        visit(this->LeafBoxes[~child].Leaf);
       }
     }
   }

@@ -267,8 +267,8 @@ bool TrimmingSurface::MayIntersect(const Box3& box) const
         continue;
       }
       // Separating axes of the leaf's oriented box.
-      const Leaf& leaf = model.Leaves[~child];
-      const Eigen::Vector3f d = (center - leaf.Center).cast<float>();
+      const LeafBox& leaf = model.LeafBoxes[~child];
+      const Eigen::Vector3f d = (center - leaf.Center.cast<double>()).cast<float>();
       const Eigen::Vector3f h = half.cast<float>();
       const float rim = 1e-6f * (d.cwiseAbs().sum() + h.sum()) + static_cast<float>(slack);
       const auto apart = [&](const Eigen::Vector3f& axis, int k)
@@ -276,7 +276,7 @@ bool TrimmingSurface::MayIntersect(const Box3& box) const
         const float x = axis.dot(d), reach = axis.cwiseAbs().dot(h) + rim;
         return x - reach > leaf.High[k] || x + reach < leaf.Low[k];
       };
-      if (!apart(leaf.Z, 2) && !apart(leaf.X, 0) && !apart(leaf.Y, 1))
+      if (!apart(leaf.X.cross(leaf.Y), 2) && !apart(leaf.X, 0) && !apart(leaf.Y, 1))
       {
         return true;
       }

@@ -97,7 +97,7 @@ void TestPlane()
       }
       const Foot foot = surface.ClosestPoint(p);
       check::Near(foot.Distance, expected, 1e-12, "distance to the trimmed plane");
-      check::That((foot.Kind == FootKind::Interior) == inside, "feet on the loops are on the border");
+      check::That((foot.Kind == FootKind::Interior) == inside, "feet on the loops are on the border" + Place(p, foot) + " variant " + std::to_string(variant));
       check::That(!inside || (foot.SignedDistance > 0) == (p.z() > 0), "side of the trimmed plane");
       const auto hits = surface.Intersect(Vec3(q.x(), q.y(), -1), Vec3(q.x(), q.y(), 1));
       check::That(hits.size() == (inside ? 1u : 0u), "hits inside the loops only");
