@@ -156,9 +156,12 @@ void CheckPlaces(const Evidence& e, Report& report)
     // A node on the eliminated side has to leave a lateral border that the surface runs along,
     // but never the skin.
     const bool free = e.NodeStatus[o] == 1;
-    if ((!free || skin[o]) && e.Border.Distance(x) > e.Exact)
+    // On the very face, not on another side of the sheet.
+    const double away =
+      e.Border.Distance(x, place == Exterior::Place::Face ? e.Border.PatchOf(o) : -1);
+    if ((!free || skin[o]) && away > e.Exact)
     {
-      report.Fail("stays on the exterior", Point(p), e.Border.Distance(x), e.Exact);
+      report.Fail("stays on the exterior", Point(p), away, e.Exact);
     }
     if (!free && place == Exterior::Place::Ridge && e.Border.RidgeDistance(x) > e.Exact)
     {

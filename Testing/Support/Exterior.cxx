@@ -184,7 +184,60 @@ Exterior::Exterior(const Model& model)
 {
   this->FindRidges();
   this->FindPlaces();
+  this->FindPatches();
   this->FillBins();
+}
+
+void Exterior::FindPatches()
+{
+  std::set<Edge> ridges;
+  for (const Ridge& ridge : this->Ridges)
+  {
+    if (ridge.Sure)
+    {
+      ridges.emplace(ridge.A, ridge.B);
+    }
+  }
+  std::map<Edge, std::vector<Id>> facetsOfEdge;
+  const auto count = static_cast<Id>(this->Table.Exterior.size());
+  for (Id f = 0; f < count; ++f)
+  {
+    for (int i = 0; i < this->Table.Exterior[f].Size(); ++i)
+    {
+      facetsOfEdge[EdgeOf(this->Table.Exterior[f], i)].push_back(f);
+    }
+  }
+  this->FacetPatch.assign(count, -1);
+  this->PointPatch.assign(this->Mesh.Points.size(), -1);
+  int patches = 0;
+  for (Id first = 0; first < count; ++first)
+  {
+    std::vector<Id> front;
+    if (this->FacetPatch[first] < 0)
+    {
+      this->FacetPatch[first] = patches++;
+      front.push_back(first);
+    }
+    while (!front.empty())
+    {
+      const Id f = front.back();
+      const Facet& facet = this->Table.Exterior[f];
+      front.pop_back();
+      for (int i = 0; i < facet.Size(); ++i)
+      {
+        this->PointPatch[facet.Node[i]] = this->FacetPatch[f];
+        const Edge edge = EdgeOf(facet, i);
+        for (Id other : facetsOfEdge[edge])
+        {
+          if (this->FacetPatch[other] < 0 && ridges.count(edge) == 0)
+          {
+            this->FacetPatch[other] = this->FacetPatch[f];
+            front.push_back(other);
+          }
+        }
+      }
+    }
+  }
 }
 
 void Exterior::FindRidges()
@@ -300,7 +353,7 @@ void Exterior::FillBins()
   }
 }
 
-double Exterior::Distance(const Vec3& p) const
+double Exterior::Distance(const Vec3& p, int patch) const
 {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 27; ++i)
@@ -312,6 +365,10 @@ double Exterior::Distance(const Vec3& p) const
     }
     for (Id f : bin->second)
     {
+      if (patch >= 0 && this->FacetPatch[f] != patch)
+      {
+        continue;
+      }
       best = std::min(best, DistanceToFacet(p, this->Table.Exterior[f], this->Mesh.Points));
       if (best == 0)
       {

@@ -57,24 +57,29 @@ public:
   };
   Place PlaceOf(Id point) const { return this->Places[point]; }
 
-  /// Distance from a point to the exterior (bilinear facets).
-  double Distance(const Vec3& p) const;
+  /// Smooth part of the exterior, bounded by sure ridges, that a point of place Face lies in;
+  /// any of them for points on ridges, -1 inside.
+  int PatchOf(Id point) const { return this->PointPatch[point]; }
+
+  /// Distance from a point to the exterior (bilinear facets), or to one smooth part of it.
+  double Distance(const Vec3& p, int patch = -1) const;
 
   /// Distance to the ridges, doubtful ones included.
   double RidgeDistance(const Vec3& p) const;
 
-  /// Distance to the exterior facets round the node and, ring by ring, their neighbours.
   const FacetTable& Facets() const { return this->Table; }
 
 private:
   void FindRidges();
   void FindPlaces();
+  void FindPatches();
   void FillBins();
   Id BinOf(const Vec3& p, int dx, int dy, int dz) const;
 
   const Model& Mesh;
   FacetTable Table;
   std::vector<Place> Places;
+  std::vector<int> FacetPatch, PointPatch;
   struct Ridge
   {
     Id A, B;

@@ -237,6 +237,8 @@ std::vector<Fault> GeometryFaults()
       [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 2, 0.4), 0, 0, 1e-6); } },
     { "stays on the exterior", "node sunk into the sheet",
       [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 2, 0.4), 0, 0, -1e-6); } },
+    { "stays on the exterior", "node of a lateral side put on the skin",
+      [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 0, 0), 0, 1, 0.4); } },
     { "stays on the ridge", "ridge node pulled into the skin",
       [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 0, 0.4), 0, 1e-6, 0); } },
     { "corner stays", "corner moved along its ridge",
