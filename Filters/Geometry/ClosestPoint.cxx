@@ -152,6 +152,7 @@ void ClosestPointSearch::Run()
       {
         continue;
       }
+      this->Model.Prefetch(node.Child[c]);
       int k = size++;
       while (k > base && stack[k - 1].Squared < squared)
       {
@@ -166,6 +167,7 @@ void ClosestPointSearch::Run()
 void ClosestPointSearch::VisitLeaf(int boxIndex)
 {
   const LeafBox& oriented = this->Model.LeafBoxes[boxIndex];
+  __builtin_prefetch(&this->Model.Leaves[oriented.Leaf].Patch);
   if (SquaredDistanceToLeaf(oriented, this->P) > this->Bound)
   {
     return;

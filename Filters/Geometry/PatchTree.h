@@ -44,7 +44,7 @@ struct alignas(64) LeafBox
   int Leaf;
 };
 
-struct TreeNode
+struct alignas(64) TreeNode
 {
   Eigen::Array4f Low[3], High[3];
   int Child[4]; ///< a node, or ~ of a leaf box, or Empty
