@@ -20,7 +20,10 @@ public:
   /// @param net (p+1) x (q+1) homogeneous points about p; changed: scaled by binomials.
   void Set(int p, int q, Vec4* net, double squaredDistance);
 
-  double Minimum() const { return *std::min_element(this->F, this->F + this->CountU * this->CountV); }
+  double Minimum() const
+  {
+    return *std::min_element(this->F, this->F + this->CountU * this->CountV);
+  }
 
   /// True if F is certainly convex over the patch.
   bool IsConvex() const;

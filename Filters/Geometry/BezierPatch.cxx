@@ -30,8 +30,8 @@ KnotSpans FindSpans(int degree, int count, const std::vector<double>& knots)
     const auto range = std::equal_range(knots.begin(), knots.end(), knots[k]);
     const int continuity = degree - static_cast<int>(range.second - range.first);
     spans.Breaks.push_back(knots[k]);
-    spans.Kinds.push_back(continuity > 0 ? SideKind::Smooth
-                                         : (continuity == 0 ? SideKind::Crease : SideKind::Border));
+    spans.Kinds.push_back(
+      continuity > 0 ? SideKind::Smooth : (continuity == 0 ? SideKind::Crease : SideKind::Border));
   }
   spans.Kinds.front() = spans.Kinds.back() = SideKind::Border;
   return spans;
@@ -107,9 +107,7 @@ void FindCollapsedSides(BezierPatch& patch, const Vec4* net)
   {
     const int count = side < 2 ? nv : nu;
     const auto along = [&](int k)
-    {
-      return side < 2 ? point(side == 0 ? 0 : nu - 1, k) : point(k, side == 2 ? 0 : nv - 1);
-    };
+    { return side < 2 ? point(side == 0 ? 0 : nu - 1, k) : point(k, side == 2 ? 0 : nv - 1); };
     bool collapsed = true;
     for (int k = 1; k < count && collapsed; ++k)
     {
@@ -480,8 +478,8 @@ double Binomial(int n, int k)
 
 }
 
-void RestrictNet(const BezierPatch& patch, const Vec4* net, double s0, double s1, double t0,
-  double t1, Vec4* part)
+void RestrictNet(
+  const BezierPatch& patch, const Vec4* net, double s0, double s1, double t0, double t1, Vec4* part)
 {
   const int nu = patch.DegreeU + 1, nv = patch.DegreeV + 1;
   std::copy(net, net + nu * nv, part);
@@ -505,8 +503,7 @@ BezierPatch CurveOnPatch(const BezierPatch& patch, const std::vector<Vec4>& pool
   const Vec2& to, std::vector<Vec4>& nets)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
-  std::vector<Vec4> part(
-    pool.begin() + patch.Net, pool.begin() + patch.Net + (p + 1) * (q + 1));
+  std::vector<Vec4> part(pool.begin() + patch.Net, pool.begin() + patch.Net + (p + 1) * (q + 1));
   for (int j = 0; j <= q; ++j)
   {
     BlossomRow(part.data() + j * (p + 1), p, 1, from.x(), to.x());

@@ -37,10 +37,7 @@ struct BezierPatch
   int GridU = 1, GridV = 1, FirstLeaf = -1;
   int Loop = -1, LoopEdge = -1; ///< of a trim curve: which loop and which edge of it
 
-  double U(double s, double t) const
-  {
-    return this->U0 + (this->U1 - this->U0) * s + 0 * t;
-  }
+  double U(double s, double t) const { return this->U0 + (this->U1 - this->U0) * s + 0 * t; }
   double V(double s, double t) const
   {
     return this->V0 + (this->V1 - this->V0) * (this->Curve ? s : t);

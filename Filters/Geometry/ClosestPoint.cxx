@@ -78,7 +78,7 @@ private:
 
   const SurfaceModel& Model;
   const Vec3 P;
-  double Bound = 0; ///< squared
+  double Bound = 0;                          ///< squared
   static constexpr int MaximumBoxes = 50000; ///< beyond it the best found so far stands
   int Boxes = 0;
   bool Walked = false;
@@ -132,7 +132,9 @@ void ClosestPointSearch::Run()
   {
     const Entry entry = stack[--size];
     // A distance of zero must be looked at unless the best is zero as well.
-    if (entry.Squared > this->Bound || (entry.Squared == this->Bound && this->Bound == 0 && this->Best.Patch >= 0 && this->Best.Squared == 0))
+    if (entry.Squared > this->Bound ||
+      (entry.Squared == this->Bound && this->Bound == 0 && this->Best.Patch >= 0 &&
+        this->Best.Squared == 0))
     {
       continue;
     }
@@ -250,8 +252,12 @@ bool ClosestPointSearch::SearchBox(
   }
   const auto point = [&](int i, int j) -> Vec3
   { return part[i + j * (p + 1)].head<3>() / part[i + j * (p + 1)].w(); };
-  const double lengthS = std::max((point(p, 0) - point(0, 0)).norm(), (point(p, q) - point(0, q)).norm()) + (high - low).norm() * (p > 1 ? 1e-3 : 0);
-  const double lengthT = std::max((point(0, q) - point(0, 0)).norm(), (point(p, q) - point(p, 0)).norm()) + (high - low).norm() * (q > 1 ? 1e-3 : 0);
+  const double lengthS =
+    std::max((point(p, 0) - point(0, 0)).norm(), (point(p, q) - point(0, q)).norm()) +
+    (high - low).norm() * (p > 1 ? 1e-3 : 0);
+  const double lengthT =
+    std::max((point(0, q) - point(0, 0)).norm(), (point(p, q) - point(p, 0)).norm()) +
+    (high - low).norm() * (q > 1 ? 1e-3 : 0);
   const double nearS = std::min(point(0, 0).squaredNorm(), point(0, q).squaredNorm()) -
     std::min(point(p, 0).squaredNorm(), point(p, q).squaredNorm());
   const double nearT = std::min(point(0, 0).squaredNorm(), point(p, 0).squaredNorm()) -

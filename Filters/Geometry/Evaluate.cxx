@@ -121,8 +121,7 @@ Vec4 SumNet(
 /// A control point of the span as origin keeps the digits of models far from zero.
 Vec3 LocalOrigin(const NurbsSurface& surface, const Basis& bu, const Basis& bv)
 {
-  return surface
-    .ControlPoints[static_cast<std::size_t>(bv.Span) * surface.CountU + bu.Span]
+  return surface.ControlPoints[static_cast<std::size_t>(bv.Span) * surface.CountU + bu.Span]
     .head<3>();
 }
 
@@ -157,8 +156,7 @@ SurfaceJet EvaluateJet(const NurbsSurface& surface, double u, double v)
   jet.Su = (au.head<3>() - au.w() * jet.S) * inverse;
   jet.Sv = (av.head<3>() - av.w() * jet.S) * inverse;
   jet.Suu = (auu.head<3>() - 2 * au.w() * jet.Su - auu.w() * jet.S) * inverse;
-  jet.Suv =
-    (auv.head<3>() - au.w() * jet.Sv - av.w() * jet.Su - auv.w() * jet.S) * inverse;
+  jet.Suv = (auv.head<3>() - au.w() * jet.Sv - av.w() * jet.Su - auv.w() * jet.S) * inverse;
   jet.Svv = (avv.head<3>() - 2 * av.w() * jet.Sv - avv.w() * jet.S) * inverse;
   jet.S += origin;
   return jet;

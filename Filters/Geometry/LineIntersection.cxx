@@ -63,9 +63,9 @@ void LineSearch::Run()
 {
   const Vec3 middle = this->A + 0.5 * (this->Low + this->High) * this->D;
   const Vec3 half = 0.5 * (this->High - this->Low) * this->D;
-  const float slack = static_cast<float>(
-    1e-6 * (middle.cwiseAbs().maxCoeff() + half.cwiseAbs().maxCoeff()) + this->Tolerance +
-    this->Model.Gap);
+  const float slack =
+    static_cast<float>(1e-6 * (middle.cwiseAbs().maxCoeff() + half.cwiseAbs().maxCoeff()) +
+      this->Tolerance + this->Model.Gap);
   const Eigen::Vector3f m = middle.cast<float>(), e = half.cast<float>();
   int stack[TreeStackSize];
   int size = 0;
@@ -492,7 +492,8 @@ bool LineSearch::SearchBox(
   {
     Solution solution = this->Approach(patch, s, t, box);
     const Vec3 r = BezierPoint(patch, net, solution.S, solution.T) - this->A;
-    if ((r - this->D.dot(r) * this->D).norm() <= this->Tolerance && this->Report(index, solution, true))
+    if ((r - this->D.dot(r) * this->D).norm() <= this->Tolerance &&
+      this->Report(index, solution, true))
     {
       ++this->Touches;
       return false;

@@ -158,7 +158,8 @@ void SectorFinder::AddLoopSector(const Contact& contact)
   sector.Parameters = Vec2(curve.U(contact.Foot.S, 0), curve.V(contact.Foot.S, 0));
   for (const Sector& other : this->Sectors)
   {
-    if (other.Face == sector.Face && this->SamePlace(sector.Face, other.Parameters, sector.Parameters))
+    if (other.Face == sector.Face &&
+      this->SamePlace(sector.Face, other.Parameters, sector.Parameters))
     {
       return;
     }
@@ -183,10 +184,10 @@ void SectorFinder::AddLoopSector(const Contact& contact)
     sector.Straight = false;
   }
   const FaceData& data = model.Data[curve.Face];
-  sector.Parameters.x() = std::clamp(
-    sector.Parameters.x(), data.SpansU.Breaks.front(), data.SpansU.Breaks.back());
-  sector.Parameters.y() = std::clamp(
-    sector.Parameters.y(), data.SpansV.Breaks.front(), data.SpansV.Breaks.back());
+  sector.Parameters.x() =
+    std::clamp(sector.Parameters.x(), data.SpansU.Breaks.front(), data.SpansU.Breaks.back());
+  sector.Parameters.y() =
+    std::clamp(sector.Parameters.y(), data.SpansV.Breaks.front(), data.SpansV.Breaks.back());
   const BezierPatch& patch =
     model.Patches[model.PatchAt(curve.Face, sector.Parameters.x(), sector.Parameters.y())];
   const double s = (sector.Parameters.x() - patch.U0) / (patch.U1 - patch.U0);
@@ -197,12 +198,11 @@ void SectorFinder::AddLoopSector(const Contact& contact)
   const auto tangent = [&](const Vec2& to) -> Vec3
   {
     const Vec2 d = (to - sector.Parameters);
-    const Vec3 x =
-      d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
+    const Vec3 x = d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
     const double length = x.norm();
     // Along a collapsed side there is no way to go.
     return length > 1e-9 * d.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
-                                                                     : Vec3(Vec3::Zero());
+                                                                      : Vec3(Vec3::Zero());
   };
   const bool left = loops.InsideIsLeft(curve.Loop);
   const Vec3 a = tangent(forward), b = tangent(backward);
@@ -269,7 +269,8 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
     const double away = std::abs(side < 2 ? s - sideS[side] : t - sideT[side]);
     on[side] = away < 0.5 &&
       (away == 0 ||
-        (BezierPoint(patch, net, sideS[side], sideT[side]) - contact.Foot.Point).norm() <= model.Gap);
+        (BezierPoint(patch, net, sideS[side], sideT[side]) - contact.Foot.Point).norm() <=
+          model.Gap);
   }
   for (int side = 0; side < 4; ++side)
   {
@@ -375,8 +376,7 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
   {
     const Vec3 next = direction((k + 1.0) / Samples);
     const Vec2 middle = place((k + 0.5) / Samples, 0), inner = place((k + 0.5) / Samples, 1e-6);
-    if (loops.Empty() ||
-      loops.Inside(patch.U(inner.x(), inner.y()), patch.V(inner.x(), inner.y())))
+    if (loops.Empty() || loops.Inside(patch.U(inner.x(), inner.y()), patch.V(inner.x(), inner.y())))
     {
       sector.Weighted += std::atan2(last.cross(next).norm(), last.dot(next)) *
         UnitNormal(model, patch, middle.x(), middle.y());
@@ -479,8 +479,8 @@ Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x)
     }
     for (int k = 0; k < sector.RayCount && !result.Border; ++k)
     {
-      result.Border = !FindPartner(sectors, sector, sector.Rays[k]) &&
-        IsFree(model, sector, sector.Rays[k], x);
+      result.Border =
+        !FindPartner(sectors, sector, sector.Rays[k]) && IsFree(model, sector, sector.Rays[k], x);
     }
   }
   const double length = result.Normal.norm();

@@ -88,9 +88,7 @@ std::string NetDefect(const NurbsSurface& surface)
   {
     const Vec4& point = surface.ControlPoints[k];
     const auto place = [&]()
-    {
-      text << "control point (" << k % surface.CountU << ", " << k / surface.CountU << ")";
-    };
+    { text << "control point (" << k % surface.CountU << ", " << k / surface.CountU << ")"; };
     if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z()))
     {
       place();

@@ -238,8 +238,7 @@ Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
 void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch)
 {
   constexpr double Finest = 16;
-  const Vec2 divisions =
-    (bend / flatness).array().ceil().max(1.0).min(Finest).matrix();
+  const Vec2 divisions = (bend / flatness).array().ceil().max(1.0).min(Finest).matrix();
   patch.GridU = static_cast<int>(divisions.x());
   patch.GridV = patch.DegreeV > 0 ? static_cast<int>(divisions.y()) : 1;
 }
@@ -318,8 +317,8 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
     return;
   }
   MeasureReach(b, steps, leaf);
-  const double deviation = steps.Linear(
-    b.DeviationU + radius * b.WeightU, b.DeviationV + radius * b.WeightV);
+  const double deviation =
+    steps.Linear(b.DeviationU + radius * b.WeightU, b.DeviationV + radius * b.WeightV);
   leaf.Deviation = static_cast<float>(std::min(2.0, deviation + 1e-6));
   // J0 holds derivatives of w S.
   const double weight = patch.Rational ? BezierWeight(patch, part, 0.5, 0.5) : 1.0;
@@ -368,9 +367,8 @@ public:
       {
         box.extend(this->Boxes[this->Leaves[k]]);
       }
-      const int child = last - first == 0
-        ? TreeNode::Empty
-        : (last - first == 1 ? ~first : this->Build(first, last));
+      const int child = last - first == 0 ? TreeNode::Empty
+                                          : (last - first == 1 ? ~first : this->Build(first, last));
       TreeNode& node = this->Nodes[index]; // Build may have moved it
       node.Child[c] = child;
       for (int axis = 0; axis < 3; ++axis)

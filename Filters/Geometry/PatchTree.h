@@ -25,10 +25,10 @@ struct Leaf
 {
   Vec3 Center;             ///< a point of the surface inside the leaf
   Eigen::Vector3f X, Y, Z; ///< axes of its oriented box; Z is the mean normal
-  float Inverse[4];  ///< (s, t) = middle + Inverse (x, y) in the plane of the box
-  float SideCost;    ///< a point at (side, height) above Center has one closest point in the leaf
-  float HeightCost;  ///< if SideCost side + HeightCost height < 1
-  float Deviation;   ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
+  float Inverse[4];        ///< (s, t) = middle + Inverse (x, y) in the plane of the box
+  float SideCost;   ///< a point at (side, height) above Center has one closest point in the leaf
+  float HeightCost; ///< if SideCost side + HeightCost height < 1
+  float Deviation;  ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
   int Patch;
   TrimState Trim;
 };

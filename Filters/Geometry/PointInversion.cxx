@@ -145,7 +145,8 @@ LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, 
       const Vec3 nr = next.S - p;
       const double squared = nr.squaredNorm();
       // Equality up to rounding is progress: the gradient decides then, not the value.
-      if (squared <= foot.Squared * (1 + 1e-15) || (halving == 0 && length < 1e-6 && squared <= foot.Squared * (1 + 1e-12)))
+      if (squared <= foot.Squared * (1 + 1e-15) ||
+        (halving == 0 && length < 1e-6 && squared <= foot.Squared * (1 + 1e-12)))
       {
         before = fraction * length;
         foot.S = ns;

@@ -53,8 +53,7 @@ void SurfaceModel::AddFace(int face)
   const NurbsSurface& surface = this->Faces[face];
   data.FirstPatch = static_cast<int>(this->Patches.size());
   data.Loops = TrimLoops(surface);
-  Decompose(
-    surface, face, this->Origin, data.SpansU, data.SpansV, this->Patches, this->Nets);
+  Decompose(surface, face, this->Origin, data.SpansU, data.SpansV, this->Patches, this->Nets);
   this->AddTrimCurves(face, data.FirstPatch, static_cast<int>(this->Patches.size()));
 }
 
@@ -157,8 +156,8 @@ void SurfaceModel::AddLeaves()
       Leaf& leaf = this->Leaves[patch.FirstLeaf + k];
       leaf.Patch = static_cast<int>(index);
       leaf.Trim = TrimState::Inside;
-      MeasureLeaf(patch, domain, part, leaf, oriented[patch.FirstLeaf + k],
-        boxes[patch.FirstLeaf + k]);
+      MeasureLeaf(
+        patch, domain, part, leaf, oriented[patch.FirstLeaf + k], boxes[patch.FirstLeaf + k]);
       oriented[patch.FirstLeaf + k].Leaf = patch.FirstLeaf + k;
     }
   }
@@ -254,14 +253,16 @@ void SurfaceModel::FindTrimStates()
     const BezierPatch& patch = this->Patches[this->PatchAt(curve.Face, middle.x(), middle.y())];
     const Vec2 size(patch.U1 - patch.U0, patch.V1 - patch.V0), origin(patch.U0, patch.V0);
     const Vec2 p = (a - origin).cwiseQuotient(size), q = (b - origin).cwiseQuotient(size);
-    const auto cell = [](double x, int n) { return std::clamp(static_cast<int>(std::floor(x * n)), 0, n - 1); };
+    const auto cell = [](double x, int n)
+    { return std::clamp(static_cast<int>(std::floor(x * n)), 0, n - 1); };
     const Vec2 low = p.cwiseMin(q).array() - 1e-9, high = p.cwiseMax(q).array() + 1e-9;
     for (int j = cell(low.y(), patch.GridV); j <= cell(high.y(), patch.GridV); ++j)
     {
       for (int i = cell(low.x(), patch.GridU); i <= cell(high.x(), patch.GridU); ++i)
       {
         const Vec2 cellLow(i / double(patch.GridU) - 1e-9, j / double(patch.GridV) - 1e-9);
-        const Vec2 cellHigh((i + 1) / double(patch.GridU) + 1e-9, (j + 1) / double(patch.GridV) + 1e-9);
+        const Vec2 cellHigh(
+          (i + 1) / double(patch.GridU) + 1e-9, (j + 1) / double(patch.GridV) + 1e-9);
         double t0, t1;
         if (ClipToRectangle(p, q, cellLow, cellHigh, t0, t1))
         {

@@ -36,9 +36,9 @@ struct SurfaceModel
   std::vector<LeafBox> LeafBoxes; ///< in the order of the tree, without leaves outside loops
   std::vector<TreeNode> Nodes;
   Vec3 Origin = Vec3::Zero();
-  double Scale = 1.0;       ///< diagonal of the bounding box
-  double Gap = 0.0;         ///< distance up to which borders count as one, rounding included
-  double Resolution = 0.0;  ///< distance below which points are the same (1e-12 Scale)
+  double Scale = 1.0;      ///< diagonal of the bounding box
+  double Gap = 0.0;        ///< distance up to which borders count as one, rounding included
+  double Resolution = 0.0; ///< distance below which points are the same (1e-12 Scale)
   Box3 Bounds;
 
   const Vec4* Net(const BezierPatch& patch) const { return this->Nets.data() + patch.Net; }
@@ -79,8 +79,8 @@ inline float SquaredDistanceToLeaf(const LeafBox& box, const Vec3& p)
   float sum = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const float e = std::max(
-      std::max(box.Low[axis] - local[axis], local[axis] - box.High[axis]) - slack, 0.0f);
+    const float e =
+      std::max(std::max(box.Low[axis] - local[axis], local[axis] - box.High[axis]) - slack, 0.0f);
     sum += e * e;
   }
   return sum * (1 - 1e-6f);

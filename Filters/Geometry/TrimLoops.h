@@ -59,8 +59,8 @@ private:
 };
 
 /// The part of a-b inside a rectangle, as the interval [t0, t1] of a-b; false if there is none.
-bool ClipToRectangle(const Vec2& a, const Vec2& b, const Vec2& low, const Vec2& high, double& t0,
-  double& t1);
+bool ClipToRectangle(
+  const Vec2& a, const Vec2& b, const Vec2& low, const Vec2& high, double& t0, double& t1);
 
 }
 

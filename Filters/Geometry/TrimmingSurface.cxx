@@ -164,8 +164,8 @@ std::vector<LineHit> TrimmingSurface::Intersect(
   std::vector<LineMeeting> meetings;
   if (!(length > 0))
   {
-    const SurfacePoint point = FindClosestPoint(
-      model, start, 16 * model.Resolution * model.Resolution, SurfacePoint());
+    const SurfacePoint point =
+      FindClosestPoint(model, start, 16 * model.Resolution * model.Resolution, SurfacePoint());
     if (point.Patch >= 0)
     {
       meetings.push_back({ 0.0, point.Patch, point.S, point.T, point.Point, false, 0.0 });
@@ -237,8 +237,7 @@ bool TrimmingSurface::MayIntersect(const Box3& box) const
     return false;
   }
   const Vec3 center = box.center() - model.Origin, half = 0.5 * box.sizes();
-  const double slack =
-    2e-7 * (center.cwiseAbs().maxCoeff() + half.maxCoeff()) + model.Resolution;
+  const double slack = 2e-7 * (center.cwiseAbs().maxCoeff() + half.maxCoeff()) + model.Resolution;
   float low[3], high[3];
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -73,8 +73,8 @@ public:
   void Flip();
 
   /// The global closest point (eqs. 6-11) within maxDistance of p.
-  Foot ClosestPoint(const Vec3& p,
-    double maxDistance = std::numeric_limits<double>::infinity()) const;
+  Foot ClosestPoint(
+    const Vec3& p, double maxDistance = std::numeric_limits<double>::infinity()) const;
 
   /// The same, with a foot of a nearby point as first guess: same result, sooner.
   Foot ClosestPoint(const Vec3& p, const Foot& guess, double maxDistance) const;

@@ -16,8 +16,8 @@
 namespace occ
 {
 /// Distinct knots and their multiplicities.
-inline void SplitKnots(const std::vector<double>& knots, std::vector<double>& values,
-  std::vector<int>& multiplicities)
+inline void SplitKnots(
+  const std::vector<double>& knots, std::vector<double>& values, std::vector<int>& multiplicities)
 {
   for (double knot : knots)
   {

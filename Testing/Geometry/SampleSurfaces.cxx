@@ -17,8 +17,8 @@ std::vector<double> UniformKnots(int degree, int count)
   return knots;
 }
 
-NurbsSurface FromNet(int p, int q, int countU, int countV,
-  const std::function<Vec4(double u, double v)>& point)
+NurbsSurface FromNet(
+  int p, int q, int countU, int countV, const std::function<Vec4(double u, double v)>& point)
 {
   NurbsSurface surface;
   surface.DegreeU = p;
@@ -58,8 +58,8 @@ NurbsSurface Plane(const Vec3& origin, const Vec3& u, const Vec3& v)
 
 NurbsSurface Bilinear()
 {
-  return FromNet(1, 1, 2, 2,
-    [](double u, double v) { return Vec4(u, v + 0.2 * u, u == v ? 0.5 : -0.3, 1); });
+  return FromNet(
+    1, 1, 2, 2, [](double u, double v) { return Vec4(u, v + 0.2 * u, u == v ? 0.5 : -0.3, 1); });
 }
 
 NurbsSurface Revolve(int degree, const std::vector<double>& knots,

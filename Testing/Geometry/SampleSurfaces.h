@@ -22,8 +22,8 @@ using nurbs::Vec4;
 std::vector<double> UniformKnots(int degree, int count);
 
 /// A surface of the degrees given over a net of points (u, v in [0, 1] to x y z w).
-NurbsSurface FromNet(int p, int q, int countU, int countV,
-  const std::function<Vec4(double u, double v)>& point);
+NurbsSurface FromNet(
+  int p, int q, int countU, int countV, const std::function<Vec4(double u, double v)>& point);
 
 NurbsSurface Wavy(int count = 8, double height = 0.15);
 NurbsSurface Plane(const Vec3& origin, const Vec3& u, const Vec3& v);
@@ -37,13 +37,13 @@ NurbsSurface Sphere(double radius);
 NurbsSurface Torus(double major, double minor);
 NurbsSurface Cone(double radius, double height); ///< apex on z at height
 NurbsSurface HighDegree(int p, int q);
-NurbsSurface Creased();   ///< repeated interior knots, C0 creases
-NurbsSurface Weighted();  ///< weights from 0.01 to 100
+NurbsSurface Creased();  ///< repeated interior knots, C0 creases
+NurbsSurface Weighted(); ///< weights from 0.01 to 100
 NurbsSurface Unclamped();
-NurbsSurface Curled();    ///< a strongly curved S
-NurbsSurface Slit();      ///< two banks a thin slit apart
-NurbsSurface Linear();    ///< degree 1, a folded net
-NurbsSurface Jump();      ///< a C^-1 knot: two separate sheets in one surface
+NurbsSurface Curled(); ///< a strongly curved S
+NurbsSurface Slit();   ///< two banks a thin slit apart
+NurbsSurface Linear(); ///< degree 1, a folded net
+NurbsSurface Jump();   ///< a C^-1 knot: two separate sheets in one surface
 
 struct Named
 {

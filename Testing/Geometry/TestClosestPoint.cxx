@@ -62,8 +62,10 @@ public:
       for (int i = 0; i < nu; ++i)
       {
         const int k = i + j * nu;
-        if ((i == 0 || squared[k] <= squared[k - 1]) && (i == nu - 1 || squared[k] <= squared[k + 1]) &&
-          (j == 0 || squared[k] <= squared[k - nu]) && (j == nv - 1 || squared[k] <= squared[k + nu]))
+        if ((i == 0 || squared[k] <= squared[k - 1]) &&
+          (i == nu - 1 || squared[k] <= squared[k + 1]) &&
+          (j == 0 || squared[k] <= squared[k - nu]) &&
+          (j == nv - 1 || squared[k] <= squared[k + nu]))
         {
           seeds.push_back({ squared[k], k });
         }
@@ -157,7 +159,8 @@ public:
   Vec3 Next(int k)
   {
     const double diagonal = this->Box.diagonal().norm();
-    const auto random = [&]() { return Vec3(this->Draw(-1, 1), this->Draw(-1, 1), this->Draw(-1, 1)); };
+    const auto random = [&]()
+    { return Vec3(this->Draw(-1, 1), this->Draw(-1, 1), this->Draw(-1, 1)); };
     const double u = this->Draw(this->Surface.FirstU(), this->Surface.LastU());
     const double v = this->Draw(this->Surface.FirstV(), this->Surface.LastV());
     switch (k % 8)
@@ -168,7 +171,8 @@ public:
         return Evaluate(this->Surface, u, v) + 0.03 * diagonal * random();
       case 3:
       case 4:
-        return this->Box.center() + 0.7 * random().cwiseProduct(this->Box.sizes() + Vec3::Constant(0.2 * diagonal));
+        return this->Box.center() +
+          0.7 * random().cwiseProduct(this->Box.sizes() + Vec3::Constant(0.2 * diagonal));
       case 5:
         return this->Box.center() + 10 * diagonal * random();
       case 6:
@@ -218,7 +222,8 @@ void TestSample(const samples::Named& sample, int queries)
     check::Near((jet.S - foot.Point).norm(), 0,
       2e-13 * (scale + 1) + 1e-15 * (jet.Su.norm() + jet.Sv.norm()),
       sample.Name + ": the foot is S(u, v)");
-    check::Near((foot.Point - p).norm(), foot.Distance, 1e-14 * (scale + p.norm()), sample.Name + ": the distance");
+    check::Near((foot.Point - p).norm(), foot.Distance, 1e-14 * (scale + p.norm()),
+      sample.Name + ": the distance");
     const double grid = brute.Distance(p);
     check::That(grid >= bound,
       sample.Name + ": brute force knows nothing nearer" + Numbers(foot.Distance, grid));
@@ -231,7 +236,8 @@ void TestSample(const samples::Named& sample, int queries)
         double u, v;
         projector.LowerDistanceParameters(u, v);
         const double distance = (Evaluate(surface, u, v) - p).norm();
-        check::That(distance >= bound, sample.Name + ": OpenCASCADE knows nothing nearer" + Numbers(foot.Distance, distance));
+        check::That(distance >= bound,
+          sample.Name + ": OpenCASCADE knows nothing nearer" + Numbers(foot.Distance, distance));
         missedByOther += distance > foot.Distance * (1 + 1e-7) + 1e-9 * scale;
       }
       else
@@ -241,7 +247,8 @@ void TestSample(const samples::Named& sample, int queries)
     }
     // A guess, good or bad, changes nothing; nor does a bound that is not below the distance.
     const Foot guessed = trimming.ClosestPoint(p, last, foot.Distance * (1 + 1e-9) + 1e-12 * scale);
-    check::That(guessed.Kind != FootKind::None && std::abs(guessed.Distance - foot.Distance) <= 1e-10 * foot.Distance + 1e-13 * scale,
+    check::That(guessed.Kind != FootKind::None &&
+        std::abs(guessed.Distance - foot.Distance) <= 1e-10 * foot.Distance + 1e-13 * scale,
       sample.Name + ": the same with a guess");
     if (foot.Distance > 1e-6 * scale && k % 16 == 0)
     {
@@ -281,12 +288,16 @@ void TestEquidistant()
   for (int k = -8; k <= 8; ++k)
   {
     const double shift = k == 0 ? 0.0 : std::copysign(std::pow(10.0, -2 * std::abs(k)), k);
-    check::Near(sphere.ClosestPoint(Vec3(shift, 0, 0)).Distance, 2 - std::abs(shift), 1e-12, "centre of the sphere");
-    check::Near(sphere.ClosestPoint(Vec3(0, 0, shift)).Distance, 2 - std::abs(shift), 1e-12, "axis of the sphere");
-    check::Near(cylinder.ClosestPoint(Vec3(shift, 0, 1)).Distance, 1.5 - std::abs(shift), 1e-12, "axis of the cylinder");
+    check::Near(sphere.ClosestPoint(Vec3(shift, 0, 0)).Distance, 2 - std::abs(shift), 1e-12,
+      "centre of the sphere");
+    check::Near(sphere.ClosestPoint(Vec3(0, 0, shift)).Distance, 2 - std::abs(shift), 1e-12,
+      "axis of the sphere");
+    check::Near(cylinder.ClosestPoint(Vec3(shift, 0, 1)).Distance, 1.5 - std::abs(shift), 1e-12,
+      "axis of the cylinder");
     check::Near(torus.ClosestPoint(Vec3(0.6, 0.8 + shift, 0)).Distance,
       0.3 - std::abs(std::hypot(0.6, 0.8 + shift) - 1), 1e-12, "core of the torus");
-    check::Near(torus.ClosestPoint(Vec3(shift, 0, 0)).Distance, 0.7 - std::abs(shift), 1e-12, "axis of the torus");
+    check::Near(torus.ClosestPoint(Vec3(shift, 0, 0)).Distance, 0.7 - std::abs(shift), 1e-12,
+      "axis of the torus");
   }
 }
 

@@ -44,7 +44,8 @@ void TestFiniteDifferences(const samples::Named& sample)
     const SurfaceJet jet = EvaluateJet(s, u, v);
     const SurfaceJet a = EvaluateJet(s, u - hu, v), b = EvaluateJet(s, u + hu, v);
     const SurfaceJet c = EvaluateJet(s, u, v - hv), d = EvaluateJet(s, u, v + hv);
-    const auto close = [&](const Vec3& exact, const Vec3& difference, double scale, const char* what)
+    const auto close = [&](
+                         const Vec3& exact, const Vec3& difference, double scale, const char* what)
     {
       check::That((exact - difference).norm() <= 1e-5 * (scale + exact.norm()),
         sample.Name + " " + what + " against differences");
@@ -178,12 +179,12 @@ void TestInvariances(const samples::Named& sample)
         (linear * jet.Suv - image.Suv).norm() < 1e-11 * scale,
       sample.Name + " under an affine map");
     const SurfaceJet back = EvaluateJet(reversed, s.FirstU() + s.LastU() - u, v);
-    check::That((back.S - jet.S).norm() < 1e-12 * scale && (back.Su + jet.Su).norm() < 1e-10 * scale &&
-        (back.Suu - jet.Suu).norm() < 1e-9 * scale,
+    check::That((back.S - jet.S).norm() < 1e-12 * scale &&
+        (back.Su + jet.Su).norm() < 1e-10 * scale && (back.Suu - jet.Suu).norm() < 1e-9 * scale,
       sample.Name + " reversed");
     const SurfaceJet refined = EvaluateJet(finer, u, v);
-    check::That((refined.S - jet.S).norm() < 1e-13 * scale &&
-        (refined.Suu - jet.Suu).norm() < 1e-9 * scale,
+    check::That(
+      (refined.S - jet.S).norm() < 1e-13 * scale && (refined.Suu - jet.Suu).norm() < 1e-9 * scale,
       sample.Name + " with knots inserted");
   }
 }
@@ -210,30 +211,41 @@ void TestDefects()
   expect("knot decreases", "knot U[6]", [](NurbsSurface& s) { s.KnotsU[6] = 0.1; });
   expect("empty domain", "empty",
     [](NurbsSurface& s) { std::fill(s.KnotsU.begin(), s.KnotsU.end(), 0.5); });
-  expect("knot repeated", "repeated", [](NurbsSurface& s)
-    { std::fill(s.KnotsU.begin() + 4, s.KnotsU.begin() + 9, 0.5); s.KnotsU[9] = 0.75; s.KnotsU[10] = 1; });
+  expect("knot repeated", "repeated",
+    [](NurbsSurface& s)
+    {
+      std::fill(s.KnotsU.begin() + 4, s.KnotsU.begin() + 9, 0.5);
+      s.KnotsU[9] = 0.75;
+      s.KnotsU[10] = 1;
+    });
   expect("missing point", "control net", [](NurbsSurface& s) { s.ControlPoints.pop_back(); });
-  expect("point infinite", "(3, 2)", [](NurbsSurface& s)
+  expect("point infinite", "(3, 2)",
+    [](NurbsSurface& s)
     { s.ControlPoints[3 + 2 * 8].y() = std::numeric_limits<double>::infinity(); });
   expect("weight 0", "weight", [](NurbsSurface& s) { s.ControlPoints[5].w() = 0; });
   expect("weight negative", "(5, 0)", [](NurbsSurface& s) { s.ControlPoints[5].w() = -1; });
   expect("weight NaN", "weight", [=](NurbsSurface& s) { s.ControlPoints[5].w() = nan; });
-  expect("short loop", "trim loop 0", [](NurbsSurface& s) { s.TrimLoops = { { Vec2(0, 0), Vec2(1, 1) } }; });
-  expect("loop NaN", "point 1", [=](NurbsSurface& s)
-    { s.TrimLoops = { { Vec2(0, 0), Vec2(1, nan), Vec2(1, 1) } }; });
+  expect("short loop", "trim loop 0",
+    [](NurbsSurface& s) {
+      s.TrimLoops = { { Vec2(0, 0), Vec2(1, 1) } };
+    });
+  expect("loop NaN", "point 1",
+    [=](NurbsSurface& s) {
+      s.TrimLoops = { { Vec2(0, 0), Vec2(1, nan), Vec2(1, 1) } };
+    });
 }
 
 void TestHighestDegree()
 {
   // A degree-elevated parabola stays a parabola; degree 25 is the limit.
-  const NurbsSurface s = samples::FromNet(MaximumDegree, MaximumDegree, MaximumDegree + 1,
-    MaximumDegree + 1,
-    [](double u, double v)
-    {
-      const double n = MaximumDegree;
-      const double uu = u * (n * u - 1) / (n - 1); // Bernstein coefficients of u^2
-      return Vec4(u, v, uu + v, 2);
-    });
+  const NurbsSurface s =
+    samples::FromNet(MaximumDegree, MaximumDegree, MaximumDegree + 1, MaximumDegree + 1,
+      [](double u, double v)
+      {
+        const double n = MaximumDegree;
+        const double uu = u * (n * u - 1) / (n - 1); // Bernstein coefficients of u^2
+        return Vec4(u, v, uu + v, 2);
+      });
   check::That(FindDefect(s).empty(), "degree 25 is valid");
   for (int k = 0; k < 100; ++k)
   {

@@ -55,14 +55,15 @@ void CheckHits(const TrimmingSurface& surface, const Vec3& a, const Vec3& b,
     check::That((Evaluate(surface.Face(hit.Face), hit.U, hit.V) - hit.Point).norm() < 1e-11 * scale,
       name + ": on the surface");
     check::That(k == 0 || hits[k - 1].K < hit.K, name + ": sorted");
-    check::That(hit.Normal.norm() > 0.999999 && hit.Normal.norm() < 1.000001, name + ": unit normal");
+    check::That(
+      hit.Normal.norm() > 0.999999 && hit.Normal.norm() < 1.000001, name + ": unit normal");
   }
 }
 
 bool Contains(const std::vector<LineHit>& hits, double k, double tolerance)
 {
-  return std::any_of(hits.begin(), hits.end(),
-    [&](const LineHit& hit) { return std::abs(hit.K - k) <= tolerance; });
+  return std::any_of(
+    hits.begin(), hits.end(), [&](const LineHit& hit) { return std::abs(hit.K - k) <= tolerance; });
 }
 
 void TestClosedForms()
@@ -91,8 +92,8 @@ void TestClosedForms()
       }
       return result;
     };
-    const auto compare = [&](const TrimmingSurface& surface, const std::vector<double>& expected,
-                           const char* name)
+    const auto compare =
+      [&](const TrimmingSurface& surface, const std::vector<double>& expected, const char* name)
     {
       const auto hits = surface.Intersect(a, b);
       CheckHits(surface, a, b, hits, name);
@@ -101,11 +102,13 @@ void TestClosedForms()
       {
         same = std::abs(hits[i].K - expected[i]) * d.norm() < 1e-8;
       }
-      check::That(same, std::string(name) + ": " + Describe(hits) + " but " + std::to_string(expected.size()));
+      check::That(same,
+        std::string(name) + ": " + Describe(hits) + " but " + std::to_string(expected.size()));
     };
     compare(sphere, roots(d.squaredNorm(), a.dot(d), a.squaredNorm() - 1), "sphere");
     std::vector<double> expected;
-    for (double x : roots(d.head<2>().squaredNorm(), a.head<2>().dot(d.head<2>()), a.head<2>().squaredNorm() - 1))
+    for (double x :
+      roots(d.head<2>().squaredNorm(), a.head<2>().dot(d.head<2>()), a.head<2>().squaredNorm() - 1))
     {
       const double z = a.z() + x * d.z();
       if (z >= 0 && z <= 2)
@@ -133,8 +136,10 @@ void TestCompleteness(const samples::Named& sample)
   const double scale = box.diagonal().norm();
   for (int k = 0; k < 40; ++k)
   {
-    const Vec3 a = box.center() + 0.6 * RandomVector().cwiseProduct(box.sizes()) + 0.05 * scale * RandomVector();
-    const Vec3 b = box.center() + 0.6 * RandomVector().cwiseProduct(box.sizes()) + 0.05 * scale * RandomVector();
+    const Vec3 a =
+      box.center() + 0.6 * RandomVector().cwiseProduct(box.sizes()) + 0.05 * scale * RandomVector();
+    const Vec3 b =
+      box.center() + 0.6 * RandomVector().cwiseProduct(box.sizes()) + 0.05 * scale * RandomVector();
     const auto hits = surface.Intersect(a, b);
     CheckHits(surface, a, b, hits, sample.Name);
     // Sphere tracing: steps of the distance itself cannot pass over a zero.
@@ -145,7 +150,8 @@ void TestCompleteness(const samples::Named& sample)
       const double distance = surface.ClosestPoint(a + x * (b - a)).Distance;
       if (distance < 1e-9 * scale)
       {
-        check::That(Contains(hits, x, 1e-6 * scale / length), sample.Name + ": a zero at " + std::to_string(x) + " among " + Describe(hits));
+        check::That(Contains(hits, x, 1e-6 * scale / length),
+          sample.Name + ": a zero at " + std::to_string(x) + " among " + Describe(hits));
         x += 1e-4 * scale / length;
       }
       x += distance / length + 1e-12;
@@ -171,7 +177,9 @@ void TestCompleteness(const samples::Named& sample)
     {
       slope = std::min(slope, std::abs(hit.Normal.dot(d.normalized())));
     }
-    check::That(Contains(hits, before / (before + after), slope > 1e-3 ? 1e-8 : 1e-5), sample.Name + ": through a known point at " + std::to_string(before / (before + after)) + ", " + Describe(hits) + Points(a, b));
+    check::That(Contains(hits, before / (before + after), slope > 1e-3 ? 1e-8 : 1e-5),
+      sample.Name + ": through a known point at " + std::to_string(before / (before + after)) +
+        ", " + Describe(hits) + Points(a, b));
   }
 }
 
@@ -187,7 +195,8 @@ void TestPatchBorders()
       const SurfaceJet jet = EvaluateJet(wavy, u, v);
       const Vec3 n = jet.Su.cross(jet.Sv).normalized();
       const auto hits = surface.Intersect(jet.S - 0.05 * n, jet.S + 0.05 * n);
-      check::That(hits.size() == 1 && std::abs(hits[0].K - 0.5) < 1e-10, "one hit at a corner of patches: " + Describe(hits));
+      check::That(hits.size() == 1 && std::abs(hits[0].K - 0.5) < 1e-10,
+        "one hit at a corner of patches: " + Describe(hits));
     }
   }
   // A box: 17 x 17 lines along each axis, on edges and corners of its faces too.
@@ -202,7 +211,8 @@ void TestPatchBorders()
         a[(axis + 1) % 3] = b[(axis + 1) % 3] = i / 16.0;
         a[(axis + 2) % 3] = b[(axis + 2) % 3] = j / 16.0;
         const auto hits = box.Intersect(a, b);
-        check::That(Contains(hits, 0.25, 1e-12) && Contains(hits, 0.5, 1e-12), "lines through the box: " + Describe(hits));
+        check::That(Contains(hits, 0.25, 1e-12) && Contains(hits, 0.5, 1e-12),
+          "lines through the box: " + Describe(hits));
         const bool inner = i % 16 != 0 && j % 16 != 0;
         check::That(!inner || hits.size() == 2, "two hits through the box: " + Describe(hits));
       }
@@ -212,12 +222,15 @@ void TestPatchBorders()
   const TrimmingSurface rounded(samples::RoundedShell(1, 0.8, 0.3, 1), 1e-7);
   for (int k = 0; k < 5000; ++k)
   {
-    const Vec3 edge(0, 0, Uniform(0.01, 0.99)), d(Uniform(0.1, 1), Uniform(0.1, 1), Uniform(-0.01, 0.01));
+    const Vec3 edge(0, 0, Uniform(0.01, 0.99)),
+      d(Uniform(0.1, 1), Uniform(0.1, 1), Uniform(-0.01, 0.01));
     const auto hits = box.Intersect(edge - d, edge + 0.5 * d);
-    check::That(hits.size() == 1 && Contains(hits, 2.0 / 3, 1e-11), "one hit on the edge of the box: " + Describe(hits));
+    check::That(hits.size() == 1 && Contains(hits, 2.0 / 3, 1e-11),
+      "one hit on the edge of the box: " + Describe(hits));
     const Vec3 seam(1, 0.5, Uniform(0.2, 0.8)), t(Uniform(-1, -0.2), Uniform(-1, 1), 0);
     const auto other = rounded.Intersect(seam - 0.1 * t, seam + 0.1 * t);
-    check::That(other.size() == 1 && Contains(other, 0.5, 1e-10), "one hit on the seam of the shell: " + Describe(other));
+    check::That(other.size() == 1 && Contains(other, 0.5, 1e-10),
+      "one hit on the seam of the shell: " + Describe(other));
   }
 }
 
@@ -230,8 +243,11 @@ void TestEnds()
     const Vec3 p = Evaluate(wavy, Uniform(0, 1), Uniform(0, 1)), q = p + Vec3(0.01, 0.02, 0.2);
     check::That(Contains(surface.Intersect(p, q), 0, 1e-10), "a hit at K = 0");
     check::That(Contains(surface.Intersect(q, p), 1, 1e-10), "a hit at K = 1");
-    check::That(surface.Intersect(p, q, 1e-6, 1).empty() || !Contains(surface.Intersect(p, q, 1e-6, 1), 0, 1e-7), "nothing before kMin");
-    check::That(Contains(surface.Intersect(q, p + 1.0 / 3 * (q - p), 0, 1.5), 1.5, 1e-10), "a hit at kMax beyond 1");
+    check::That(surface.Intersect(p, q, 1e-6, 1).empty() ||
+        !Contains(surface.Intersect(p, q, 1e-6, 1), 0, 1e-7),
+      "nothing before kMin");
+    check::That(Contains(surface.Intersect(q, p + 1.0 / 3 * (q - p), 0, 1.5), 1.5, 1e-10),
+      "a hit at kMax beyond 1");
     check::That(Contains(surface.Intersect(p, p), 0, 0), "a segment without length on the surface");
     check::That(surface.Intersect(q, q).empty(), "a segment without length off the surface");
   }
@@ -245,7 +261,8 @@ void TestTangency()
   {
     const Vec3 n = RandomVector().normalized(), t = n.cross(RandomVector()).normalized();
     auto hits = sphere.Intersect(n - 0.7 * t, n + 0.3 * t);
-    check::That(hits.size() == 1 && Contains(hits, 0.7, 1e-5), "tangent of the sphere: " + Describe(hits));
+    check::That(
+      hits.size() == 1 && Contains(hits, 0.7, 1e-5), "tangent of the sphere: " + Describe(hits));
     hits = sphere.Intersect(1.00001 * n - t, 1.00001 * n + t);
     check::That(hits.empty(), "just beside the sphere: " + Describe(hits));
     hits = sphere.Intersect(0.99999 * n - t, 0.99999 * n + t);
@@ -254,16 +271,21 @@ void TestTangency()
   auto hits = torus.Intersect(Vec3(-3, 0, 0.25), Vec3(3, 0, 0.25));
   check::That(hits.size() == 2, "a line that touches the torus twice: " + Describe(hits));
   // Within the surface: at least one, and an end to it.
-  const TrimmingSurface plane({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
+  const TrimmingSurface plane(
+    { samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
   check::That(!plane.Intersect(Vec3(-1, 0.3, 0), Vec3(2, 0.4, 0)).empty(), "a line within a plane");
-  check::That(!plane.Intersect(Vec3(0.2, 0.3, 0), Vec3(0.6, 0.4, 0)).empty(), "a segment within a plane");
-  check::That(plane.Intersect(Vec3(1.2, 0.3, 0), Vec3(1.6, 0.4, 0)).empty(), "a segment in the plane but beside it");
+  check::That(
+    !plane.Intersect(Vec3(0.2, 0.3, 0), Vec3(0.6, 0.4, 0)).empty(), "a segment within a plane");
+  check::That(plane.Intersect(Vec3(1.2, 0.3, 0), Vec3(1.6, 0.4, 0)).empty(),
+    "a segment in the plane but beside it");
   const TrimmingSurface cylinder({ samples::Cylinder(1, 2) }, 1e-9);
   for (int k = 0; k < 50; ++k)
   {
     const double angle = Uniform(0, 6.3), x = std::cos(angle), y = std::sin(angle);
-    check::That(!cylinder.Intersect(Vec3(x, y, -1), Vec3(x, y, 3)).empty(), "a ruling of the cylinder");
-    check::That(!cylinder.Intersect(Vec3(x, y, 0.5), Vec3(x, y, 0.6)).empty(), "a piece of a ruling");
+    check::That(
+      !cylinder.Intersect(Vec3(x, y, -1), Vec3(x, y, 3)).empty(), "a ruling of the cylinder");
+    check::That(
+      !cylinder.Intersect(Vec3(x, y, 0.5), Vec3(x, y, 0.6)).empty(), "a piece of a ruling");
   }
 }
 
@@ -283,8 +305,10 @@ void TestGaps()
       check::That(hits.size() == 1, "through the gap: " + Describe(hits));
     }
   }
-  check::That(surface.Intersect(Vec3(1 + 1.5 * gap, 0.4, -1), Vec3(1 + 1.5 * gap, 0.4, 1)).empty(), "past the free border");
-  check::That(surface.Intersect(Vec3(1, 0.4, -1), Vec3(1, 0.4, 1)).size() == 1, "past the other end");
+  check::That(surface.Intersect(Vec3(1 + 1.5 * gap, 0.4, -1), Vec3(1 + 1.5 * gap, 0.4, 1)).empty(),
+    "past the free border");
+  check::That(
+    surface.Intersect(Vec3(1, 0.4, -1), Vec3(1, 0.4, 1)).size() == 1, "past the other end");
 }
 
 }

@@ -75,7 +75,8 @@ void TestSigns(const std::string& name, const std::vector<NurbsSurface>& faces, 
       }
       const double distance = exact(p);
       const Foot foot = surface.ClosestPoint(p);
-      check::Near(foot.Distance, std::abs(distance), 1e-11, name + ": the distance" + Place(p, foot));
+      check::Near(
+        foot.Distance, std::abs(distance), 1e-11, name + ": the distance" + Place(p, foot));
       check::That(foot.Kind == FootKind::Interior, name + ": no border" + Place(p, foot));
       check::Near(foot.Normal.norm(), 1, 1e-12, name + ": unit normal" + Place(p, foot));
       if (std::abs(distance) < 1e-9)
@@ -97,16 +98,19 @@ void TestClosedSurfaces()
     const double outside = q.cwiseMax(0).norm();
     return outside > 0 ? outside : q.maxCoeff();
   };
-  TestSigns("box", samples::BoxShell(Vec3(0, 0, 0), Vec3(1, 1, 1)), Vec3(-1, -1, -1), Vec3(2, 2, 2), box);
+  TestSigns(
+    "box", samples::BoxShell(Vec3(0, 0, 0), Vec3(1, 1, 1)), Vec3(-1, -1, -1), Vec3(2, 2, 2), box);
   const auto rounded = [](const Vec3& p)
   {
     const double x = std::abs(p.x()) - 0.7, y = std::abs(p.y()) - 0.5;
     return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0) - 0.3;
   };
-  TestSigns("rounded shell", samples::RoundedShell(1, 0.8, 0.3, 1), Vec3(-1.5, -1.4, 0.01), Vec3(1.5, 1.4, 0.99), rounded);
+  TestSigns("rounded shell", samples::RoundedShell(1, 0.8, 0.3, 1), Vec3(-1.5, -1.4, 0.01),
+    Vec3(1.5, 1.4, 0.99), rounded);
   TestSigns("cylinder", { samples::Cylinder(1, 2) }, Vec3(-1.6, -1.6, 0.01), Vec3(1.6, 1.6, 1.99),
     [](const Vec3& p) { return p.head<2>().norm() - 1; });
-  TestSigns("sphere", { samples::Sphere(1) }, Vec3(-2, -2, -2), Vec3(2, 2, 2), [](const Vec3& p) { return p.norm() - 1; });
+  TestSigns("sphere", { samples::Sphere(1) }, Vec3(-2, -2, -2), Vec3(2, 2, 2),
+    [](const Vec3& p) { return p.norm() - 1; });
   TestSigns("torus", { samples::Torus(1, 0.4) }, Vec3(-2, -2, -1), Vec3(2, 2, 1),
     [](const Vec3& p) { return std::hypot(p.head<2>().norm() - 1, p.z()) - 0.4; });
   // A cone with its apex, capped by a disc that is a cone of no height.
@@ -120,7 +124,8 @@ void TestClosedSurfaces()
     const bool inside = z > 0 && z < 1.5 * (1 - r);
     return inside ? -std::min(slope, base) : std::min(slope, base);
   };
-  TestSigns("cone", { samples::Cone(1, 1.5), samples::Cone(1, 0) }, Vec3(-2, -2, -1), Vec3(2, 2, 2.5), cone);
+  TestSigns("cone", { samples::Cone(1, 1.5), samples::Cone(1, 0) }, Vec3(-2, -2, -1),
+    Vec3(2, 2, 2.5), cone);
 }
 
 /// Small gaps and overlaps at the edges of a box are no borders.
@@ -153,7 +158,8 @@ void TestGaps()
       }
       const Foot foot = tight.ClosestPoint(p);
       check::That(foot.Kind == FootKind::Interior, "gaps are closed" + Place(p, foot));
-      check::That((foot.SignedDistance > 0) == (q.maxCoeff() > 0), "the side beside a gap" + Place(p, foot));
+      check::That(
+        (foot.SignedDistance > 0) == (q.maxCoeff() > 0), "the side beside a gap" + Place(p, foot));
       borders += loose.ClosestPoint(p).Kind == FootKind::Border;
     }
     check::That(gap < 0 || borders > 100, "gaps beyond the tolerance are borders");
@@ -162,7 +168,8 @@ void TestGaps()
 
 void TestFreeBorders()
 {
-  const TrimmingSurface plane({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
+  const TrimmingSurface plane(
+    { samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
   const TrimmingSurface tube({ samples::Cylinder(1, 2) }, 1e-9);
   // An L of two planes: the edge they share is none, its ends are.
   const TrimmingSurface angle({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)),
@@ -179,11 +186,13 @@ void TestFreeBorders()
   const TrimmingSurface quarter({ samples::Revolve(2, { 0, 0, 0, 1, 1, 1 },
                                   { { 1, 0, 1 }, { 1, 1, std::sqrt(0.5) }, { 0, 1, 1 } }, 1) },
     1e-9);
-  const auto expect = [](const TrimmingSurface& surface, const Vec3& p, FootKind kind, const char* what)
+  const auto expect =
+    [](const TrimmingSurface& surface, const Vec3& p, FootKind kind, const char* what)
   {
     const Foot foot = surface.ClosestPoint(p);
     check::That(foot.Kind == kind, what + Place(p, foot));
-    check::That(kind == FootKind::Border || foot.Normal.norm() > 0.999, what + std::string(" has a normal"));
+    check::That(
+      kind == FootKind::Border || foot.Normal.norm() > 0.999, what + std::string(" has a normal"));
   };
   expect(plane, Vec3(1.2, 0.5, 0.1), FootKind::Border, "beyond the edge of a plane");
   expect(plane, Vec3(1.2, 1.5, 0.1), FootKind::Border, "beyond the corner of a plane");
@@ -203,9 +212,12 @@ void TestFreeBorders()
   expect(dome, Vec3(1.2, 0, -0.2), FootKind::Border, "under the rim of a dome");
   expect(quarter, Vec3(0, 0, 1.5), FootKind::Border, "over the pole of a quarter of a dome");
   expect(quarter, Vec3(0.5, -0.2, 0.5), FootKind::Border, "beside a quarter of a dome");
-  check::That(dome.ClosestPoint(Vec3(0, 0, 1.5)).Normal.cwiseAbs().isApprox(Vec3(0, 0, 1), 1e-6), "the normal at a pole is the limit");
-  check::That(plane.ClosestPoint(Vec3(0.5, 0.5, 1), 0.5).Kind == FootKind::None, "nothing within the distance");
-  check::Near(angle.ClosestPoint(Vec3(-0.1, 0.5, -0.1)).Normal.cwiseAbs().dot(Vec3(1, 0, 1)), std::sqrt(2.0), 1e-12, "mean normal on an edge");
+  check::That(dome.ClosestPoint(Vec3(0, 0, 1.5)).Normal.cwiseAbs().isApprox(Vec3(0, 0, 1), 1e-6),
+    "the normal at a pole is the limit");
+  check::That(plane.ClosestPoint(Vec3(0.5, 0.5, 1), 0.5).Kind == FootKind::None,
+    "nothing within the distance");
+  check::Near(angle.ClosestPoint(Vec3(-0.1, 0.5, -0.1)).Normal.cwiseAbs().dot(Vec3(1, 0, 1)),
+    std::sqrt(2.0), 1e-12, "mean normal on an edge");
 }
 
 void TestOrientation()
@@ -222,11 +234,14 @@ void TestOrientation()
     faces[k] = samples::ReversedU(faces[k]);
   }
   faces[2] = samples::ReversedU(faces[2]);
-  faces[0] = samples::Plane(Vec3(-0.7, -0.8, 0), Vec3(1.4, 0, 0), Vec3(0, 0, 1)); // the first of the two largest
+  faces[0] = samples::Plane(
+    Vec3(-0.7, -0.8, 0), Vec3(1.4, 0, 0), Vec3(0, 0, 1)); // the first of the two largest
   TrimmingSurface surface(faces, 1e-7);
-  for (const Vec3& p : { Vec3(0, -1, 0.5), Vec3(1.2, 0, 0.5), Vec3(0, 1, 0.5), Vec3(-1.2, 0, 0.5), Vec3(1, 0.8, 0.5), Vec3(-1, -0.8, 0.5) })
+  for (const Vec3& p : { Vec3(0, -1, 0.5), Vec3(1.2, 0, 0.5), Vec3(0, 1, 0.5), Vec3(-1.2, 0, 0.5),
+         Vec3(1, 0.8, 0.5), Vec3(-1, -0.8, 0.5) })
   {
-    check::That(surface.ClosestPoint(p).SignedDistance * outwards > 0, "oriented by the largest face" + Place(p, surface.ClosestPoint(p)));
+    check::That(surface.ClosestPoint(p).SignedDistance * outwards > 0,
+      "oriented by the largest face" + Place(p, surface.ClosestPoint(p)));
   }
   surface.Flip();
   check::That(surface.ClosestPoint(Vec3(0, -1, 0.5)).SignedDistance * outwards < 0, "turned round");
@@ -253,8 +268,10 @@ void TestBoxes()
     int certain = 0, possible = 0;
     for (int k = 0; k < 20000; ++k)
     {
-      const Vec3 center = bounds.center() + 0.6 * RandomVector().cwiseProduct(bounds.sizes() + Vec3::Constant(0.1 * scale));
-      const Vec3 half = scale * std::pow(10.0, Uniform(-3, -1)) * (RandomVector().cwiseAbs() + Vec3::Constant(0.1));
+      const Vec3 center = bounds.center() +
+        0.6 * RandomVector().cwiseProduct(bounds.sizes() + Vec3::Constant(0.1 * scale));
+      const Vec3 half =
+        scale * std::pow(10.0, Uniform(-3, -1)) * (RandomVector().cwiseAbs() + Vec3::Constant(0.1));
       const bool answer = surface.MayIntersect(Box3(center - half, center + half));
       const Foot foot = surface.ClosestPoint(center);
       const bool inside = ((foot.Point - center).cwiseAbs().array() <= half.array()).all();
@@ -266,13 +283,16 @@ void TestBoxes()
         possible += answer;
       }
     }
-    check::That(possible < 0.2 * certain + 20, sample.Name + ": boxes are tight: " + std::to_string(possible) + " of " + std::to_string(certain));
+    check::That(possible < 0.2 * certain + 20,
+      sample.Name + ": boxes are tight: " + std::to_string(possible) + " of " +
+        std::to_string(certain));
     check::That(surface.MayIntersect(bounds), "the whole box");
     for (int k = 0; k < 500; ++k)
     {
       const NurbsSurface& s = sample.Surface;
       const Vec3 p = Evaluate(s, Uniform(s.FirstU(), s.LastU()), Uniform(s.FirstV(), s.LastV()));
-      check::That(surface.MayIntersect(Box3(p, p)), sample.Name + ": a box that is one point of the surface");
+      check::That(
+        surface.MayIntersect(Box3(p, p)), sample.Name + ": a box that is one point of the surface");
       check::That(bounds.contains(p), sample.Name + ": the bounds hold the surface");
     }
   }
@@ -280,11 +300,16 @@ void TestBoxes()
 
 void TestCurvature()
 {
-  const TrimmingSurface sphere({ samples::Sphere(2) }, 1e-9), torus({ samples::Torus(1, 0.25) }, 1e-9);
-  const TrimmingSurface plane({ samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
-  check::Near(sphere.RadiusOfCurvature(sphere.ClosestPoint(Vec3(3, 1, 1))), 2, 1e-6, "radius of the sphere");
-  check::Near(torus.RadiusOfCurvature(torus.ClosestPoint(Vec3(1, 1, 1))), 0.25, 1e-9, "radius of the torus");
-  check::That(std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)))), "a plane is flat");
+  const TrimmingSurface sphere({ samples::Sphere(2) }, 1e-9),
+    torus({ samples::Torus(1, 0.25) }, 1e-9);
+  const TrimmingSurface plane(
+    { samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
+  check::Near(
+    sphere.RadiusOfCurvature(sphere.ClosestPoint(Vec3(3, 1, 1))), 2, 1e-6, "radius of the sphere");
+  check::Near(
+    torus.RadiusOfCurvature(torus.ClosestPoint(Vec3(1, 1, 1))), 0.25, 1e-9, "radius of the torus");
+  check::That(
+    std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)))), "a plane is flat");
 }
 
 /// Many faces: a strip of planes over a wave, one shell.
@@ -292,7 +317,8 @@ void TestManyFaces()
 {
   std::vector<NurbsSurface> faces;
   constexpr int N = 32;
-  const auto corner = [](int i, int j) { return Vec3(i, j, 3 * std::sin(0.3 * i) * std::cos(0.2 * j)); };
+  const auto corner = [](int i, int j)
+  { return Vec3(i, j, 3 * std::sin(0.3 * i) * std::cos(0.2 * j)); };
   for (int j = 0; j < N; ++j)
   {
     for (int i = 0; i < N; ++i)
@@ -311,7 +337,8 @@ void TestManyFaces()
   for (int k = 0; k < 5000; ++k)
   {
     const Vec3 p(Uniform(1, N - 1), Uniform(1, N - 1), Uniform(-4, 4));
-    const auto above = surface.Intersect(p, p + Vec3(0, 0, 20)), below = surface.Intersect(p, p - Vec3(0, 0, 20));
+    const auto above = surface.Intersect(p, p + Vec3(0, 0, 20)),
+               below = surface.Intersect(p, p - Vec3(0, 0, 20));
     check::That(above.size() + below.size() == 1, "one face over or under each point");
     const Foot foot = surface.ClosestPoint(p);
     if (foot.Kind == FootKind::Border)

@@ -91,13 +91,16 @@ void TestPlane()
           for (std::size_t i = 0; i < loop.size(); ++i)
           {
             const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-            expected = std::min(expected, DistanceToSegment(p, Vec3(a.x(), a.y(), 0), Vec3(b.x(), b.y(), 0)));
+            expected = std::min(
+              expected, DistanceToSegment(p, Vec3(a.x(), a.y(), 0), Vec3(b.x(), b.y(), 0)));
           }
         }
       }
       const Foot foot = surface.ClosestPoint(p);
       check::Near(foot.Distance, expected, 1e-12, "distance to the trimmed plane");
-      check::That((foot.Kind == FootKind::Interior) == inside, "feet on the loops are on the border" + Place(p, foot) + " variant " + std::to_string(variant));
+      check::That((foot.Kind == FootKind::Interior) == inside,
+        "feet on the loops are on the border" + Place(p, foot) + " variant " +
+          std::to_string(variant));
       check::That(!inside || (foot.SignedDistance > 0) == (p.z() > 0), "side of the trimmed plane");
       const auto hits = surface.Intersect(Vec3(q.x(), q.y(), -1), Vec3(q.x(), q.y(), 1));
       check::That(hits.size() == (inside ? 1u : 0u), "hits inside the loops only");
@@ -110,8 +113,10 @@ void TestPlane()
       const Vec3 c(Uniform(0, 1), Uniform(0, 1), Uniform(-0.01, 0.01)), half = Vec3::Constant(h);
       const Foot foot = surface.ClosestPoint(c);
       const bool meets = ((foot.Point - c).cwiseAbs().array() <= h).all();
-      check::That(!meets || surface.MayIntersect(Box3(c - half, c + half)), "boxes of the trimmed plane");
-      check::That(foot.Distance < 0.2 || !surface.MayIntersect(Box3(c - half, c + half)), "boxes in the hole");
+      check::That(
+        !meets || surface.MayIntersect(Box3(c - half, c + half)), "boxes of the trimmed plane");
+      check::That(foot.Distance < 0.2 || !surface.MayIntersect(Box3(c - half, c + half)),
+        "boxes in the hole");
     }
   }
 }
@@ -120,7 +125,8 @@ void TestPlane()
 /// image, which is sampled densely and refined.
 void TestCurved(const std::string& name, NurbsSurface surface)
 {
-  const Vec2 low(surface.FirstU(), surface.FirstV()), size(surface.LastU() - low.x(), surface.LastV() - low.y());
+  const Vec2 low(surface.FirstU(), surface.FirstV()),
+    size(surface.LastU() - low.x(), surface.LastV() - low.y());
   const auto place = [&](std::vector<Vec2> loop)
   {
     for (Vec2& x : loop)
@@ -129,7 +135,8 @@ void TestCurved(const std::string& name, NurbsSurface surface)
     }
     return loop;
   };
-  surface.TrimLoops = { place(Circle(Vec2(0.5, 0.5), 0.47, 60)), place(Circle(Vec2(0.4, 0.6), 0.2, 30)),
+  surface.TrimLoops = { place(Circle(Vec2(0.5, 0.5), 0.47, 60)),
+    place(Circle(Vec2(0.4, 0.6), 0.2, 30)),
     place({ Vec2(0.35, 0.55), Vec2(0.45, 0.55), Vec2(0.45, 0.65), Vec2(0.35, 0.65) }) };
   const TrimmingSurface trimmed({ surface }, 1e-9);
   std::vector<Vec3> samples;
@@ -172,7 +179,8 @@ void TestCurved(const std::string& name, NurbsSurface surface)
     }
     check::That(foot.Distance <= best * (1 + 1e-10) + 1e-13 * scale,
       name + ": nothing nearer than " + std::to_string(best) + Place(p, foot));
-    check::That((Evaluate(surface, foot.U, foot.V) - foot.Point).norm() < 1e-11 * scale, name + ": the foot is S(u, v)");
+    check::That((Evaluate(surface, foot.U, foot.V) - foot.Point).norm() < 1e-11 * scale,
+      name + ": the foot is S(u, v)");
     // The foot is inside the loops or on them.
     double toLoop = HUGE_VAL;
     for (const auto& edge : edges)
@@ -182,8 +190,10 @@ void TestCurved(const std::string& name, NurbsSurface surface)
       toLoop = std::min(toLoop, (x - t * d).cwiseQuotient(size).norm());
     }
     const bool onLoop = toLoop < 1e-9;
-    check::That(onLoop || InsideLoops(surface.TrimLoops, Vec2(foot.U, foot.V)), name + ": the foot is inside");
-    check::That((foot.Kind == FootKind::Border) == onLoop || toLoop < 1e-7, name + ": the loop is the border");
+    check::That(onLoop || InsideLoops(surface.TrimLoops, Vec2(foot.U, foot.V)),
+      name + ": the foot is inside");
+    check::That((foot.Kind == FootKind::Border) == onLoop || toLoop < 1e-7,
+      name + ": the loop is the border");
   }
 }
 
@@ -206,7 +216,8 @@ void TestTrimmedShell()
         const Vec3 larger = center + 2 * (point.head<3>() - center);
         point.head<3>() = larger;
       }
-      std::vector<Vec2> loop = { Vec2(0.25, 0.25), Vec2(0.75, 0.25), Vec2(0.75, 0.75), Vec2(0.25, 0.75) };
+      std::vector<Vec2> loop = { Vec2(0.25, 0.25), Vec2(0.75, 0.25), Vec2(0.75, 0.75),
+        Vec2(0.25, 0.75) };
       if (variant == 1) // many points along the edges, and at random places
       {
         std::vector<Vec2> fine;
@@ -247,7 +258,8 @@ void TestTrimmedShell()
       const Vec3 q = (p - Vec3(0.5, 0.5, 0.5)).cwiseAbs() - Vec3(0.5, 0.5, 0.5);
       const double outside = q.cwiseMax(0).norm(), exact = outside > 0 ? outside : q.maxCoeff();
       const Foot foot = surface.ClosestPoint(p);
-      check::Near(foot.Distance, std::abs(exact), 1e-12, "distance to the trimmed box" + Place(p, foot));
+      check::Near(
+        foot.Distance, std::abs(exact), 1e-12, "distance to the trimmed box" + Place(p, foot));
       check::That(foot.Kind == FootKind::Interior, "loops shared by two faces are no border");
       if (std::abs(exact) > 1e-9)
       {
@@ -272,8 +284,60 @@ void TestTrimmedShell()
       }
       const Vec3 inside(0.5, Uniform(0.2, 0.8), Uniform(0.2, 0.8));
       const auto hits = surface.Intersect(inside, edge + 0.5 * (edge - inside));
-      check::That(hits.size() == 1 && std::abs(hits[0].K - 2.0 / 3) < 1e-10, "a line through an edge of loops");
+      check::That(hits.size() == 1 && std::abs(hits[0].K - 2.0 / 3) < 1e-10,
+        "a line through an edge of loops");
     }
+  }
+}
+
+/// A prism over a polygon with a corner that opens beyond 180 degrees; its ends are trimmed planes.
+void TestPrism()
+{
+  const std::vector<Vec2> polygon = { Vec2(0.2, 0.2), Vec2(0.8, 0.2), Vec2(0.8, 0.5),
+    Vec2(0.45, 0.4), Vec2(0.5, 0.8), Vec2(0.2, 0.8) };
+  std::vector<NurbsSurface> faces;
+  for (double z : { 0.0, 0.5 })
+  {
+    NurbsSurface end = samples::Plane(Vec3(0, 0, z), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    end.TrimLoops = { polygon };
+    faces.push_back(z == 0 ? samples::ReversedU(end) : end);
+  }
+  std::reverse(faces[1].TrimLoops[0].begin(), faces[1].TrimLoops[0].end());
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Vec2 &a = polygon[i], d = polygon[(i + 1) % polygon.size()] - a;
+    faces.push_back(samples::Plane(Vec3(a.x(), a.y(), 0), Vec3(d.x(), d.y(), 0), Vec3(0, 0, 0.5)));
+  }
+  const TrimmingSurface surface(faces, 1e-9);
+  // At each corner: the end with the polygon's angle there, two sides with right angles.
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Vec2 &corner = polygon[i], a = polygon[(i + 1) % polygon.size()] - corner,
+               b = polygon[(i + polygon.size() - 1) % polygon.size()] - corner;
+    double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    angle = angle < 0 ? angle + 2 * M_PI : angle;
+    Vec3 expected(0, 0, angle);
+    expected += M_PI / 2 * Vec3(a.y(), -a.x(), 0).normalized();
+    expected += M_PI / 2 * Vec3(-b.y(), b.x(), 0).normalized();
+    const Foot foot = surface.ClosestPoint(Vec3(corner.x(), corner.y(), 0.5));
+    check::Near(std::abs(foot.Normal.dot(expected.normalized())), 1, 1e-9,
+      "normal at corner " + std::to_string(i) + " of the prism");
+  }
+  double orientation = 0;
+  for (int k = 0; k < 20000; ++k)
+  {
+    Vec3 p(Uniform(0, 1), Uniform(0, 1), Uniform(-0.3, 0.8));
+    if (k % 2) // about the corners
+    {
+      const Vec2& corner = polygon[k % polygon.size()];
+      p = Vec3(corner.x(), corner.y(), k % 4 == 1 ? 0 : 0.5) + 0.05 * RandomVector();
+    }
+    const bool inside = p.z() > 0 && p.z() < 0.5 && InsideLoops({ polygon }, Vec2(p.head<2>()));
+    const Foot foot = surface.ClosestPoint(p);
+    check::That(foot.Kind == FootKind::Interior, "a prism has no border" + Place(p, foot));
+    const double side = inside == (foot.SignedDistance < 0) ? 1 : -1;
+    orientation = orientation == 0 ? side : orientation;
+    check::That(side == orientation, "the side of a prism" + Place(p, foot));
   }
 }
 
@@ -284,7 +348,8 @@ void TestWholeLoops()
   cylinder.TrimLoops = { { Vec2(0, 0), Vec2(2, 0), Vec2(4, 0), Vec2(4, 1), Vec2(0, 1) } };
   const TrimmingSurface whole({ cylinder }, 1e-9);
   // Cut slantwise: the loop runs along the seam on both sides.
-  cylinder.TrimLoops = { { Vec2(0, 0.2), Vec2(1, 0.1), Vec2(2, 0.2), Vec2(3, 0.3), Vec2(4, 0.2), Vec2(4, 0.9), Vec2(0, 0.9) } };
+  cylinder.TrimLoops = { { Vec2(0, 0.2), Vec2(1, 0.1), Vec2(2, 0.2), Vec2(3, 0.3), Vec2(4, 0.2),
+    Vec2(4, 0.9), Vec2(0, 0.9) } };
   const TrimmingSurface slant({ cylinder }, 1e-9);
   for (const TrimmingSurface* surface : { &whole, &slant })
   {
@@ -293,26 +358,33 @@ void TestWholeLoops()
       const double angle = k % 4 == 0 ? 0 : Uniform(0, 2 * M_PI), r = Uniform(0.5, 1.5);
       const Vec3 p(r * std::cos(angle), r * std::sin(angle), Uniform(0.7, 1.7));
       const Foot foot = surface->ClosestPoint(p);
-      check::That(foot.Kind == FootKind::Interior, "the seam is no border under loops" + Place(p, foot));
+      check::That(
+        foot.Kind == FootKind::Interior, "the seam is no border under loops" + Place(p, foot));
       check::Near(foot.Distance, std::abs(r - 1), 1e-12, "distance to the trimmed cylinder");
       check::That((foot.SignedDistance > 0) == (r > 1), "side of the trimmed cylinder");
     }
-    check::That(surface->ClosestPoint(Vec3(1.1, 0, 2.3)).Kind == FootKind::Border, "the end of the trimmed cylinder");
-    check::That(surface->ClosestPoint(Vec3(0.3, 1.1, -0.3)).Kind == FootKind::Border, "the other end");
+    check::That(surface->ClosestPoint(Vec3(1.1, 0, 2.3)).Kind == FootKind::Border,
+      "the end of the trimmed cylinder");
+    check::That(
+      surface->ClosestPoint(Vec3(0.3, 1.1, -0.3)).Kind == FootKind::Border, "the other end");
   }
   // A sphere with a loop round the whole rectangle, and one cut along a parallel: a pole inside.
   NurbsSurface sphere = samples::Sphere(1);
   sphere.TrimLoops = { { Vec2(0, 0.7), Vec2(4, 0.7), Vec2(4, 2), Vec2(0, 2) } };
   const TrimmingSurface cap({ sphere }, 1e-9);
-  check::That(cap.ClosestPoint(Vec3(0, 0, 1.3)).Kind == FootKind::Interior, "over the pole of a cap");
-  check::Near(std::abs(cap.ClosestPoint(Vec3(0, 0, 1.3)).Normal.z()), 1, 1e-6, "normal at the pole of a cap");
+  check::That(
+    cap.ClosestPoint(Vec3(0, 0, 1.3)).Kind == FootKind::Interior, "over the pole of a cap");
+  check::Near(
+    std::abs(cap.ClosestPoint(Vec3(0, 0, 1.3)).Normal.z()), 1, 1e-6, "normal at the pole of a cap");
   check::That(cap.ClosestPoint(Vec3(0.3, 0.1, -1.3)).Kind == FootKind::Border, "under a cap");
   // Nothing left: no foot, no hit, no crash.
   NurbsSurface none = samples::Wavy();
   none.TrimLoops = { { Vec2(2, 2), Vec2(3, 2), Vec2(3, 3) } };
   const TrimmingSurface empty({ none }, 1e-9);
-  check::That(empty.ClosestPoint(Vec3(0.5, 0.5, 1)).Kind == FootKind::None, "nothing inside the loops");
-  check::That(empty.Intersect(Vec3(0.5, 0.5, -1), Vec3(0.5, 0.5, 1)).empty(), "no hit inside the loops");
+  check::That(
+    empty.ClosestPoint(Vec3(0.5, 0.5, 1)).Kind == FootKind::None, "nothing inside the loops");
+  check::That(
+    empty.Intersect(Vec3(0.5, 0.5, -1), Vec3(0.5, 0.5, 1)).empty(), "no hit inside the loops");
   check::That(!empty.MayIntersect(Box3(Vec3(0, 0, -1), Vec3(1, 1, 1))), "no box meets nothing");
 }
 
@@ -327,6 +399,7 @@ int main()
   TestCurved("unclamped", samples::Unclamped());
   TestCurved("high degree", samples::HighDegree(5, 4));
   TestTrimmedShell();
+  TestPrism();
   TestWholeLoops();
   return check::Result();
 }
