@@ -53,13 +53,14 @@ Placement PlacementOf(const std::string& surface, const Mesh& mesh)
 }
 
 // Where every node has to come to lie on the surface; elsewhere (steep cuts, blocks, bends as
-// sharp as two elements, slots, curves tighter than a stretched element) what is left off is a note, as long as the filter says so.
+// sharp as two elements, slots, curves tighter than a stretched element, a corner of the model
+// right beside the curve) what is left off is a note, as long as the filter says so.
 bool IsOrdinary(const std::string& surface, const Mesh& mesh)
 {
   const bool closed = surface == "cylinder" || surface == "leaning" || surface == "cone" ||
     surface == "contour" || surface == "roundrect";
   return mesh.Sheet && mesh.Flat && surface != "inclined" && surface != "slot" &&
-    !(closed && mesh.Name == "stretched");
+    !(closed && (mesh.Name == "stretched" || mesh.Name == "hole"));
 }
 
 std::string KindOf(const std::string& surface)

@@ -476,7 +476,8 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
       limit);
   }
   if (kept.Case.Options.Optimization == 1 || !kept.Case.Cut->HasPlane || kept.Rescued() ||
-    offcut.Rescued() || tie)
+    offcut.Rescued() || tie ||
+    !comparable)
   {
     return; // a node may be distributed in one part alone
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 namespace judge
@@ -14,6 +15,13 @@ namespace
 std::string Point(Id p)
 {
   return "point " + std::to_string(p);
+}
+
+std::string Where(const Vec3& p)
+{
+  char text[80];
+  std::snprintf(text, sizeof(text), " (%.5g %.5g %.5g)", p[0], p[1], p[2]);
+  return text;
 }
 
 // Distance to the mesh edges at a node of the input: type III slides along one of them, in
@@ -161,7 +169,10 @@ void CheckPlaces(const Evidence& e, Report& report)
       e.Border.Distance(x, place == Exterior::Place::Face ? e.Border.PatchOf(o) : -1);
     if ((!free || skin[o]) && away > e.Exact)
     {
-      report.Fail("stays on the exterior", Point(p), away, e.Exact);
+      report.Fail("stays on the exterior",
+        Point(p) + " of the input's " + std::to_string(o) + Where(e.In.Points[o]) + " now" +
+          Where(x),
+        away, e.Exact);
     }
     if (!free && place == Exterior::Place::Ridge && e.Border.RidgeDistance(x) > e.Exact)
     {
@@ -179,6 +190,7 @@ void CheckBoundary(const Evidence& e, Report& report)
 {
   if (e.Case.Options.CorrectionType != 1)
   {
+    const std::vector<char> skin = SkinPoints(e);
     for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
     {
       const bool beyond = e.NodeStatus[e.PointOf[p]] == 1;
@@ -187,9 +199,13 @@ void CheckBoundary(const Evidence& e, Report& report)
         continue;
       }
       const double d = std::abs(e.Signed(e.Out.Points[p]));
+      const auto place = e.Border.PlaceOf(e.PointOf[p]);
+      const bool corner = place == Exterior::Place::Corner ||
+        (place == Exterior::Place::Ridge && !skin[e.PointOf[p]]);
       if (!(d <= e.Exact) && e.Number("RescuedByLeaving") > 0)
       {
-        report.Note(LeftOff);
+        // Corners of the model must stay, even where the surface passes beside them.
+        report.Note(corner && !e.Moved(p) ? "corners of the model beside the surface" : LeftOff);
       }
       else if (!(d <= e.Exact))
       {
