@@ -26,7 +26,7 @@ struct TrimmingSurface::Implementation
   Vec3 NormalAt(int patch, double s, double t, const Vec3& point, bool& border) const;
 };
 
-/// True if one normal tells all: off the borders, creases and poles of the patch.
+/// True if one normal tells all: off the borders, creases, poles and loops.
 bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s, double t) const
 {
   if (patch.Curve)
@@ -42,7 +42,15 @@ bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s
       return false;
     }
   }
-  return true;
+  const TrimLoops& loops = this->Model.Data[patch.Face].Loops;
+  if (loops.Empty() ||
+    this->Model.Leaves[this->Model.LeafAt(patch, s, t)].Trim == TrimState::Inside)
+  {
+    return true;
+  }
+  const Vec2 uv(patch.U(s, t), patch.V(s, t));
+  const Vec2 rim = Rim * Vec2(patch.U1 - patch.U0, patch.V1 - patch.V0);
+  return loops.Classify(uv - rim, uv + rim) != TrimState::Crossed;
 }
 
 /// A point outside the loops still counts on the loop itself, where rounding decides nothing,
