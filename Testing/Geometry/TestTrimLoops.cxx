@@ -319,9 +319,13 @@ void TestPrism()
     Vec3 expected(0, 0, angle);
     expected += M_PI / 2 * Vec3(a.y(), -a.x(), 0).normalized();
     expected += M_PI / 2 * Vec3(-b.y(), b.x(), 0).normalized();
-    const Foot foot = surface.ClosestPoint(Vec3(corner.x(), corner.y(), 0.5));
-    check::Near(std::abs(foot.Normal.dot(expected.normalized())), 1, 1e-9,
-      "normal at corner " + std::to_string(i) + " of the prism");
+    for (double z : { 0.0, 0.5 })
+    {
+      expected.z() = z == 0 ? -angle : angle;
+      const Foot foot = surface.ClosestPoint(Vec3(corner.x(), corner.y(), z));
+      check::Near(std::abs(foot.Normal.dot(expected.normalized())), 1, 1e-9,
+        "normal at corner " + std::to_string(i) + " of the prism");
+    }
   }
   double orientation = 0;
   for (int k = 0; k < 20000; ++k)
