@@ -302,7 +302,6 @@ void TestPrism()
     end.TrimLoops = { polygon };
     faces.push_back(z == 0 ? samples::ReversedU(end) : end);
   }
-  std::reverse(faces[1].TrimLoops[0].begin(), faces[1].TrimLoops[0].end());
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
     const Vec2 &a = polygon[i], d = polygon[(i + 1) % polygon.size()] - a;
