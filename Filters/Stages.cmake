@@ -15,6 +15,7 @@ add_library(NURBSTrimStages STATIC
   Correct/NodeMover.cxx
   Treat/Jacobian.cxx
   Treat/Pentahedra.cxx
+  Treat/Relaxation.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx
   Write/GatherAttributes.cxx

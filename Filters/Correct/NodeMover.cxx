@@ -20,6 +20,8 @@ constexpr double LongestMove = 3.0;
 constexpr int LongestRidgeWalk = 4;
 /// Below this sine of the angle between surface and facet their meeting line is not taken.
 constexpr double SmallestSine = 0.05;
+/// Faces that meet under less than 45 degrees belong to one side of the model.
+constexpr double SameSideCosine = 0.7071;
 /// How far beyond a facet's edges, in its parameters, still counts as inside.
 constexpr double InsideSlack = 1e-9;
 
@@ -246,6 +248,7 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
   for (const int f : faces)
   {
     const auto& face = this->TheBand.Faces[f];
+    const Vec3 normal = Facet(this->TheBand, face).NormalAt(0);
     for (int i = 0; i < face.Count; ++i)
     {
       for (const int other : this->TheBand.FacesOfNode(face.Node[i]))
@@ -254,7 +257,9 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
         const bool sameKind = this->TheColumns.HasThickness(face.Element[0])
           ? this->TheColumns.IsLayerFace(this->TheBand, other)
           : candidate.Exterior;
-        if (sameKind && std::find(around.begin(), around.end(), other) == around.end())
+        // Not round a ridge: that would be another side of the model.
+        if (sameKind && std::find(around.begin(), around.end(), other) == around.end() &&
+          std::abs(Facet(this->TheBand, candidate).NormalAt(0).dot(normal)) > SameSideCosine)
         {
           around.push_back(other);
         }
@@ -352,6 +357,92 @@ NodeMove NodeMover::SlideAlong(int node, int edge) const
     move.Elements = hits.front().K;
   }
   return move;
+}
+
+bool NodeMover::MayRelax(int node) const
+{
+  // Asked of the faces themselves: the constraint forgets those that are cut off.
+  for (const int f : this->TheBand.FacesOfNode(node))
+  {
+    if (this->TheBand.Faces[f].Exterior && !this->TheColumns.IsLayerFace(this->TheBand, f))
+    {
+      return false;
+    }
+  }
+  const auto kind =
+    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node).Kind;
+  return kind == ConstraintKind::Faces || kind == ConstraintKind::Free;
+}
+
+std::vector<Vec3> NodeMover::Directions(int node, const Vec3& x, bool onCut) const
+{
+  const auto constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  std::vector<Vec3> directions;
+  const auto addRound = [&directions](const Vec3& u, const Vec3& v) {
+    constexpr double half = 0.70710678118654752;
+    for (const Vec3& d : { u, v, Vec3(half * (u + v)), Vec3(half * (u - v)) })
+    {
+      directions.push_back(d);
+      directions.push_back(-d);
+    }
+  };
+  const Vec3 across = onCut ? this->Surface.ClosestPoint(x).Normal : Vec3::Zero();
+  if (constraint.Kind == ConstraintKind::Faces)
+  {
+    const auto& face = this->TheBand.Faces[constraint.Faces.front()];
+    const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
+    if (onCut)
+    {
+      const Vec3 along = across.cross(normal).normalized();
+      return { along, -along };
+    }
+    const Vec3 u = normal.unitOrthogonal();
+    addRound(u, normal.cross(u));
+    return directions;
+  }
+  if (onCut)
+  {
+    const Vec3 u = across.unitOrthogonal();
+    addRound(u, across.cross(u));
+    return directions;
+  }
+  addRound(Vec3::UnitX(), Vec3::UnitY());
+  directions.push_back(Vec3::UnitZ());
+  directions.push_back(-Vec3::UnitZ());
+  return directions;
+}
+
+bool NodeMover::Constrained(int node, const Vec3& x, bool onCut, Vec3& place) const
+{
+  const auto constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  if (constraint.Kind == ConstraintKind::Free)
+  {
+    place = onCut ? this->Surface.ClosestPoint(x).Point : x;
+    return true;
+  }
+  if (onCut)
+  {
+    const auto& face = this->TheBand.Faces[constraint.Faces.front()];
+    const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
+    const Vec3 along = this->Surface.ClosestPoint(x).Normal.cross(normal).normalized();
+    const NodeMove move = this->Between(node, x, along);
+    place = move.Target;
+    return move.Found;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const int f : this->FacesAround(constraint.Faces))
+  {
+    const auto on = Facet(this->TheBand, this->TheBand.Faces[f]).Project(x);
+    const double distance = (on.Point - x).norm();
+    if (on.Outside <= InsideSlack && distance < nearest)
+    {
+      nearest = distance;
+      place = on.Point;
+    }
+  }
+  return std::isfinite(nearest);
 }
 
 }

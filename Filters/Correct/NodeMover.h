@@ -18,7 +18,8 @@ enum class Correction : unsigned char
   None = 0,
   Eliminate = 1, ///< type I: no node moves
   Project = 2,   ///< type II
-  Slide = 3      ///< type III
+  Slide = 3,     ///< type III
+  Relax = 4      ///< moved for the sake of the elements at the cut
 };
 
 struct NodeMove
@@ -57,6 +58,22 @@ public:
    * with this normal: for a node that is to lie in the middle of its neighbours.
    */
   NodeMove Between(int node, const Vec3& through, const Vec3& planeNormal) const;
+
+  /// True for a node that may be relaxed: in a sheet off its border, in a block inside it.
+  bool MayRelax(int node) const;
+
+  /// True unless the two nodes lie above each other in one pillar.
+  bool IsLateral(int a, int b) const
+  {
+    return this->TheColumns.Pillar[a] != this->TheColumns.Pillar[b];
+  }
+
+  /// Unit directions in which a node at x may step: in its layer, or along the cut.
+  std::vector<Vec3> Directions(int node, const Vec3& x, bool onCut) const;
+
+  /// The place nearest to x where the node may be: on its faces, and on the surface if it is on
+  /// the cut. False if there is none.
+  bool Constrained(int node, const Vec3& x, bool onCut, Vec3& place) const;
 
 private:
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;

@@ -221,6 +221,7 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
 {
   Pentahedra result;
   result.Exposed.assign(band.NumberOfElements(), 0);
+  result.FlatCorner.assign(band.NumberOfElements(), 0);
   std::vector<char> isWedge(band.NumberOfElements(), 0);
   for (const auto& pillar : FindExposed(band, columns, kept))
   {
@@ -252,11 +253,12 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
         ? Optimization::Degenerate
         : treatment;
     }
-    if (treatment == Optimization::Degenerate && droppable)
+    const bool drop = treatment == Optimization::Degenerate && droppable;
+    for (const auto& edge : edges)
     {
-      for (const auto& edge : edges)
+      (drop ? isWedge : result.FlatCorner)[edge.Element] = 1;
+      if (drop)
       {
-        isWedge[edge.Element] = 1;
         result.Wedges.push_back(MakeWedge(band.Elements[edge.Element], edge));
       }
     }

@@ -1,5 +1,7 @@
 #include "ValidityLadder.h"
 
+#include "Relaxation.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -19,6 +21,8 @@ constexpr double SmallestDistanceShare = 1e-3;
 /// An element with less of its volume left has collapsed.
 constexpr double SmallestVolumeShare = 0.01;
 constexpr int LongestClimb = 40;
+/// What invalid elements are relaxed to where no floor is asked for.
+constexpr double SmallestGoal = 0.05;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
 constexpr double SmallestShare = 0.15;
@@ -77,6 +81,7 @@ public:
     , Options(options)
     , Mover(band, columns, nodeStatus, surface, precision)
     , Rungs(band.NumberOfElements(), Rung::None)
+    , GivenUp(band.NumberOfElements(), 0)
   {
     this->Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
     this->Set.Corrections.assign(band.NumberOfNodes(), CorrectionChoice::AsAsked);
@@ -101,6 +106,7 @@ public:
     }
     this->LeaveInvalid(trimmed, aborted);
     trimmed.RescuedBy = this->Rungs;
+    trimmed.BelowFloor = this->FindBelowFloor(trimmed);
     return trimmed;
   }
 
@@ -125,8 +131,87 @@ private:
     {
       trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
         trimmed.Kept, this->Options.Treatment, this->Set.Treatments, trimmed.NodeMoves);
+      this->RelaxBad(trimmed);
     }
     return trimmed;
+  }
+
+  /// Relaxes round what is invalid or below the floor.
+  void RelaxBad(TrimmedBand& trimmed) const
+  {
+    const int count = this->TheBand.NumberOfElements();
+    trimmed.Relaxed.assign(count, 0);
+    for (const int e : this->FindInvalid(trimmed))
+    {
+      trimmed.Relaxed[e] = 1;
+    }
+    for (const int e : this->FindBelowFloor(trimmed))
+    {
+      trimmed.Relaxed[e] = 1;
+    }
+    if (std::none_of(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), [](char c) { return c; }))
+    {
+      return;
+    }
+    std::vector<RelaxedElement> elements(count);
+    for (int e = 0; e < count; ++e)
+    {
+      if (trimmed.Kept[e])
+      {
+        const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+        elements[e] = { final.Count, final.Node };
+      }
+    }
+    std::vector<char> onCut(this->TheBand.NumberOfNodes(), 0);
+    for (const auto& face : this->TheBand.Faces)
+    {
+      for (int i = 0; IsCutFace(face, trimmed.Kept) && i < face.Count; ++i)
+      {
+        onCut[face.Node[i]] = 1;
+      }
+    }
+    std::vector<char> fixed(this->TheBand.NumberOfNodes(), 0);
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    {
+      const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
+      onCut[n] = onCut[n] || corrected;
+      fixed[n] = (trimmed.Moving[n] && !corrected) ||
+        this->Set.Corrections[this->TheColumns.Pillar[n]] == CorrectionChoice::Leave;
+    }
+    Relax(this->TheBand, this->Mover, elements, trimmed.Relaxed, fixed, onCut,
+      std::max(this->Options.QualityFloor, SmallestGoal), trimmed.NodeMoves);
+  }
+
+  /// Touched elements that are valid but below the quality floor, and were not so before.
+  std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const
+  {
+    std::vector<int> below;
+    for (int e = 0; e < this->TheBand.NumberOfElements() && this->Options.QualityFloor > 0.0; ++e)
+    {
+      if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || trimmed.Treated.FlatCorner[e])
+      {
+        continue;
+      }
+      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+      if (final.Touched && ScaledJacobian(final.Points, final.Count) < this->Options.QualityFloor &&
+        ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >=
+          this->Options.QualityFloor)
+      {
+        below.push_back(e);
+      }
+    }
+    return below;
+  }
+
+  ElementPoints ShapeBefore(int e) const
+  {
+    const auto& element = this->TheBand.Elements[e];
+    ElementPoints before;
+    for (int i = 0; i < element.Count; ++i)
+    {
+      before[i] = this->TheBand.Point[element.Node[i]];
+    }
+    return before;
   }
 
   /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
@@ -236,11 +321,7 @@ private:
       }
     }
     const auto& element = this->TheBand.Elements[e];
-    ElementPoints before;
-    for (int i = 0; i < element.Count; ++i)
-    {
-      before[i] = this->TheBand.Point[element.Node[i]];
-    }
+    const ElementPoints before = this->ShapeBefore(e);
     if (!IsValid(before, element.Count, Optimization::None))
     {
       return false; // it came like this
@@ -259,6 +340,13 @@ private:
     {
       columns.push_back(this->TheColumns.Column[e]);
     }
+    for (const int e : this->FindBelowFloor(trimmed))
+    {
+      if (!this->GivenUp[this->TheColumns.Column[e]])
+      {
+        columns.push_back(this->TheColumns.Column[e]);
+      }
+    }
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
     {
       const auto& element = this->TheBand.Elements[e];
@@ -274,6 +362,27 @@ private:
     std::sort(columns.begin(), columns.end());
     columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
     return columns;
+  }
+
+  /// True if an element of the column is invalid or has a node without a place.
+  bool HasInvalid(const TrimmedBand& trimmed, int column) const
+  {
+    const std::vector<char> coincides = this->FindCoincidentNodes(trimmed);
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    {
+      if (this->TheColumns.Column[e] != column || !trimmed.Kept[e])
+      {
+        continue;
+      }
+      const auto& nodes = this->TheBand.Elements[e].Node;
+      if (this->IsSpoiled(trimmed, e, coincides) ||
+        std::any_of(nodes.begin(), nodes.begin() + this->TheBand.Elements[e].Count,
+          [&](int n) { return trimmed.NodeMoves.Failed[n] != 0; }))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   template <typename Action>
@@ -358,6 +467,13 @@ private:
       case Rung::Correction:
         this->ForMovingPillars(trimmed, column,
           [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::AsAsked; });
+        if (!this->HasInvalid(trimmed, column))
+        {
+          // Valid, but below the floor: no reason to change what is kept, or to leave the surface.
+          this->GivenUp[column] = 1;
+          this->Rungs[column] = Rung::None;
+          return;
+        }
         this->Rungs[column] = Rung::Fate;
         if (this->Set.Fates[column] == Fate::ByVolume &&
           this->Shares.Column[column] >= SmallestShare)
@@ -375,8 +491,8 @@ private:
         }
         [[fallthrough]];
       default:
-        this->Rungs[column] = Rung::Left;
         this->Set.Fates[column] = Fate::ByVolume;
+        this->Rungs[column] = Rung::Left;
         this->ForMovingPillars(trimmed, column, [&](int pillar) {
           this->Set.Corrections[pillar] = CorrectionChoice::Leave;
           this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
@@ -394,6 +510,7 @@ private:
   NodeMover Mover;
   Choices Set;
   std::vector<Rung> Rungs;
+  std::vector<char> GivenUp; // columns that no rung raised to the floor
 };
 
 }

@@ -3,8 +3,9 @@
  * @brief Decide, correct and treat, again and again with other choices where an element would
  * become invalid, until every touched element is valid.
  *
- * The rungs, climbed column by column: the other pentahedral treatment, the other correction,
- * the column's other fate, and at last its nodes left where they are.
+ * First the nodes round a bad element are relaxed. The rungs, climbed column by column where
+ * that does not do: the other pentahedral treatment, the other correction, the column's other
+ * fate, and at last, for elements that are not valid, its nodes left where they are.
  */
 #ifndef ValidityLadder_h
 #define ValidityLadder_h
@@ -24,6 +25,8 @@ struct LadderOptions
   Correction CorrectionType = Correction::Project; ///< Eliminate, Project or Slide
   Optimization Treatment = Optimization::Degenerate;
   double EliminationFraction = 0.5;
+  /// Scaled Jacobian that touched elements have to reach, but for straight corners; 0: none.
+  double QualityFloor = 0.2;
 };
 
 /// The rung by which a column was saved.
@@ -45,6 +48,8 @@ struct TrimmedBand
   Moves NodeMoves;
   Pentahedra Treated;
   std::vector<Rung> RescuedBy;  ///< by column (smallest element)
+  std::vector<char> Relaxed;    ///< elements that were below the floor before the relaxation
+  std::vector<int> BelowFloor;  ///< valid elements that stayed below the quality floor
   std::vector<int> Invalid;     ///< elements that no rung could save; empty as a rule
   std::vector<char> Moving;     ///< nodes that have to lie on the new boundary
 };

@@ -316,6 +316,15 @@ void WarnOfLeftovers(TrimResult& result)
         std::to_string(near.Mesh.Elements[e].Global) + " of the input) at ",
       near.Mesh.Point[near.Mesh.Elements[e].Node[0]]);
   }
+  if (!near.Trimmed.BelowFloor.empty())
+  {
+    const int e = near.Trimmed.BelowFloor.front();
+    warn(near.Trimmed.BelowFloor.size(),
+      " elements at the cut stay below MinimumScaledJacobian: refine the mesh there or move the "
+      "surface. The first (cell " +
+        std::to_string(near.Mesh.Elements[e].Global) + " of the input) is at ",
+      near.Mesh.Point[near.Mesh.Elements[e].Node[0]]);
+  }
   std::size_t left = 0;
   int first = -1;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)

@@ -166,6 +166,7 @@ int vtkTrimHexahedralGrid::RequestData(
   options.Ladder.CorrectionType = static_cast<trim::Correction>(this->CorrectionType);
   options.Ladder.Treatment = static_cast<trim::Optimization>(this->Optimization);
   options.Ladder.EliminationFraction = this->EliminationFraction;
+  options.Ladder.QualityFloor = this->MinimumScaledJacobian;
   options.InvertSide = this->InvertSide;
   options.UseKeepPoint = this->UseKeepPoint;
   options.KeepPoint = trim::Vec3(this->KeepPoint[0], this->KeepPoint[1], this->KeepPoint[2]);
@@ -215,6 +216,7 @@ void vtkTrimHexahedralGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepPoint: " << this->KeepPoint[0] << " " << this->KeepPoint[1] << " "
      << this->KeepPoint[2] << endl;
   os << indent << "EliminationFraction: " << this->EliminationFraction << endl;
+  os << indent << "MinimumScaledJacobian: " << this->MinimumScaledJacobian << endl;
   os << indent << "RenumberNodes: " << this->RenumberNodes << endl;
   os << indent << "QualityOfAllElements: " << this->QualityOfAllElements << endl;
   os << indent << "Tolerance: " << this->Tolerance << endl;

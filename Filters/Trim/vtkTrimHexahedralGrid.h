@@ -19,7 +19,8 @@
  * - ElementStatus (unsigned char, cells): 0 keep, 1 eliminate, 2 to treat;
  * - EliminatedFraction (float, cells): the share of the element beyond the surface;
  * - Displacement (3 floats, points): how far the correction moved the node;
- * - CorrectionApplied (unsigned char, points): 0 none, 2 type II, 3 type III.
+ * - CorrectionApplied (unsigned char, points): 0 none, 2 type II, 3 type III, 4 relaxed (a node
+ *   behind the cut, moved for the quality of the elements there).
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
  * where it was not computed), every array of the input, and a summary in its field data.
@@ -113,6 +114,16 @@ public:
 
   ///@{
   /**
+   * Scaled Jacobian (0 to 1) that every element touched by the trim has to reach, but for
+   * straight corners with Optimization 0 and 1. Nodes behind the cut are moved where it needs
+   * it; 0 turns it off. Default: 0.2.
+   */
+  vtkSetClampMacro(MinimumScaledJacobian, double, 0.0, 1.0);
+  vtkGetMacro(MinimumScaledJacobian, double);
+  ///@}
+
+  ///@{
+  /**
    * Renumbers the nodes so that the largest node-number difference within an element is as
    * small as may be. Off: the order of the input. Default: on.
    */
@@ -157,6 +168,7 @@ private:
   bool UseKeepPoint = false;
   double KeepPoint[3] = { 0.0, 0.0, 0.0 };
   double EliminationFraction = 0.5;
+  double MinimumScaledJacobian = 0.2;
   bool RenumberNodes = true;
   bool QualityOfAllElements = false;
   double Tolerance = 1e-9;

@@ -37,6 +37,7 @@ void Summary::AddTo(vtkFieldData* fieldData) const
   count("Wedges", this->Wedges);
   count("TouchedElements", this->TouchedElements);
   count("CertifiedElements", this->CertifiedElements);
+  count("RescuedByRelaxation", this->RescuedByRelaxation);
   count("RescuedByTreatment", this->RescuedByTreatment);
   count("RescuedByCorrection", this->RescuedByCorrection);
   count("RescuedByFate", this->RescuedByFate);

@@ -25,7 +25,8 @@ struct Summary
   Id TouchedElements = 0;   ///< elements of the result with a moved node
   Id CertifiedElements = 0; ///< those of them whose Jacobian is proved positive everywhere
   Id NodeBandwidth = 0;     ///< largest node-number difference within an element
-  Id RescuedByTreatment = 0;
+  Id RescuedByRelaxation = 0; ///< elements that the nodes round them moved for
+  Id RescuedByTreatment = 0;  ///< columns, as the following
   Id RescuedByCorrection = 0;
   Id RescuedByFate = 0;
   Id RescuedByLeaving = 0;  ///< columns whose nodes were left off the surface

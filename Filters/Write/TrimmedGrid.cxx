@@ -262,14 +262,6 @@ void AddQuality(const HexMesh& mesh, const TrimResult& result, const KeptMesh& k
     }
   });
   summary.Volume = std::accumulate(volume.begin(), volume.end(), 0.0);
-  for (Id i = 0; i < count; ++i)
-  {
-    if (!std::isnan(values[i]))
-    {
-      summary.MinimumScaledJacobian =
-        std::fmin(summary.MinimumScaledJacobian, static_cast<double>(values[i]));
-    }
-  }
   output->GetCellData()->AddArray(scaled);
 }
 
@@ -291,6 +283,8 @@ void SummariseTouched(const TrimResult& result, Summary& summary)
     }
     const auto range = MeasureJacobian(final.Points, final.Count);
     ++summary.TouchedElements;
+    summary.MinimumScaledJacobian =
+      std::fmin(summary.MinimumScaledJacobian, ScaledJacobian(final.Points, final.Count));
     summary.CertifiedElements += range.Bezier > 0.0;
     summary.MinimumIntegrationPointJacobian =
       std::fmin(summary.MinimumIntegrationPointJacobian, range.IntegrationPoint / range.Mean);
@@ -332,6 +326,8 @@ double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& s
 
 void CountRungs(const TrimResult& result, Summary& summary)
 {
+  const auto& relaxed = result.Near->Trimmed.Relaxed;
+  summary.RescuedByRelaxation = std::count(relaxed.begin(), relaxed.end(), char(1));
   for (const Rung rung : result.Near->Trimmed.RescuedBy)
   {
     switch (rung)

@@ -1,0 +1,43 @@
+/**
+ * @file Relaxation.h
+ * @brief Better elements at the cut by moving nodes where they may: boundary nodes along the
+ * cut, and the nodes of the rings behind it within their layer.
+ *
+ * A node tries steps in its own directions, and the way its neighbours went, and keeps what
+ * raises the smallest scaled Jacobian of the elements round it. Skin nodes stay on the skin,
+ * boundary nodes on the surface, border and corner nodes where they are.
+ */
+#ifndef Relaxation_h
+#define Relaxation_h
+
+#include "Moves.h"
+
+#include <array>
+#include <vector>
+
+namespace trim
+{
+
+/// A kept element as it will be written.
+struct RelaxedElement
+{
+  int Count = 0; ///< 0: not kept
+  std::array<int, 8> Node;
+};
+
+/**
+ * Relaxes the nodes round the elements whose scaled Jacobian is below the floor.
+ *
+ * @param elements of the band, with degenerated ones as wedges.
+ * @param active elements that have to reach the floor.
+ * @param fixed nodes that must not move.
+ * @param onCut nodes of the new boundary.
+ * @param[in,out] moves positions; nodes that are moved get Correction::Relax.
+ */
+void Relax(const Band& band, const NodeMover& mover, const std::vector<RelaxedElement>& elements,
+  const std::vector<char>& active, const std::vector<char>& fixed, const std::vector<char>& onCut,
+  double floor, Moves& moves);
+
+}
+
+#endif
