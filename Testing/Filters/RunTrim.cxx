@@ -123,8 +123,7 @@ Outcome RunAndJudge(
   return outcome;
 }
 
-void JudgeBothSides(
-  const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report)
+void JudgeBothSides(const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report)
 {
   const Outcome kept = RunTrim(mesh, surface, options);
   options.InvertSide = !options.InvertSide;

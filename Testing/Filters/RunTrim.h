@@ -45,8 +45,7 @@ Outcome RunAndJudge(
   const Mesh& mesh, const Surface& surface, const TrimOptions& options, Report& report);
 
 /// The trim and its counterpart with InvertSide, each judged, then both together.
-void JudgeBothSides(
-  const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report);
+void JudgeBothSides(const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report);
 
 }
 

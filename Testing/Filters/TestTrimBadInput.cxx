@@ -108,14 +108,14 @@ void TestSurfaces(const Mesh& mesh)
     std::vector<std::string> Words;
     std::function<void(vtkPolyData*)> Break;
   };
-  const auto set = [](const char* name, vtkIdType t, int c, double v) {
-    return [=](vtkPolyData* d) { SetField(d, name, t, c, v); };
-  };
-  const auto drop = [](const char* name) {
-    return [=](vtkPolyData* d) { d->GetFieldData()->RemoveArray(name); };
-  };
-  const auto resize = [](const char* name, vtkIdType n) {
-    return [=](vtkPolyData* d) {
+  const auto set = [](const char* name, vtkIdType t, int c, double v)
+  { return [=](vtkPolyData* d) { SetField(d, name, t, c, v); }; };
+  const auto drop = [](const char* name)
+  { return [=](vtkPolyData* d) { d->GetFieldData()->RemoveArray(name); }; };
+  const auto resize = [](const char* name, vtkIdType n)
+  {
+    return [=](vtkPolyData* d)
+    {
       vtkDataArray* array = d->GetFieldData()->GetArray(name);
       array->Resize(n);
       array->SetNumberOfTuples(n);
@@ -157,7 +157,8 @@ void TestSurfaces(const Mesh& mesh)
 
 void TestLoopsAndShells(const Mesh& mesh)
 {
-  const auto loops = [&mesh]() {
+  const auto loops = [&mesh]()
+  {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->DeepCopy(MakeSurface("trimmedface", mesh.Box, Placement()).Data);
     return data;
@@ -184,7 +185,8 @@ void TestLoopsAndShells(const Mesh& mesh)
 void TestGrids(const Mesh& mesh)
 {
   const auto plane = GoodPlane(mesh);
-  const auto copy = [&mesh]() {
+  const auto copy = [&mesh]()
+  {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->DeepCopy(mesh.Grid);
     return grid;
@@ -202,7 +204,8 @@ void TestGrids(const Mesh& mesh)
   grid = copy();
   const vtkIdType tetra[4] = { 0, 1, 22, 400 };
   grid->InsertNextCell(VTK_TETRA, 4, tetra);
-  Judge("a tetrahedron", grid, plane, { "hexahedr|wedge", std::to_string(mesh.Grid->GetNumberOfCells()) });
+  Judge("a tetrahedron", grid, plane,
+    { "hexahedr|wedge", std::to_string(mesh.Grid->GetNumberOfCells()) });
   grid = copy();
   const vtkIdType quad[4] = { 0, 1, 22, 21 };
   grid->InsertNextCell(VTK_QUAD, 4, quad);
@@ -256,7 +259,8 @@ void TestEmpty(const Mesh& mesh)
 {
   Mesh empty = mesh;
   empty.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  const Outcome outcome = RunTrim(empty, MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
+  const Outcome outcome =
+    RunTrim(empty, MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
   if (outcome.Case.Trimmed->GetNumberOfCells() != 0 || outcome.Errors.size() > 1)
   {
     std::printf("FAIL empty grid\n");

@@ -72,15 +72,14 @@ int main()
       for (const int threads : { 1, 2, 5 })
       {
         vtkSMPTools::Initialize(threads);
-        Compare(name + " threads " + std::to_string(threads), one,
-          RunTrim(mesh, surface, options));
+        Compare(name + " threads " + std::to_string(threads), one, RunTrim(mesh, surface, options));
       }
       vtkSMPTools::SetBackend("Sequential");
     }
     Placement other;
     other.X = -0.3;
-    TestRerun(mesh, MakeSurface("plane", mesh.Box, other),
-      MakeSurface("scurve", mesh.Box, Placement()));
+    TestRerun(
+      mesh, MakeSurface("plane", mesh.Box, other), MakeSurface("scurve", mesh.Box, Placement()));
   }
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;

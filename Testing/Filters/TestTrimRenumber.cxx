@@ -83,8 +83,8 @@ int main()
   TrimOptions outside;
   Report report("renumber ring");
   Mesh round = plate;
-  round.Grid = RunAndJudge(plate, MakeSurface("cylinder", plate.Box, ring), outside, report)
-                 .Case.Trimmed;
+  round.Grid =
+    RunAndJudge(plate, MakeSurface("cylinder", plate.Box, ring), outside, report).Case.Trimmed;
   ring.Size = 0.55;
   outside.InvertSide = true;
   RunAndJudge(round, MakeSurface("cylinder", plate.Box, ring), outside, report);

@@ -20,10 +20,9 @@ struct Step
 int RunSequence(const char* meshName, int correction, int optimization)
 {
   static const Step steps[] = {
-    { "roundrect", 0.02, 0.03, 0.68, 0, false },
-    { "cylinder", -0.35, 0.1, 0.22, 0, true },
+    { "roundrect", 0.02, 0.03, 0.68, 0, false }, { "cylinder", -0.35, 0.1, 0.22, 0, true },
     { "contour", 0.3, -0.1, 0.25, 0, true },
-    { "plane", 0.05, -0.5, 0, 0.2, false }, // across the border that the first left
+    { "plane", 0.05, -0.5, 0, 0.2, false },   // across the border that the first left
     { "cylinder", 0.7, 0.6, 0.3, 0.1, true }, // a bite out of a border
   };
   Mesh mesh = MakeMesh(meshName);

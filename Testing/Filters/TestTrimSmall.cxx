@@ -78,13 +78,13 @@ struct Small
   void ExpectArray(bool cells, const char* name, const std::vector<double>& values) const
   {
     vtkUnstructuredGrid* whole = this->Result.Case.Whole;
-    vtkDataArray* array = cells ? whole->GetCellData()->GetArray(name)
-                                : whole->GetPointData()->GetArray(name);
+    vtkDataArray* array =
+      cells ? whole->GetCellData()->GetArray(name) : whole->GetPointData()->GetArray(name);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-      const double value =
-        array && static_cast<vtkIdType>(i) < array->GetNumberOfTuples() ? array->GetComponent(i, 0)
-                                                                         : std::nan("");
+      const double value = array && static_cast<vtkIdType>(i) < array->GetNumberOfTuples()
+        ? array->GetComponent(i, 0)
+        : std::nan("");
       Expect(std::abs(value - values[i]) <= 1e-6,
         this->Name + ": " + name + " at " + std::to_string(i) + " is " + std::to_string(value) +
           ", not " + std::to_string(values[i]));

@@ -61,8 +61,7 @@ void TestThroughNodes()
     at.Angle = 0;
     at.Size = 5 / mesh.Box.HalfY;
     Both("cylinder through nodes", mesh, MakeSurface("cylinder", mesh.Box, at));
-    Both("just beside the nodes", mesh,
-      PlaneThrough(Vec3(10 + 1e-7, 0, 0), Vec3::UnitX(), 200));
+    Both("just beside the nodes", mesh, PlaneThrough(Vec3(10 + 1e-7, 0, 0), Vec3::UnitX(), 200));
   }
 }
 
@@ -89,8 +88,8 @@ void Whole(const std::string& name, const Mesh& mesh, const Surface& surface, bo
     const bool stays = (surface.Signed(mesh.Box.Centre) < 0) != invert;
     const vtkIdType expected = stays ? mesh.Grid->GetNumberOfCells() : 0;
     Expect(outcome.Case.Trimmed->GetNumberOfCells() == expected,
-      name + ": " + std::to_string(outcome.Case.Trimmed->GetNumberOfCells()) +
-        " elements, not " + std::to_string(expected));
+      name + ": " + std::to_string(outcome.Case.Trimmed->GetNumberOfCells()) + " elements, not " +
+        std::to_string(expected));
     Expect(outcome.Case.Whole->GetNumberOfCells() == mesh.Grid->GetNumberOfCells(),
       name + ": port 1 is not the whole grid");
     Report report("special " + name + (invert ? " inverted" : ""));
@@ -110,8 +109,8 @@ void TestMisses()
   Whole("far small plane", mesh, PlaneThrough(Vec3(-50, 0, 0), Vec3(1, 0.1, 0), 200), true);
   Whole("plane along the border", mesh, PlaneThrough(Vec3(20, 0, 0), Vec3::UnitX(), 200), false);
   Whole("plane along the skin", mesh, PlaneThrough(Vec3(0, 0, 0.4), Vec3::UnitZ(), 200), false);
-  Whole("plane that touches a corner", mesh,
-    PlaneThrough(Vec3(20, 16, 0), Vec3(1, 1, 0), 200), false);
+  Whole(
+    "plane that touches a corner", mesh, PlaneThrough(Vec3(20, 16, 0), Vec3(1, 1, 0), 200), false);
   Placement at;
   at.X = 2;
   at.Y = 0;
@@ -161,10 +160,12 @@ void TestAbort()
   filter->SetInputDataObject(0, mesh.Grid);
   filter->SetInputDataObject(1, surface.Data);
   vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    ++*static_cast<int*>(data);
-    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-  });
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      ++*static_cast<int*>(data);
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    });
   int events = 0;
   stop->SetClientData(&events);
   const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
@@ -190,10 +191,12 @@ void TestProgress()
   filter->SetInputDataObject(1, surface.Data);
   vtkNew<vtkCallbackCommand> listen;
   std::vector<double> seen;
-  listen->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    static_cast<std::vector<double>*>(data)->push_back(
-      static_cast<vtkAlgorithm*>(caller)->GetProgress());
-  });
+  listen->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      static_cast<std::vector<double>*>(data)->push_back(
+        static_cast<vtkAlgorithm*>(caller)->GetProgress());
+    });
   listen->SetClientData(&seen);
   filter->AddObserver(vtkCommand::ProgressEvent, listen);
   filter->Update();

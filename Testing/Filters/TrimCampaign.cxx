@@ -28,9 +28,8 @@ Draw DrawTrim(unsigned seed, int number)
   std::seed_seq sequence{ seed, static_cast<unsigned>(number) };
   std::mt19937 random(sequence);
   std::uniform_real_distribution<double> any(0, 1);
-  const auto pick = [&](const std::vector<std::string>& from) {
-    return from[static_cast<std::size_t>(any(random) * from.size())];
-  };
+  const auto pick = [&](const std::vector<std::string>& from)
+  { return from[static_cast<std::size_t>(any(random) * from.size())]; };
   Draw draw;
   draw.Mesh = pick(MeshNames());
   draw.Kind = pick(SurfaceKinds());
@@ -55,9 +54,8 @@ std::string Words(const Draw& draw)
   std::snprintf(text, sizeof(text),
     "%s %s x %.3f y %.3f angle %.3f lean %.3f size %.3f seed %u%s type %d opt %d%s",
     draw.Mesh.c_str(), draw.Kind.c_str(), draw.At.X, draw.At.Y, draw.At.Angle, draw.At.Lean,
-    draw.At.Size, draw.At.Seed, draw.At.Reversed ? " reversed" : "",
-    draw.Options.CorrectionType, draw.Options.Optimization,
-    draw.Options.InvertSide ? " inverted" : "");
+    draw.At.Size, draw.At.Seed, draw.At.Reversed ? " reversed" : "", draw.Options.CorrectionType,
+    draw.Options.Optimization, draw.Options.InvertSide ? " inverted" : "");
   return text;
 }
 }
@@ -112,14 +110,13 @@ int main(int argc, char* argv[])
   }
   // Good: no check failed. Of these, rescued: some rung of the ladder was climbed; left: nodes
   // are off the surface, and the filter says so.
-  std::printf("\n%-22s %6s %6s %8s %6s %7s %7s\n", "", "trims", "good", "rescued", "left",
-    "warned", "failed");
+  std::printf("\n%-22s %6s %6s %8s %6s %7s %7s\n", "", "trims", "good", "rescued", "left", "warned",
+    "failed");
   int failed = 0;
   for (const auto& row : table)
   {
     std::printf("%-22s %6d %6d %8d %6d %7d %7d\n", row.first.c_str(), row.second.Trims,
-      row.second.Good, row.second.Rescued, row.second.Left, row.second.Warned,
-      row.second.Failed);
+      row.second.Good, row.second.Rescued, row.second.Left, row.second.Warned, row.second.Failed);
     failed += row.second.Failed;
   }
   for (const auto& check : checks)

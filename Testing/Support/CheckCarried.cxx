@@ -96,8 +96,8 @@ void CompareAttributes(vtkDataSetAttributes* in, vtkDataSetAttributes* out,
     vtkAbstractArray* array = in->GetAbstractArray(i);
     if (!IsOwn(array->GetName()))
     {
-      Compare(array, out->GetAbstractArray(array->GetName()), ids,
-        where + " " + array->GetName(), report);
+      Compare(array, out->GetAbstractArray(array->GetName()), ids, where + " " + array->GetName(),
+        report);
     }
   }
   for (int k = 0; k < vtkDataSetAttributes::NUM_ATTRIBUTES; ++k)
@@ -124,8 +124,7 @@ std::string DifferentData(vtkFieldData* a, vtkFieldData* b)
     vtkAbstractArray* x = a->GetAbstractArray(i);
     vtkAbstractArray* y = b->GetAbstractArray(i);
     const std::string name = x->GetName() ? x->GetName() : "";
-    if (!y || name != (y->GetName() ? y->GetName() : "") ||
-      x->GetDataType() != y->GetDataType() ||
+    if (!y || name != (y->GetName() ? y->GetName() : "") || x->GetDataType() != y->GetDataType() ||
       x->GetNumberOfTuples() != y->GetNumberOfTuples() ||
       x->GetNumberOfComponents() != y->GetNumberOfComponents())
     {
@@ -195,8 +194,8 @@ std::string FirstDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
   {
     a->GetCellPoints(c, p);
     b->GetCellPoints(c, q);
-    bool same = a->GetCellType(c) == b->GetCellType(c) &&
-      p->GetNumberOfIds() == q->GetNumberOfIds();
+    bool same =
+      a->GetCellType(c) == b->GetCellType(c) && p->GetNumberOfIds() == q->GetNumberOfIds();
     for (vtkIdType i = 0; same && i < p->GetNumberOfIds(); ++i)
     {
       same = p->GetId(i) == q->GetId(i);

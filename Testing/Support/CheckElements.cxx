@@ -40,8 +40,8 @@ void Expect(const Evidence& e, const char* name, double expected, double limit, 
   const double given = e.Number(name);
   if (!(std::abs(given - expected) <= limit))
   {
-    report.Fail("summary", std::string(name) + ", recomputed " + std::to_string(expected), given,
-      limit);
+    report.Fail(
+      "summary", std::string(name) + ", recomputed " + std::to_string(expected), given, limit);
   }
 }
 
@@ -59,8 +59,8 @@ void CheckCoincidence(const Evidence& e, Report& report)
   // The input may have slits or touching parts: there it is no fault.
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    for (std::size_t j = i + 1; j < order.size() &&
-         e.Out.Points[order[j]][0] - e.Out.Points[order[i]][0] <= tolerance;
+    for (std::size_t j = i + 1;
+         j < order.size() && e.Out.Points[order[j]][0] - e.Out.Points[order[i]][0] <= tolerance;
          ++j)
     {
       const double d = (e.Out.Points[order[j]] - e.Out.Points[order[i]]).norm();
@@ -98,8 +98,7 @@ void CheckElements(const Evidence& e, Report& report)
     {
       report.Fail("nodes of an element are those it had", Cell(c), c, 0);
     }
-    if (element.Size != input.Size && e.Case.Options.Optimization == 0 &&
-      e.Number("Wedges") == 0)
+    if (element.Size != input.Size && e.Case.Options.Optimization == 0 && e.Number("Wedges") == 0)
     {
       report.Fail("no wedge without treatment", Cell(c), element.Size, input.Size);
     }
@@ -175,8 +174,7 @@ void CheckQuality(const Evidence& e, Report& report)
       const double real = ScaledJacobianOf(e.Case.Trimmed, c);
       if (!(std::abs(real - given) <= 1e-5))
       {
-        report.Fail("ScaledJacobian", Cell(c) + ", Verdict's " + std::to_string(real), given,
-          1e-5);
+        report.Fail("ScaledJacobian", Cell(c) + ", Verdict's " + std::to_string(real), given, 1e-5);
       }
       least = moved ? std::min(least, real) : least;
     }
@@ -215,8 +213,7 @@ void CheckSummary(const Evidence& e, Report& report)
   Expect(e, "Kept", kept, 0, report);
   Expect(e, "Eliminated", static_cast<double>(e.In.Elements.size()) - kept, 0, report);
   Expect(e, "Treated",
-    static_cast<double>(std::count(e.ElementStatus.begin(), e.ElementStatus.end(), 2)), 0,
-    report);
+    static_cast<double>(std::count(e.ElementStatus.begin(), e.ElementStatus.end(), 2)), 0, report);
   double moved = 0, farthest = 0, volume = 0, wedges = 0;
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
@@ -251,7 +248,8 @@ Id Bandwidth(const std::vector<Element>& elements)
   Id widest = 0;
   for (const Element& element : elements)
   {
-    const auto ends = std::minmax_element(element.Node.begin(), element.Node.begin() + element.Size);
+    const auto ends =
+      std::minmax_element(element.Node.begin(), element.Node.begin() + element.Size);
     widest = std::max(widest, *ends.second - *ends.first);
   }
   return widest;
@@ -274,8 +272,7 @@ Id ReverseCuthillMcKeeBandwidth(const Model& model)
     }
   }
   std::vector<graph_traits<Graph>::vertex_descriptor> order(num_vertices(graph));
-  cuthill_mckee_ordering(
-    graph, order.rbegin(), get(vertex_color, graph), make_degree_map(graph));
+  cuthill_mckee_ordering(graph, order.rbegin(), get(vertex_color, graph), make_degree_map(graph));
   std::vector<Id> number(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -303,8 +300,7 @@ void CheckNumbering(const Evidence& e, Report& report)
     for (int i = 0; i < element.Size; ++i)
     {
       element.Node[i] =
-        std::lower_bound(sorted.begin(), sorted.end(), e.PointOf[element.Node[i]]) -
-        sorted.begin();
+        std::lower_bound(sorted.begin(), sorted.end(), e.PointOf[element.Node[i]]) - sorted.begin();
     }
   }
   const Id now = Bandwidth(e.Out.Elements), came = Bandwidth(elements);
@@ -347,8 +343,7 @@ double BorderAllowance(const Mesh& mesh)
 // Volume of a tetrahedron where the linear function f is negative.
 double NegativePart(const std::array<Vec3, 4>& p, const std::array<double, 4>& f)
 {
-  const double volume =
-    std::abs((p[1] - p[0]).dot((p[2] - p[0]).cross(p[3] - p[0]))) / 6;
+  const double volume = std::abs((p[1] - p[0]).dot((p[2] - p[0]).cross(p[3] - p[0]))) / 6;
   std::array<int, 4> order{ { 0, 1, 2, 3 } };
   std::sort(order.begin(), order.end(), [&f](int a, int b) { return f[a] < f[b]; });
   std::array<double, 4> g;
@@ -379,8 +374,7 @@ double NegativePart(const std::array<Vec3, 4>& p, const std::array<double, 4>& f
 }
 }
 
-void CheckPlaneVolume(
-  const Evidence& e, const Vec3& point, const Vec3& normal, Report& report)
+void CheckPlaneVolume(const Evidence& e, const Vec3& point, const Vec3& normal, Report& report)
 {
   if (e.Number("RescuedByLeaving") > 0)
   {
@@ -434,7 +428,8 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
     {
       report.Note("elements that a rescue gave to both parts or to none");
     }
-    else if (parts == 2 && std::abs(kept.Fraction[c] - kept.Case.Options.EliminationFraction) < 1e-6)
+    else if (parts == 2 &&
+      std::abs(kept.Fraction[c] - kept.Case.Options.EliminationFraction) < 1e-6)
     {
       tie = true; // "more than this share" is true of neither side
     }
@@ -472,12 +467,11 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
   const bool comparable = kept.Case.Input->Flat && !kept.HasOrphans() && !offcut.HasOrphans();
   if (comparable && !(std::abs(parts - whole) <= limit))
   {
-    report.Fail("kept part and offcut add up", "volume against " + std::to_string(whole), parts,
-      limit);
+    report.Fail(
+      "kept part and offcut add up", "volume against " + std::to_string(whole), parts, limit);
   }
   if (kept.Case.Options.Optimization == 1 || !kept.Case.Cut->HasPlane || kept.Rescued() ||
-    offcut.Rescued() || tie ||
-    !comparable)
+    offcut.Rescued() || tie || !comparable)
   {
     return; // a node may be distributed in one part alone
   }

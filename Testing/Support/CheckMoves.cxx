@@ -103,8 +103,8 @@ void CheckMoves(const Evidence& e, Report& report)
     const double limit = 1e-6 * real.norm() + 1e-12 * e.Diagonal + 4 * e.Rounding;
     if (!((real - given).norm() <= limit))
     {
-      report.Fail("Displacement", Point(p) + " against the coordinates", (real - given).norm(),
-        limit);
+      report.Fail(
+        "Displacement", Point(p) + " against the coordinates", (real - given).norm(), limit);
     }
     if ((real.norm() > 0) != (correction != 0) || (real.norm() == 0 && given.norm() != 0))
     {
@@ -123,13 +123,14 @@ void CheckMoves(const Evidence& e, Report& report)
     }
     if (status->GetComponent(p, 0) != e.NodeStatus[o])
     {
-      report.Fail("NodeStatus", Point(p) + " differs between the ports",
-        status->GetComponent(p, 0), e.NodeStatus[o]);
+      report.Fail("NodeStatus", Point(p) + " differs between the ports", status->GetComponent(p, 0),
+        e.NodeStatus[o]);
     }
     // Distribution moves a node off its edge by intent; on the border the slide may go on round
     // the next node.
     const auto place = e.Border.PlaceOf(o);
-    const bool inner = place == Exterior::Place::Inside || (place == Exterior::Place::Face && skin[o]);
+    const bool inner =
+      place == Exterior::Place::Inside || (place == Exterior::Place::Face && skin[o]);
     if (correction == 3 && e.Case.Options.Optimization == 0 && inner &&
       DistanceToEdgesAt(e, o, e.Out.Points[p]) > e.Exact)
     {

@@ -68,8 +68,9 @@ void CheckNodes(const Evidence& e, Report& report)
     if (!(status == side && !mustBeOn) && !(status == 2 && mayBeOn) &&
       !(status != 2 && std::abs(s) <= doubt && tolerance <= doubt))
     {
-      report.Fail("NodeStatus", Point(p) + " status " + std::to_string(status) +
-          ", signed distance by the oracle", s, tolerance);
+      report.Fail("NodeStatus",
+        Point(p) + " status " + std::to_string(status) + ", signed distance by the oracle", s,
+        tolerance);
     }
     const float given = e.SignedDistance[p];
     if (std::isnan(given))
@@ -81,8 +82,8 @@ void CheckNodes(const Evidence& e, Report& report)
     }
     else if (near && !(std::abs(given - s) <= 1e-6 * std::abs(s) + 1e-6 * size + doubt))
     {
-      report.Fail("SignedDistance", Point(p) + " against the oracle's " + std::to_string(s),
-        given, 1e-6 * size);
+      report.Fail("SignedDistance", Point(p) + " against the oracle's " + std::to_string(s), given,
+        1e-6 * size);
     }
     else if (!near && (given > 0) != (s > 0))
     {
@@ -140,8 +141,7 @@ void CheckArrays(const Trial& trial, Report& report)
   RequireArray(trial.Trimmed->GetCellData(), "port 0", "ScaledJacobian", VTK_FLOAT, 1, report);
   for (const char* name : { "Kept", "Eliminated", "Treated", "MovedNodes", "Pentahedra", "Wedges",
          "CertifiedElements", "TouchedElements", "MinimumScaledJacobian",
-         "MinimumIntegrationPointJacobian", "MaximumDistanceToSurface", "Volume",
-         "NodeBandwidth" })
+         "MinimumIntegrationPointJacobian", "MaximumDistanceToSurface", "Volume", "NodeBandwidth" })
   {
     vtkDataArray* array = trial.Trimmed->GetFieldData()->GetArray(name);
     if (!array || array->GetNumberOfTuples() != 1 || array->GetNumberOfComponents() != 1)
@@ -168,8 +168,7 @@ double ChordError(const Evidence& e, const std::array<Vec3, 8>& corners, int siz
   Vec3 gradient;
   for (int k = 0; k < 3; ++k)
   {
-    gradient[k] =
-      e.Signed(middle + step * Vec3::Unit(k)) - e.Signed(middle - step * Vec3::Unit(k));
+    gradient[k] = e.Signed(middle + step * Vec3::Unit(k)) - e.Signed(middle - step * Vec3::Unit(k));
   }
   gradient.normalize();
   double low = 1e300, high = -1e300, longest = 0;
@@ -208,8 +207,8 @@ void CheckFractions(const Evidence& e, Report& report, int maximumCells)
     double beyond = 0, all = 0;
     for (int i = 0; i < 1000; ++i)
     {
-      Vec3 at = (Vec3(i % 10, (i / 10) % 10, i / 100) + Vec3(any(random), any(random), any(random)))
-        / 10;
+      Vec3 at =
+        (Vec3(i % 10, (i / 10) % 10, i / 100) + Vec3(any(random), any(random), any(random))) / 10;
       if (size == 6 && at[0] + at[1] > 1)
       {
         at[0] = 1 - at[0];

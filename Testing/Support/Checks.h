@@ -86,8 +86,8 @@ public:
   Model Out;
   Exterior Border;
   double Diagonal;
-  double Rounding; ///< of coordinates
-  double Exact;    ///< absolute limit for positions: 1e-9 of the diagonal and rounding
+  double Rounding;         ///< of coordinates
+  double Exact;            ///< absolute limit for positions: 1e-9 of the diagonal and rounding
   std::vector<Id> PointOf; ///< of port 0, in the input
   std::vector<Id> CellOf;
   std::vector<char> KeptCell; ///< by input cell
@@ -136,8 +136,8 @@ void CheckSummary(const Evidence& evidence, Report& report);
 /// NodeBandwidth against the numbering as it came and reverse Cuthill-McKee.
 void CheckNumbering(const Evidence& evidence, Report& report);
 /// The volume kept of a flat mesh cut by a plane, exact by six tetrahedra an element.
-void CheckPlaneVolume(const Evidence& evidence, const Vec3& point, const Vec3& normal,
-  Report& report);
+void CheckPlaneVolume(
+  const Evidence& evidence, const Vec3& point, const Vec3& normal, Report& report);
 
 /// All of the above that apply without further knowledge.
 void JudgeAll(const Evidence& evidence, Report& report);

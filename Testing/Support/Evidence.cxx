@@ -69,8 +69,8 @@ Evidence::Evidence(const Trial& trial, Report& report)
   }
   if (this->Out.BadCell >= 0)
   {
-    report.Fail("cell types", "cell " + std::to_string(this->Out.BadCell) +
-        " of port 0 is neither hexahedron nor wedge");
+    report.Fail("cell types",
+      "cell " + std::to_string(this->Out.BadCell) + " of port 0 is neither hexahedron nor wedge");
     return;
   }
   this->Usable = this->ReadOrigins(report) && this->ReadStatuses(report);
@@ -86,15 +86,14 @@ bool Evidence::ReadOrigins(Report& report)
   const auto cells = static_cast<vtkIdType>(this->Out.Elements.size());
   this->PointOf =
     Values<Id>(this->Case.Trimmed->GetPointData(), "vtkOriginalPointIds", points, report);
-  this->CellOf =
-    Values<Id>(this->Case.Trimmed->GetCellData(), "vtkOriginalCellIds", cells, report);
-  const auto good = [](const std::vector<Id>& ids, std::size_t count) {
+  this->CellOf = Values<Id>(this->Case.Trimmed->GetCellData(), "vtkOriginalCellIds", cells, report);
+  const auto good = [](const std::vector<Id>& ids, std::size_t count)
+  {
     const std::set<Id> all(ids.begin(), ids.end());
     return all.size() == ids.size() &&
       (all.empty() || (*all.begin() >= 0 && *all.rbegin() < static_cast<Id>(count)));
   };
-  if (!good(this->PointOf, this->In.Points.size()) ||
-    !good(this->CellOf, this->In.Elements.size()))
+  if (!good(this->PointOf, this->In.Points.size()) || !good(this->CellOf, this->In.Elements.size()))
   {
     report.Fail("original ids", "an id is out of range or appears twice");
     return false;
@@ -119,11 +118,9 @@ bool Evidence::ReadStatuses(Report& report)
     return false;
   }
   const int before = report.Failures();
-  this->NodeStatus =
-    Values<unsigned char>(whole->GetPointData(), "NodeStatus", points, report);
+  this->NodeStatus = Values<unsigned char>(whole->GetPointData(), "NodeStatus", points, report);
   this->SignedDistance = Values<float>(whole->GetPointData(), "SignedDistance", points, report);
-  this->ElementStatus =
-    Values<unsigned char>(whole->GetCellData(), "ElementStatus", cells, report);
+  this->ElementStatus = Values<unsigned char>(whole->GetCellData(), "ElementStatus", cells, report);
   this->Fraction = Values<float>(whole->GetCellData(), "EliminatedFraction", cells, report);
   return report.Failures() == before;
 }

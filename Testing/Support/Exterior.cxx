@@ -23,9 +23,8 @@ Vec3 NormalOf(const Facet& facet, const std::vector<Vec3>& points)
 {
   const Vec3& p0 = points[facet.Node[0]];
   const Vec3 a = points[facet.Node[2]] - p0;
-  const Vec3 normal = facet.Size() == 4
-    ? a.cross(points[facet.Node[3]] - points[facet.Node[1]])
-    : Vec3((points[facet.Node[1]] - p0).cross(a));
+  const Vec3 normal = facet.Size() == 4 ? a.cross(points[facet.Node[3]] - points[facet.Node[1]])
+                                        : Vec3((points[facet.Node[1]] - p0).cross(a));
   return normal.normalized();
 }
 
@@ -58,8 +57,8 @@ double DistanceToBilinear(
   {
     return best;
   }
-  for (const Vec2& start : { Vec2(0.5, 0.5), Vec2(0.1, 0.1), Vec2(0.9, 0.1), Vec2(0.9, 0.9),
-         Vec2(0.1, 0.9) })
+  for (const Vec2& start :
+    { Vec2(0.5, 0.5), Vec2(0.1, 0.1), Vec2(0.9, 0.1), Vec2(0.9, 0.9), Vec2(0.1, 0.9) })
   {
     Vec2 x = start;
     for (int it = 0; it < 30; ++it)
@@ -303,11 +302,9 @@ void Exterior::FindPlaces()
         const Id other = r->A == entry.first ? r->B : r->A;
         direction[i] = (this->Mesh.Points[other] - this->Mesh.Points[entry.first]).normalized();
       }
-      const double turn = std::acos(std::clamp(-direction[0].dot(direction[1]), -1.0, 1.0)) *
-        180 / std::acos(-1.0);
-      place = turn > SureAngle ? Place::Corner
-        : turn > MaybeAngle    ? Place::Doubtful
-                               : Place::Ridge;
+      const double turn =
+        std::acos(std::clamp(-direction[0].dot(direction[1]), -1.0, 1.0)) * 180 / std::acos(-1.0);
+      place = turn > SureAngle ? Place::Corner : turn > MaybeAngle ? Place::Doubtful : Place::Ridge;
     }
   }
 }

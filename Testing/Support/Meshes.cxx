@@ -92,8 +92,8 @@ Frame BoxOf(const RawMesh& raw, double elementSize)
   return frame;
 }
 
-Mesh FromPlan(const std::string& name, const Plan& plan, int nz, double thickness,
-  const Fold& fold, const MeshOptions& options)
+Mesh FromPlan(const std::string& name, const Plan& plan, int nz, double thickness, const Fold& fold,
+  const MeshOptions& options)
 {
   const RawMesh raw = Extrude(plan, nz, thickness, fold);
   Frame frame = BoxOf(raw, 1);
@@ -211,7 +211,8 @@ Mesh Channel(int n, int nz, const MeshOptions& options)
   const double half = walk.Length();
   const int along = 2 * static_cast<int>(std::lround(half));
   Plan plan = GridPlan(along, n, 2 * half / along, 1);
-  const Fold fold = [walk, half](const Vec2& p, double z) {
+  const Fold fold = [walk, half](const Vec2& p, double z)
+  {
     const Vec3 at = walk.At(std::abs(p[0] - half), z);
     return Vec3(p[0] < half ? -at[0] : at[0], p[1], at[2]);
   };
@@ -224,7 +225,8 @@ namespace
 {
 Fold Revolve(const Walk& walk)
 {
-  return [walk](const Vec2& p, double z) {
+  return [walk](const Vec2& p, double z)
+  {
     const double r = p.norm();
     const Vec3 at = walk.At(r, z);
     const Vec2 direction = r > 0 ? Vec2(p / r) : Vec2(Vec2::Zero());
@@ -246,8 +248,8 @@ Mesh Cup(int n, int nz, const MeshOptions& options)
 {
   const Plan plan = BlankPlan(n, 3 * n / 2);
   const double rest = plan.Radius() - 2 * M_PI;
-  const Walk walk({ { 0.5 * rest, 0 }, { M_PI, 0.5 }, { 0.3 * rest, 0 }, { M_PI, -0.5 },
-    { 0.2 * rest + 1, 0 } });
+  const Walk walk(
+    { { 0.5 * rest, 0 }, { M_PI, 0.5 }, { 0.3 * rest, 0 }, { M_PI, -0.5 }, { 0.2 * rest + 1, 0 } });
   Mesh mesh = FromPlan("cup", plan, nz, 0.4 * nz, Revolve(walk), options);
   mesh.Flat = false;
   return mesh;

@@ -26,12 +26,12 @@ struct Frame
 
 struct MeshOptions
 {
-  bool Float = false;     ///< points in single precision
-  bool Short = false;     ///< 32-bit connectivity
-  bool Permuted = false;  ///< points and cells numbered at random
-  double Perturbed = 0;   ///< inner columns moved in the plane, in element sizes
-  bool Data = true;       ///< arrays of all kinds
-  double Scale = 1;       ///< applied last but one
+  bool Float = false;    ///< points in single precision
+  bool Short = false;    ///< 32-bit connectivity
+  bool Permuted = false; ///< points and cells numbered at random
+  double Perturbed = 0;  ///< inner columns moved in the plane, in element sizes
+  bool Data = true;      ///< arrays of all kinds
+  double Scale = 1;      ///< applied last but one
   Vec3 Shift = Vec3::Zero();
   unsigned Seed = 1;
 };
@@ -41,10 +41,10 @@ struct Mesh
   std::string Name;
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   Frame Box;
-  bool Flat = true;  ///< skin is plane: volumes of parts are comparable
-  bool Sheet = true; ///< has a thickness direction
-  double BorderTurn = 0; ///< angle at the vertices of a polygonal border, radians
-  bool Regular = false; ///< rectangular sheet of equal elements, not permuted or perturbed
+  bool Flat = true;           ///< skin is plane: volumes of parts are comparable
+  bool Sheet = true;          ///< has a thickness direction
+  double BorderTurn = 0;      ///< angle at the vertices of a polygonal border, radians
+  bool Regular = false;       ///< rectangular sheet of equal elements, not permuted or perturbed
   int Nx = 0, Ny = 0, Nz = 0; ///< of regular ones
 };
 

@@ -72,8 +72,8 @@ Model::Model(vtkUnstructuredGrid* grid)
     const int type = grid->GetCellType(c);
     Element& element = this->Elements[c];
     element.Size = static_cast<int>(ids->GetNumberOfIds());
-    const bool known = (type == VTK_HEXAHEDRON && element.Size == 8) ||
-      (type == VTK_WEDGE && element.Size == 6);
+    const bool known =
+      (type == VTK_HEXAHEDRON && element.Size == 8) || (type == VTK_WEDGE && element.Size == 6);
     if (!known)
     {
       this->BadCell = this->BadCell < 0 ? c : this->BadCell;
@@ -118,8 +118,8 @@ std::vector<Facet> FacetsOf(const Element& element, Id owner)
 {
   static const int hex[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
     { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
-  static const int wedge[5][4] = { { 0, 2, 1, -1 }, { 3, 4, 5, -1 }, { 0, 1, 4, 3 },
-    { 1, 2, 5, 4 }, { 2, 0, 3, 5 } };
+  static const int wedge[5][4] = { { 0, 2, 1, -1 }, { 3, 4, 5, -1 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 },
+    { 2, 0, 3, 5 } };
   std::vector<Facet> facets;
   const int count = element.Size == 8 ? 6 : element.Size == 6 ? 5 : 0;
   for (int f = 0; f < count; ++f)

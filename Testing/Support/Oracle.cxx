@@ -88,9 +88,8 @@ double GraphOracle::Signed(const Vec3& p) const
   Jet jet = this->At(y, z);
   const double side = q[0] - jet.F;
   // Repeated projection on the tangent plane; the step is halved when the distance grows.
-  const auto distance2 = [&](double a, double b, const Jet& j) {
-    return (j.F - q[0]) * (j.F - q[0]) + (a - q[1]) * (a - q[1]) + (b - q[2]) * (b - q[2]);
-  };
+  const auto distance2 = [&](double a, double b, const Jet& j)
+  { return (j.F - q[0]) * (j.F - q[0]) + (a - q[1]) * (a - q[1]) + (b - q[2]) * (b - q[2]); };
   double best = distance2(y, z, jet);
   for (int it = 0; it < 200; ++it)
   {

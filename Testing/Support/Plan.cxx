@@ -146,7 +146,8 @@ Plan BlankPlan(int n, int rings)
 {
   const double radius = 0.5 * n + rings;
   // A square blown up part of the way to a circle, so that corner elements keep an angle.
-  const auto core = [n](double x, double y) {
+  const auto core = [n](double x, double y)
+  {
     const double a = std::max(std::abs(x), std::abs(y));
     const Vec2 square = 0.42 * n * Vec2(x, y);
     if (a == 0)
@@ -157,7 +158,8 @@ Plan BlankPlan(int n, int rings)
     return Vec2(0.6 * square + 0.4 * 0.5 * n * a * round);
   };
   Plan plan;
-  const auto quad = [&plan](const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto quad = [&plan](const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+  {
     const Id first = static_cast<Id>(plan.Points.size());
     plan.Points.insert(plan.Points.end(), { a, b, c, d });
     plan.Faces.push_back({ first, first + 1, first + 2, first + 3 });
@@ -172,11 +174,14 @@ Plan BlankPlan(int n, int rings)
     }
   }
   // Corner k of the core's border, counter-clockwise; ring r of `rings`.
-  const auto ring = [&](int k, int r) {
+  const auto ring = [&](int k, int r)
+  {
     const int side = k / n % 4, i = k % n;
     const double t = at(i);
-    const Vec2 p = side == 0 ? Vec2(t, -1) : side == 1 ? Vec2(1, t) : side == 2 ? Vec2(-t, 1)
-                                                                                : Vec2(-1, -t);
+    const Vec2 p = side == 0 ? Vec2(t, -1)
+      : side == 1            ? Vec2(1, t)
+      : side == 2            ? Vec2(-t, 1)
+                             : Vec2(-1, -t);
     const double angle = (k % (4 * n)) * M_PI / (2 * n) - 0.75 * M_PI;
     const double f = double(r) / rings;
     return Vec2((1 - f) * core(p[0], p[1]) + f * radius * Vec2(std::cos(angle), std::sin(angle)));
@@ -241,8 +246,8 @@ RawMesh Extrude(const Plan& plan, int nz, double thickness, const Fold& fold)
         raw.Add(6, { f[0] + a, f[1] + a, f[2] + a, f[0] + b, f[1] + b, f[2] + b });
         continue;
       }
-      raw.Add(8, { f[0] + a, f[1] + a, f[2] + a, f[3] + a, f[0] + b, f[1] + b, f[2] + b,
-        f[3] + b });
+      raw.Add(
+        8, { f[0] + a, f[1] + a, f[2] + a, f[3] + a, f[0] + b, f[1] + b, f[2] + b, f[3] + b });
     }
   }
   return raw;

@@ -28,8 +28,7 @@ SplineProfile::SplineProfile(std::vector<double> knots, int degree, std::vector<
   this->Last = this->Knots[this->Control.size()];
   for (int i = 0; i <= SampleCount; ++i)
   {
-    this->Samples.push_back(
-      this->At(this->First + (this->Last - this->First) * i / SampleCount).C);
+    this->Samples.push_back(this->At(this->First + (this->Last - this->First) * i / SampleCount).C);
   }
   this->Boxes.resize(4 * (SampleCount / LeafSize + 2));
   this->BuildBoxes(0, SampleCount + 1, 1);
@@ -118,8 +117,8 @@ double SplineProfile::Roughly(const Vec2& p) const
   this->Nearest(p, 0, SampleCount + 1, 1, best, where);
   double distance = std::numeric_limits<double>::infinity();
   // The last two: on a closed curve the segments round the seam are neighbours.
-  for (int i : { where - 1, where, where == 0 ? SampleCount - 1 : -1,
-         where == SampleCount ? 0 : -1 })
+  for (int i :
+    { where - 1, where, where == 0 ? SampleCount - 1 : -1, where == SampleCount ? 0 : -1 })
   {
     if (i < 0 || i >= SampleCount)
     {

@@ -21,8 +21,7 @@ int Report::Failures(const std::string& check) const
   return entry == this->Counts.end() ? 0 : entry->second;
 }
 
-void Report::Fail(
-  const std::string& check, const std::string& place, double value, double limit)
+void Report::Fail(const std::string& check, const std::string& place, double value, double limit)
 {
   if (this->Count(check))
   {

@@ -83,8 +83,7 @@ Curve Arc(const Vec2& centre, double radius, double from, double to)
   for (int i = 0; i <= count; ++i)
   {
     const double a = from + i * step;
-    arc.Control.emplace_back(
-      centre[0] + radius * std::cos(a), centre[1] + radius * std::sin(a), 1);
+    arc.Control.emplace_back(centre[0] + radius * std::cos(a), centre[1] + radius * std::sin(a), 1);
     if (i < count)
     {
       const double m = a + step / 2, r = radius / weight;
@@ -196,8 +195,7 @@ void MakeCone(Surface& surface, const Frame& frame, const Local& local, double r
   {
     const double z = i < s.CountU ? -2 * toApex : 0.8 * toApex;
     const Vec3 flat = s.Control[i].head<3>() - local.Origin;
-    s.Control[i].head<3>() =
-      local.Origin + flat * (toApex - z) * std::tan(half) + z * local.Sweep;
+    s.Control[i].head<3>() = local.Origin + flat * (toApex - z) * std::tan(half) + z * local.Sweep;
   }
   surface.Truth =
     std::make_shared<ConeOracle>(local.Origin + toApex * local.Sweep, -local.Sweep, half);
@@ -246,8 +244,8 @@ void MakeSCurve(Surface& surface, const Frame& frame, const Local& local, unsign
   SetSpline(surface, local, control, knots, 3, faces);
 }
 
-void MakeSlot(Surface& surface, const Frame& frame, const Local& local,
-  std::vector<SplineSurface>& faces)
+void MakeSlot(
+  Surface& surface, const Frame& frame, const Local& local, std::vector<SplineSurface>& faces)
 {
   const double w = 1.7 * frame.ElementSize;
   const double far = 2 * std::hypot(frame.HalfX, frame.HalfY) + 2 * frame.HalfZ;
@@ -262,8 +260,7 @@ void MakeSlot(Surface& surface, const Frame& frame, const Local& local,
   {
     control.emplace_back(w, far - i * far / 3);
   }
-  SetSpline(
-    surface, local, control, UniformKnots(static_cast<int>(control.size()), 3), 3, faces);
+  SetSpline(surface, local, control, UniformKnots(static_cast<int>(control.size()), 3), 3, faces);
   surface.MinimumRadius = std::numeric_limits<double>::infinity(); // bends outside the grid
 }
 
@@ -337,8 +334,7 @@ Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement
   }
   else if (kind == "cylinder")
   {
-    faces.push_back(
-      Extrude(Arc(Vec2::Zero(), size, 0, 2 * Pi), local, -local.Reach, local.Reach));
+    faces.push_back(Extrude(Arc(Vec2::Zero(), size, 0, 2 * Pi), local, -local.Reach, local.Reach));
     surface.Truth = Swept(local, std::make_shared<CircleProfile>(Vec2::Zero(), size));
     surface.MinimumRadius = size;
   }
@@ -349,8 +345,7 @@ Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement
   else if (kind == "arc")
   {
     const double r = 2.5 * (frame.HalfX + frame.HalfY);
-    faces.push_back(Extrude(
-      Arc(Vec2(-r, 0), r, -1.8, 1.8), local, -local.Reach, local.Reach));
+    faces.push_back(Extrude(Arc(Vec2(-r, 0), r, -1.8, 1.8), local, -local.Reach, local.Reach));
     surface.Truth = Swept(local, std::make_shared<CircleProfile>(Vec2(-r, 0), r));
     surface.MinimumRadius = r;
   }
@@ -384,7 +379,8 @@ Surface EndingPlane(const Frame& frame, const Placement& at)
   const double r = local.Reach;
   Surface surface;
   surface.Name = "endingplane";
-  surface.Data = ToPolyData(Extrude(Segment(Vec2(0, -r), Vec2(0, 0.2 * frame.HalfY)), local, -r, r));
+  surface.Data =
+    ToPolyData(Extrude(Segment(Vec2(0, -r), Vec2(0, 0.2 * frame.HalfY)), local, -r, r));
   SetPlane(surface, local);
   return surface;
 }
@@ -420,7 +416,8 @@ Surface PlaneThrough(const Vec3& point, const Vec3& normal, double halfSize)
 
 SplineSurface ReadSpline(vtkPolyData* data)
 {
-  const auto values = [data](const char* name) {
+  const auto values = [data](const char* name)
+  {
     std::vector<double> v;
     vtkDataArray* array = data->GetFieldData()->GetArray(name);
     for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)

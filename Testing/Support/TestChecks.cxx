@@ -56,19 +56,22 @@ void AddStatuses(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* input,
   const auto n = static_cast<vtkIdType>(points.size()), m = static_cast<vtkIdType>(cells.size());
   vtkPointData* pd = grid->GetPointData();
   vtkCellData* cd = grid->GetCellData();
-  Fill<vtkUnsignedCharArray>(pd, "NodeStatus", 1, n, [&](vtkIdType i, int) { return x(i) > CutAt; });
-  Fill<vtkFloatArray>(pd, "SignedDistance", 1, n, [&](vtkIdType i, int) {
-    return std::abs(x(i) - CutAt) < 1.5 ? x(i) - CutAt : std::nan("");
-  });
-  Fill<vtkFloatArray>(pd, "Displacement", 3, n, [&](vtkIdType i, int k) {
-    return x(i) == LastColumn && k == 0 ? CutAt - LastColumn : 0;
-  });
-  Fill<vtkUnsignedCharArray>(pd, "CorrectionApplied", 1, n,
-    [&](vtkIdType i, int) { return x(i) == LastColumn ? 2 : 0; });
+  Fill<vtkUnsignedCharArray>(
+    pd, "NodeStatus", 1, n, [&](vtkIdType i, int) { return x(i) > CutAt; });
+  Fill<vtkFloatArray>(pd, "SignedDistance", 1, n,
+    [&](vtkIdType i, int) { return std::abs(x(i) - CutAt) < 1.5 ? x(i) - CutAt : std::nan(""); });
+  Fill<vtkFloatArray>(pd, "Displacement", 3, n,
+    [&](vtkIdType i, int k) { return x(i) == LastColumn && k == 0 ? CutAt - LastColumn : 0; });
+  Fill<vtkUnsignedCharArray>(
+    pd, "CorrectionApplied", 1, n, [&](vtkIdType i, int) { return x(i) == LastColumn ? 2 : 0; });
   Fill<vtkUnsignedCharArray>(cd, "ElementStatus", 1, m,
-    [&](vtkIdType c, int) { return cellX(c) < 3 ? 0 : cellX(c) > 3 ? 1 : 2; });
+    [&](vtkIdType c, int) { return cellX(c) < 3 ? 0
+                              : cellX(c) > 3    ? 1
+                                                : 2; });
   Fill<vtkFloatArray>(cd, "EliminatedFraction", 1, m,
-    [&](vtkIdType c, int) { return cellX(c) < 3 ? 0 : cellX(c) > 3 ? 1 : 0.6; });
+    [&](vtkIdType c, int) { return cellX(c) < 3 ? 0
+                              : cellX(c) > 3    ? 1
+                                                : 0.6; });
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
@@ -121,13 +124,14 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
   }
   grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   AddStatuses(grid, input, points, cells);
-  Fill<vtkIdTypeArray>(grid->GetPointData(), "vtkOriginalPointIds", 1, n,
-    [&](vtkIdType i, int) { return points[i]; });
-  Fill<vtkIdTypeArray>(grid->GetCellData(), "vtkOriginalCellIds", 1, m,
-    [&](vtkIdType c, int) { return cells[c]; });
-  Fill<vtkFloatArray>(grid->GetCellData(), "ScaledJacobian", 1, m, [&](vtkIdType c, int) {
-    return cells[c] % 6 == 2 ? vtkMeshQuality::HexScaledJacobian(grid->GetCell(c)) : std::nan("");
-  });
+  Fill<vtkIdTypeArray>(
+    grid->GetPointData(), "vtkOriginalPointIds", 1, n, [&](vtkIdType i, int) { return points[i]; });
+  Fill<vtkIdTypeArray>(
+    grid->GetCellData(), "vtkOriginalCellIds", 1, m, [&](vtkIdType c, int) { return cells[c]; });
+  Fill<vtkFloatArray>(grid->GetCellData(), "ScaledJacobian", 1, m,
+    [&](vtkIdType c, int) {
+      return cells[c] % 6 == 2 ? vtkMeshQuality::HexScaledJacobian(grid->GetCell(c)) : std::nan("");
+    });
   const std::map<std::string, double> summary = { { "Kept", 24 }, { "Eliminated", 24 },
     { "Treated", 8 }, { "MovedNodes", 15 }, { "Pentahedra", 0 }, { "Wedges", 0 },
     { "CertifiedElements", 8 }, { "TouchedElements", 8 }, { "MinimumScaledJacobian", 1 },
@@ -188,10 +192,13 @@ using Grid = vtkUnstructuredGrid;
 std::vector<Fault> StatusFaults()
 {
   return {
-    { "arrays", "an array less", [](Grid* t, Grid*) { t->GetCellData()->RemoveArray("ElementStatus"); } },
-    { "arrays", "summary value missing", [](Grid* t, Grid*) { t->GetFieldData()->RemoveArray("Kept"); } },
+    { "arrays", "an array less",
+      [](Grid* t, Grid*) { t->GetCellData()->RemoveArray("ElementStatus"); } },
+    { "arrays", "summary value missing",
+      [](Grid* t, Grid*) { t->GetFieldData()->RemoveArray("Kept"); } },
     { "arrays", "type changed",
-      [](Grid* t, Grid*) {
+      [](Grid* t, Grid*)
+      {
         t->GetPointData()->RemoveArray("CorrectionApplied");
         Fill<vtkFloatArray>(t->GetPointData(), "CorrectionApplied", 1, t->GetNumberOfPoints(),
           [](vtkIdType, int) { return 0; });
@@ -225,7 +232,8 @@ std::vector<Fault> GeometryFaults()
     { "CorrectionApplied", "moved silently",
       [](Grid* t, Grid*) { Shift(t, PointAt(t, 1, 1, 0), 1e-6, 0, 0); } },
     { "port 1 has the input's coordinates", "moved in port 1",
-      [](Grid*, Grid* w) {
+      [](Grid*, Grid* w)
+      {
         vtkNew<vtkPoints> points;
         points->DeepCopy(w->GetPoints());
         w->SetPoints(points);
@@ -249,7 +257,8 @@ std::vector<Fault> GeometryFaults()
       [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 2, 0.4), -0.8, -0.5, 0); } },
     { "coincident nodes", "two nodes at one place",
       [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 2, 0), 0, 1, 0); } },
-    { "summary", "volume off", [](Grid* t, Grid*) { SetValue(t->GetFieldData(), "Volume", 0, 10.87); } },
+    { "summary", "volume off",
+      [](Grid* t, Grid*) { SetValue(t->GetFieldData(), "Volume", 0, 10.87); } },
     { "summary", "bandwidth off",
       [](Grid* t, Grid*) { SetValue(t->GetFieldData(), "NodeBandwidth", 0, 24); } },
     { "summary", "certified too many",
@@ -285,14 +294,16 @@ std::vector<Fault> OtherFaults()
 {
   return {
     { "manifold", "two elements that hang together by an edge",
-      [](Grid* t, Grid*) {
+      [](Grid* t, Grid*)
+      {
         DropCell(t, 7 - 3); // the middle of three columns leaves neighbours across an edge
         DropCell(t, 0);
       } },
     { "carried arrays", "an input array lost",
       [](Grid* t, Grid*) { t->GetPointData()->RemoveArray("Zone"); } },
     { "carried arrays", "a value of another node",
-      [](Grid* t, Grid*) {
+      [](Grid* t, Grid*)
+      {
         SetValue(t->GetPointData(), "Temperature", 5,
           t->GetPointData()->GetArray("Temperature")->GetComponent(6, 0));
       } },
@@ -301,12 +312,14 @@ std::vector<Fault> OtherFaults()
     { "carried arrays", "component name lost",
       [](Grid* t, Grid*) { t->GetCellData()->GetArray("Stress")->SetComponentName(5, "ZX"); } },
     { "carried arrays", "field data lost on port 1",
-      [](Grid*, Grid* w) {
+      [](Grid*, Grid* w)
+      {
         vtkNew<vtkFieldData> none;
         w->SetFieldData(none);
       } },
     { "numbering", "order changed though not asked for",
-      [](Grid* t, Grid*) {
+      [](Grid* t, Grid*)
+      {
         SetValue(t->GetPointData(), "vtkOriginalPointIds", 0, 1);
         SetValue(t->GetPointData(), "vtkOriginalPointIds", 1, 0);
       } },
