@@ -21,6 +21,8 @@ constexpr double SmallestDistanceShare = 1e-3;
 /// An element with less of its volume left has collapsed.
 constexpr double SmallestVolumeShare = 0.01;
 constexpr int LongestClimb = 40;
+/// How many columns below the quality floor are tried with the other correction.
+constexpr int MostFloorTrials = 16;
 /// What invalid elements are relaxed to where no floor is asked for.
 constexpr double SmallestGoal = 0.05;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
@@ -81,7 +83,6 @@ public:
     , Options(options)
     , Mover(band, columns, nodeStatus, surface, precision)
     , Rungs(band.NumberOfElements(), Rung::None)
-    , GivenUp(band.NumberOfElements(), 0)
   {
     this->Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
     this->Set.Corrections.assign(band.NumberOfNodes(), CorrectionChoice::AsAsked);
@@ -105,6 +106,7 @@ public:
       trimmed = this->Attempt();
     }
     this->LeaveInvalid(trimmed, aborted);
+    this->RaiseToFloor(trimmed, aborted);
     trimmed.RescuedBy = this->Rungs;
     trimmed.BelowFloor = this->FindBelowFloor(trimmed);
     return trimmed;
@@ -212,6 +214,64 @@ private:
       before[i] = this->TheBand.Point[element.Node[i]];
     }
     return before;
+  }
+
+  /// Nodes of the new boundary that are not on the surface.
+  int CountLeft(const TrimmedBand& trimmed) const
+  {
+    int left = 0;
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    {
+      left += trimmed.Moving[n] && trimmed.NodeMoves.Applied[n] == Correction::None;
+    }
+    return left;
+  }
+
+  /// By how much elements miss the floor, in sum.
+  double Deficit(const TrimmedBand& trimmed) const
+  {
+    double deficit = 0.0;
+    for (const int e : this->FindBelowFloor(trimmed))
+    {
+      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+      deficit += this->Options.QualityFloor - ScaledJacobian(final.Points, final.Count);
+    }
+    return deficit;
+  }
+
+  /// The other correction for columns that relaxation could not raise to the floor. It is kept
+  /// only where it helps and spoils nothing: a low quality is no reason to leave the surface.
+  void RaiseToFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  {
+    std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
+    for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
+    {
+      const std::vector<int> below = this->FindBelowFloor(trimmed);
+      const auto next = std::find_if(below.begin(), below.end(),
+        [&](int e) { return !tried[this->TheColumns.Column[e]]; });
+      if (next == below.end())
+      {
+        return;
+      }
+      const int column = this->TheColumns.Column[*next];
+      tried[column] = 1;
+      const Choices before = this->Set;
+      this->ForMovingPillars(trimmed, column,
+        [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::Other; });
+      TrimmedBand other = this->Attempt();
+      other.Invalid = this->FindInvalid(other);
+      if (other.Invalid.size() <= trimmed.Invalid.size() &&
+        this->CountLeft(other) <= this->CountLeft(trimmed) &&
+        this->Deficit(other) < 0.999 * this->Deficit(trimmed))
+      {
+        this->Rungs[column] = Rung::Correction;
+        trimmed = std::move(other);
+      }
+      else
+      {
+        this->Set = before;
+      }
+    }
   }
 
   /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
@@ -340,13 +400,6 @@ private:
     {
       columns.push_back(this->TheColumns.Column[e]);
     }
-    for (const int e : this->FindBelowFloor(trimmed))
-    {
-      if (!this->GivenUp[this->TheColumns.Column[e]])
-      {
-        columns.push_back(this->TheColumns.Column[e]);
-      }
-    }
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
     {
       const auto& element = this->TheBand.Elements[e];
@@ -362,27 +415,6 @@ private:
     std::sort(columns.begin(), columns.end());
     columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
     return columns;
-  }
-
-  /// True if an element of the column is invalid or has a node without a place.
-  bool HasInvalid(const TrimmedBand& trimmed, int column) const
-  {
-    const std::vector<char> coincides = this->FindCoincidentNodes(trimmed);
-    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
-    {
-      if (this->TheColumns.Column[e] != column || !trimmed.Kept[e])
-      {
-        continue;
-      }
-      const auto& nodes = this->TheBand.Elements[e].Node;
-      if (this->IsSpoiled(trimmed, e, coincides) ||
-        std::any_of(nodes.begin(), nodes.begin() + this->TheBand.Elements[e].Count,
-          [&](int n) { return trimmed.NodeMoves.Failed[n] != 0; }))
-      {
-        return true;
-      }
-    }
-    return false;
   }
 
   template <typename Action>
@@ -467,13 +499,6 @@ private:
       case Rung::Correction:
         this->ForMovingPillars(trimmed, column,
           [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::AsAsked; });
-        if (!this->HasInvalid(trimmed, column))
-        {
-          // Valid, but below the floor: no reason to change what is kept, or to leave the surface.
-          this->GivenUp[column] = 1;
-          this->Rungs[column] = Rung::None;
-          return;
-        }
         this->Rungs[column] = Rung::Fate;
         if (this->Set.Fates[column] == Fate::ByVolume &&
           this->Shares.Column[column] >= SmallestShare)
@@ -510,7 +535,6 @@ private:
   NodeMover Mover;
   Choices Set;
   std::vector<Rung> Rungs;
-  std::vector<char> GivenUp; // columns that no rung raised to the floor
 };
 
 }

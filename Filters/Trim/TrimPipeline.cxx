@@ -325,6 +325,29 @@ void WarnOfLeftovers(TrimResult& result)
         std::to_string(near.Mesh.Elements[e].Global) + " of the input) is at ",
       near.Mesh.Point[near.Mesh.Elements[e].Node[0]]);
   }
+  std::size_t inside = 0;
+  int firstInside = -1;
+  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
+  {
+    const auto elements = near.Mesh.ElementsOfNode(n);
+    const auto faces = near.Mesh.FacesOfNode(n);
+    if (near.NodeStatus[n] == NodeEliminate && near.Trimmed.Moving[n] &&
+      std::all_of(elements.begin(), elements.end(), [&](int e) { return near.Trimmed.Kept[e]; }) &&
+      std::none_of(faces.begin(), faces.end(), [&](int f) {
+        return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f);
+      }))
+    {
+      firstInside = firstInside < 0 ? n : firstInside;
+      ++inside;
+    }
+  }
+  if (inside > 0)
+  {
+    warn(inside,
+      " nodes beyond the surface have only kept elements round them: the cut-out there is smaller "
+      "than an element and is not opened. Refine the mesh there. The first is at ",
+      near.Mesh.Point[firstInside]);
+  }
   std::size_t left = 0;
   int first = -1;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
