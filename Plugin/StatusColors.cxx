@@ -25,9 +25,10 @@ const char* const Colors = R"json({
     "CorrectionApplied" : { "PVLookupTable" : {
       "IndexedLookup" : 1,
       "AutomaticRescaleRangeMode" : -1,
-      "Annotations" : [ "0", "none", "2", "type II", "3", "type III" ],
-      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71,  0.89, 0.40, 0.10 ],
-      "IndexedOpacities" : [ 1, 1, 1 ] } }
+      "Annotations" : [ "0", "none", "2", "type II", "3", "type III", "4", "relaxed" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71,  0.89, 0.40, 0.10,
+        0.60, 0.31, 0.64 ],
+      "IndexedOpacities" : [ 1, 1, 1, 1 ] } }
   }
 })json";
 

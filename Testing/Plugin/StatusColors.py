@@ -9,7 +9,7 @@ from Checks import OUTPUT_DIRECTORY, check, check_equal, plane_at, sheet, trim
 NAMES = {
     "NodeStatus": ["0", "keep", "1", "eliminate", "2", "on surface"],
     "ElementStatus": ["0", "keep", "1", "eliminate", "2", "to treat"],
-    "CorrectionApplied": ["0", "none", "2", "type II", "3", "type III"],
+    "CorrectionApplied": ["0", "none", "2", "type II", "3", "type III", "4", "relaxed"],
 }
 
 
