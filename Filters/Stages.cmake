@@ -13,9 +13,11 @@ add_library(NURBSTrimStages STATIC
   Correct/Moves.cxx
   Correct/NodeConstraint.cxx
   Correct/NodeMover.cxx
+  Treat/BandQuality.cxx
   Treat/Jacobian.cxx
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx
+  Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx
   Write/GatherAttributes.cxx

@@ -10,8 +10,7 @@ namespace
 
 /// Share of the edge beyond the surface: walk along the hits, changing sides at each one that
 /// truly crosses (the normal tells the direction); a touch changes nothing.
-double ShareBeyond(
-  const std::vector<nurbs::LineHit>& hits, const Vec3& direction, bool aIsKept)
+double ShareBeyond(const std::vector<nurbs::LineHit>& hits, const Vec3& direction, bool aIsKept)
 {
   bool beyond = !aIsKept;
   double share = 0.0;
@@ -32,8 +31,8 @@ double ShareBeyond(
 }
 
 /// Bisection on the sign of the distance, for an edge that slips through a gap of a shell.
-EdgeCrossing CrossGap(const nurbs::TrimmingSurface& surface, const Vec3& a, const Vec3& b,
-  bool aIsKept, double gap)
+EdgeCrossing CrossGap(
+  const nurbs::TrimmingSurface& surface, const Vec3& a, const Vec3& b, bool aIsKept, double gap)
 {
   EdgeCrossing crossing;
   double low = 0.0;
@@ -59,8 +58,8 @@ EdgeCrossing CrossGap(const nurbs::TrimmingSurface& surface, const Vec3& a, cons
 
 }
 
-EdgeCrossing CrossEdge(const nurbs::TrimmingSurface& surface, const Vec3& a, const Vec3& b,
-  bool aIsKept, double gap)
+EdgeCrossing CrossEdge(
+  const nurbs::TrimmingSurface& surface, const Vec3& a, const Vec3& b, bool aIsKept, double gap)
 {
   const auto hits = surface.Intersect(a, b);
   if (hits.empty())

@@ -27,8 +27,8 @@ struct EdgeCrossing
  * @param gap distance up to which a gap between two faces counts as closed: where the edge
  * slips through one, the place where the signed distance changes its sign is taken.
  */
-EdgeCrossing CrossEdge(const nurbs::TrimmingSurface& surface, const Vec3& a, const Vec3& b,
-  bool aIsKept, double gap);
+EdgeCrossing CrossEdge(
+  const nurbs::TrimmingSurface& surface, const Vec3& a, const Vec3& b, bool aIsKept, double gap);
 
 }
 

@@ -24,23 +24,25 @@ std::vector<Id> FindCandidateCells(
 {
   const Id count = blocks.NumberOfBlocks();
   std::vector<std::vector<Id>> found(count);
-  vtkSMPTools::For(0, count, 64, [&](Id begin, Id end) {
-    for (Id b = begin; b < end; ++b)
+  vtkSMPTools::For(0, count, 64,
+    [&](Id begin, Id end)
     {
-      if (!surface.MayIntersect(blocks.Boxes[b]))
+      for (Id b = begin; b < end; ++b)
       {
-        continue;
-      }
-      const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-      for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
-      {
-        if (surface.MayIntersect(CellBox(mesh, c)))
+        if (!surface.MayIntersect(blocks.Boxes[b]))
         {
-          found[b].push_back(c);
+          continue;
+        }
+        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+        for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
+        {
+          if (surface.MayIntersect(CellBox(mesh, c)))
+          {
+            found[b].push_back(c);
+          }
         }
       }
-    }
-  });
+    });
   std::vector<Id> cells;
   for (const auto& list : found)
   {
@@ -75,16 +77,18 @@ NearNodes ProjectNearNodes(const HexMesh& mesh, const std::vector<Id>& cells,
   std::sort(near.Ids.begin(), near.Ids.end());
   near.Ids.erase(std::unique(near.Ids.begin(), near.Ids.end()), near.Ids.end());
   near.Feet.resize(near.Ids.size());
-  vtkSMPTools::For(0, static_cast<Id>(near.Ids.size()), 256, [&](Id begin, Id end) {
-    if (aborted())
+  vtkSMPTools::For(0, static_cast<Id>(near.Ids.size()), 256,
+    [&](Id begin, Id end)
     {
-      return;
-    }
-    for (Id i = begin; i < end; ++i)
-    {
-      near.Feet[i] = surface.ClosestPoint(mesh.Point(near.Ids[i]));
-    }
-  });
+      if (aborted())
+      {
+        return;
+      }
+      for (Id i = begin; i < end; ++i)
+      {
+        near.Feet[i] = surface.ClosestPoint(mesh.Point(near.Ids[i]));
+      }
+    });
   return near;
 }
 
@@ -191,8 +195,7 @@ unsigned char SideOfFarPart(
   for (const Id node : samples)
   {
     const Foot foot = surface.ClosestPoint(mesh.Point(node));
-    const double cosine =
-      foot.Distance > 0.0 ? std::abs(foot.SignedDistance) / foot.Distance : 0.0;
+    const double cosine = foot.Distance > 0.0 ? std::abs(foot.SignedDistance) / foot.Distance : 0.0;
     const double weight = cosine + (foot.Kind == FootKind::Interior ? 1.0 : 0.0);
     if (weight > best)
     {
@@ -206,9 +209,8 @@ unsigned char SideOfFarPart(
 }
 
 template <typename Index>
-bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface,
-  const NearNodes& near, NodeClassification& result, DisjointSets<Index>& sets,
-  std::string& error)
+bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NearNodes& near,
+  NodeClassification& result, DisjointSets<Index>& sets, std::string& error)
 {
   std::vector<unsigned char> ofRoot(mesh.NumberOfPoints, NodeUnknown);
   for (const Id node : near.Ids)
@@ -287,8 +289,7 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks,
 {
   result = NodeClassification{};
   result.Status.assign(mesh.NumberOfPoints, NodeUnknown);
-  result.SignedDistance.assign(
-    mesh.NumberOfPoints, std::numeric_limits<float>::quiet_NaN());
+  result.SignedDistance.assign(mesh.NumberOfPoints, std::numeric_limits<float>::quiet_NaN());
   result.CandidateCells = FindCandidateCells(mesh, blocks, surface);
   result.SurfaceMissesGrid = result.CandidateCells.empty();
 

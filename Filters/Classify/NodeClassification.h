@@ -24,9 +24,9 @@ namespace trim
 
 struct NodeClassification
 {
-  std::vector<unsigned char> Status;  ///< of every node
-  std::vector<float> SignedDistance;  ///< NaN where the node was not projected
-  std::vector<Id> CandidateCells;     ///< whose boxes meet the surface, ascending
+  std::vector<unsigned char> Status; ///< of every node
+  std::vector<float> SignedDistance; ///< NaN where the node was not projected
+  std::vector<Id> CandidateCells;    ///< whose boxes meet the surface, ascending
   bool SurfaceMissesGrid = false;
 };
 

@@ -14,7 +14,7 @@ namespace trim
 struct FacetFoot
 {
   Vec3 Point;
-  Vec3 Normal; ///< unit
+  Vec3 Normal;        ///< unit
   double Outside = 0; ///< how far beyond the facet's own edges, in its parameters; 0: inside
 };
 

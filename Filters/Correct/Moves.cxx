@@ -43,8 +43,9 @@ void SlidePillar(const Band& band, const Columns& columns, const NodeMover& move
       }
     }
   }
-  const auto best = std::max_element(
-    directions.begin(), directions.end(), [](const auto& a, const auto& b) {
+  const auto best = std::max_element(directions.begin(), directions.end(),
+    [](const auto& a, const auto& b)
+    {
       return a.second.Crossed != b.second.Crossed ? a.second.Crossed < b.second.Crossed
                                                   : a.second.Length > b.second.Length;
     });
@@ -125,38 +126,40 @@ Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover
     }
     pillars[at].push_back(n);
   }
-  vtkSMPTools::For(0, static_cast<Id>(pillars.size()), 16, [&](Id begin, Id end) {
-    for (Id i = begin; i < end; ++i)
+  vtkSMPTools::For(0, static_cast<Id>(pillars.size()), 16,
+    [&](Id begin, Id end)
     {
-      const auto& nodes = pillars[i];
-      const auto chosen = choice[columns.Pillar[nodes.front()]];
-      if (chosen == CorrectionChoice::Leave)
+      for (Id i = begin; i < end; ++i)
       {
-        continue;
-      }
-      const bool slide = (asked == Correction::Slide) == (chosen == CorrectionChoice::AsAsked);
-      std::map<int, NodeMove> found;
-      if (slide)
-      {
-        SlidePillar(band, columns, mover, nodes, found);
-      }
-      if (!slide)
-      {
-        ProjectPillar(band, columns, mover, nodes, chosen == CorrectionChoice::AsAsked, found);
-      }
-      for (const int node : nodes)
-      {
-        const NodeMove& move = found[node];
-        moves.Failed[node] = !move.Found;
-        if (move.Found)
+        const auto& nodes = pillars[i];
+        const auto chosen = choice[columns.Pillar[nodes.front()]];
+        if (chosen == CorrectionChoice::Leave)
         {
-          moves.Position[node] = AsStored(band, move.Target);
-          moves.Applied[node] =
-            moves.Position[node] != band.Point[node] ? move.By : Correction::None;
+          continue;
+        }
+        const bool slide = (asked == Correction::Slide) == (chosen == CorrectionChoice::AsAsked);
+        std::map<int, NodeMove> found;
+        if (slide)
+        {
+          SlidePillar(band, columns, mover, nodes, found);
+        }
+        if (!slide)
+        {
+          ProjectPillar(band, columns, mover, nodes, chosen == CorrectionChoice::AsAsked, found);
+        }
+        for (const int node : nodes)
+        {
+          const NodeMove& move = found[node];
+          moves.Failed[node] = !move.Found;
+          if (move.Found)
+          {
+            moves.Position[node] = AsStored(band, move.Target);
+            moves.Applied[node] =
+              moves.Position[node] != band.Point[node] ? move.By : Correction::None;
+          }
         }
       }
-    }
-  });
+    });
   return moves;
 }
 

@@ -100,8 +100,8 @@ void SetKind(const Band& band, int node, NodeConstraint& constraint)
 
 }
 
-NodeConstraint ConstrainNode(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, int node)
+NodeConstraint ConstrainNode(
+  const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node)
 {
   NodeConstraint constraint;
   std::vector<int> exterior;

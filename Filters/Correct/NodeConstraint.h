@@ -38,8 +38,8 @@ struct NodeConstraint
  * The constraint of one node. Exterior faces that lie wholly beyond the surface do not hold a
  * node: they go with what is cut off.
  */
-NodeConstraint ConstrainNode(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, int node);
+NodeConstraint ConstrainNode(
+  const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node);
 
 }
 

@@ -57,8 +57,7 @@ double NodeMover::Reach(int node) const
 
 NodeMove NodeMover::Project(int node) const
 {
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
   NodeMove move;
   switch (constraint.Kind)
   {
@@ -182,21 +181,18 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
   move.Found = this->Meet(node, faces, p2, n, planeNormal, move);
   move.By = Correction::Project;
   const auto& into = this->TheBand.Faces[bestFace];
-  move.Elements =
-    Facet(this->TheBand, into).LengthInEdges(CornerOf(into, node), move.Target - n);
+  move.Elements = Facet(this->TheBand, into).LengthInEdges(CornerOf(into, node), move.Target - n);
   return move;
 }
 
 NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNormal) const
 {
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
   NodeMove move;
   move.By = Correction::Project;
   if (constraint.Kind == ConstraintKind::Faces)
   {
-    move.Found =
-      this->Meet(node, constraint.Faces, through, through, planeNormal, move);
+    move.Found = this->Meet(node, constraint.Faces, through, through, planeNormal, move);
   }
   else if (constraint.Kind == ConstraintKind::Free)
   {
@@ -315,8 +311,7 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
 
 std::vector<int> NodeMover::SlidingEdges(int node) const
 {
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
   std::vector<int> edges;
   if (constraint.Kind == ConstraintKind::Ridge || constraint.Kind == ConstraintKind::Fixed)
   {
@@ -369,17 +364,16 @@ bool NodeMover::MayRelax(int node) const
       return false;
     }
   }
-  const auto kind =
-    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node).Kind;
+  const auto kind = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node).Kind;
   return kind == ConstraintKind::Faces || kind == ConstraintKind::Free;
 }
 
 std::vector<Vec3> NodeMover::Directions(int node, const Vec3& x, bool onCut) const
 {
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
   std::vector<Vec3> directions;
-  const auto addRound = [&directions](const Vec3& u, const Vec3& v) {
+  const auto addRound = [&directions](const Vec3& u, const Vec3& v)
+  {
     constexpr double half = 0.70710678118654752;
     for (const Vec3& d : { u, v, Vec3(half * (u + v)), Vec3(half * (u - v)) })
     {
@@ -415,8 +409,7 @@ std::vector<Vec3> NodeMover::Directions(int node, const Vec3& x, bool onCut) con
 
 bool NodeMover::Constrained(int node, const Vec3& x, bool onCut, Vec3& place) const
 {
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
   if (constraint.Kind == ConstraintKind::Free)
   {
     place = onCut ? this->Surface.ClosestPoint(x).Point : x;

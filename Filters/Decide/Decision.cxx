@@ -39,7 +39,8 @@ public:
     , MovesNodes(movesNodes)
     , Kept(kept)
     , Members(BuildLists(band.NumberOfElements(),
-        [&](auto&& add) {
+        [&](auto&& add)
+        {
           for (int e = 0; e < band.NumberOfElements(); ++e)
           {
             add(columns.Column[e], e);
@@ -75,8 +76,8 @@ private:
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
       const auto elements = this->TheBand.ElementsOfNode(n);
-      const bool inner = std::none_of(elements.begin(), elements.end(),
-        [this](int e) { return this->TheBand.InHalo(e); });
+      const bool inner = std::none_of(
+        elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); });
       bool mixed = false;
       for (const int e : elements)
       {
@@ -251,17 +252,19 @@ bool MeasureShares(const Band& band, const Columns& columns,
   shares.Column.assign(count, 0.0);
   std::vector<double> volume(count, 0.0);
   std::vector<std::array<int, 2>> missed(count, { -1, -1 });
-  vtkSMPTools::For(0, count, 64, [&](Id begin, Id end) {
-    for (Id e = begin; e < end; ++e)
+  vtkSMPTools::For(0, count, 64,
+    [&](Id begin, Id end)
     {
-      const auto volumes = MeasureEliminated(
-        band, static_cast<int>(e), nodeStatus, surface, gap, missed[e]);
-      volume[e] = volumes.Total;
-      shares.Element[e] = elementStatus[e] == ElementKeep ? 0.0
-        : elementStatus[e] == ElementEliminate            ? 1.0
-                                                          : volumes.Fraction();
-    }
-  });
+      for (Id e = begin; e < end; ++e)
+      {
+        const auto volumes =
+          MeasureEliminated(band, static_cast<int>(e), nodeStatus, surface, gap, missed[e]);
+        volume[e] = volumes.Total;
+        shares.Element[e] = elementStatus[e] == ElementKeep ? 0.0
+          : elementStatus[e] == ElementEliminate            ? 1.0
+                                                            : volumes.Fraction();
+      }
+    });
   for (const auto& edge : missed)
   {
     if (edge[0] >= 0)
@@ -300,8 +303,8 @@ std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeS
   return kept;
 }
 
-std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept,
-  const std::vector<unsigned char>& nodeStatus)
+std::vector<char> FindMovingNodes(
+  const Band& band, const std::vector<char>& kept, const std::vector<unsigned char>& nodeStatus)
 {
   std::vector<char> moving(band.NumberOfNodes(), 0);
   for (int n = 0; n < band.NumberOfNodes(); ++n)

@@ -63,8 +63,8 @@ std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeS
  * Nodes that have to lie on the new boundary: those that kept and eliminated elements share,
  * on either side of the surface, and eliminated nodes of kept elements.
  */
-std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept,
-  const std::vector<unsigned char>& nodeStatus);
+std::vector<char> FindMovingNodes(
+  const Band& band, const std::vector<char>& kept, const std::vector<unsigned char>& nodeStatus);
 
 /// A face between a kept element and an eliminated one.
 inline bool IsCutFace(const BandFace& face, const std::vector<char>& kept)

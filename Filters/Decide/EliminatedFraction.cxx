@@ -43,10 +43,7 @@ public:
     }
   }
 
-  bool IsEliminated(int i) const
-  {
-    return this->Status[this->Element.Node[i]] == NodeEliminate;
-  }
+  bool IsEliminated(int i) const { return this->Status[this->Element.Node[i]] == NodeEliminate; }
 
   /// Share of the edge from an eliminated node to one that is not, which lies beyond.
   double Beyond(int eliminated, int other)

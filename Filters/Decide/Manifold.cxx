@@ -30,8 +30,8 @@ std::vector<FanFace> BoundaryFan(const Band& band, const std::vector<char>& kept
     {
       ++at;
     }
-    fan.push_back({ face.Node[(at + face.Count - 1) % face.Count],
-      face.Node[(at + 1) % face.Count], static_cast<int>(fan.size()) });
+    fan.push_back({ face.Node[(at + face.Count - 1) % face.Count], face.Node[(at + 1) % face.Count],
+      static_cast<int>(fan.size()) });
   }
   return fan;
 }

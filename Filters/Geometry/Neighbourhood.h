@@ -16,9 +16,9 @@ namespace nurbs
 /// A border line of a face that leaves a point, straight in (u, v).
 struct BorderRay
 {
-  Vec2 From, To;     ///< in (u, v) of the face
-  Vec3 Direction;    ///< unit tangent on the surface
-  bool InsideIsLeft; ///< of the face, seen against S_u x S_v
+  Vec2 From = Vec2::Zero(), To = Vec2::Zero(); ///< in (u, v) of the face
+  Vec3 Direction = Vec3::Zero();               ///< unit tangent on the surface
+  bool InsideIsLeft = false;                   ///< of the face, seen against S_u x S_v
 };
 
 /// One piece of surface at the point: an angle and a normal, bounded by borders or not.

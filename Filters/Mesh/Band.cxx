@@ -32,18 +32,21 @@ std::vector<Id> NodesOfCells(const HexMesh& mesh, const std::vector<Id>& cells)
 }
 
 /// Breadth-first rings over cells that share a node; -1 outside.
-std::vector<int> GrowRings(const std::vector<int>& seeds, const std::vector<std::array<int, 8>>& cells,
-  const std::vector<int>& counts, int numberOfNodes, int rings)
+std::vector<int> GrowRings(const std::vector<int>& seeds,
+  const std::vector<std::array<int, 8>>& cells, const std::vector<int>& counts, int numberOfNodes,
+  int rings)
 {
-  const auto links = BuildLists(numberOfNodes, [&](auto&& add) {
-    for (std::size_t c = 0; c < cells.size(); ++c)
+  const auto links = BuildLists(numberOfNodes,
+    [&](auto&& add)
     {
-      for (int i = 0; i < counts[c]; ++i)
+      for (std::size_t c = 0; c < cells.size(); ++c)
       {
-        add(cells[c][i], static_cast<int>(c));
+        for (int i = 0; i < counts[c]; ++i)
+        {
+          add(cells[c][i], static_cast<int>(c));
+        }
       }
-    }
-  });
+    });
   std::vector<int> ring(cells.size(), -1);
   std::vector<char> nodeSeen(numberOfNodes, 0);
   std::vector<int> front = seeds;
@@ -81,21 +84,24 @@ std::vector<int> GrowRings(const std::vector<int>& seeds, const std::vector<std:
 
 }
 
-Band::Band(const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings)
+Band::Band(
+  const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings)
   : SinglePrecision(mesh.PointsFloat != nullptr)
   , Halo(rings)
 {
   this->TakeElements(mesh, seeds, near, rings);
   this->OrientWedges();
-  this->ElementLists = BuildLists(this->NumberOfNodes(), [this](auto&& add) {
-    for (int e = 0; e < this->NumberOfElements(); ++e)
+  this->ElementLists = BuildLists(this->NumberOfNodes(),
+    [this](auto&& add)
     {
-      for (int i = 0; i < this->Elements[e].Count; ++i)
+      for (int e = 0; e < this->NumberOfElements(); ++e)
       {
-        add(this->Elements[e].Node[i], e);
+        for (int i = 0; i < this->Elements[e].Count; ++i)
+        {
+          add(this->Elements[e].Node[i], e);
+        }
       }
-    }
-  });
+    });
   this->BuildFaces();
   this->BuildEdges();
 }
@@ -120,8 +126,7 @@ void Band::TakeElements(
   {
     seedCells.push_back(Locate(near, seed));
   }
-  const auto ring =
-    GrowRings(seedCells, cells, counts, static_cast<int>(nearNodes.size()), rings);
+  const auto ring = GrowRings(seedCells, cells, counts, static_cast<int>(nearNodes.size()), rings);
 
   std::vector<int> local(nearNodes.size(), -1);
   for (std::size_t c = 0; c < near.size(); ++c)
@@ -169,10 +174,10 @@ void Band::OrientWedges()
       continue;
     }
     const auto& n = element.Node;
-    const Vec3 normal = (this->Point[n[1]] - this->Point[n[0]])
-                          .cross(this->Point[n[2]] - this->Point[n[0]]);
-    const Vec3 up = this->Point[n[3]] + this->Point[n[4]] + this->Point[n[5]] -
-      this->Point[n[0]] - this->Point[n[1]] - this->Point[n[2]];
+    const Vec3 normal =
+      (this->Point[n[1]] - this->Point[n[0]]).cross(this->Point[n[2]] - this->Point[n[0]]);
+    const Vec3 up = this->Point[n[3]] + this->Point[n[4]] + this->Point[n[5]] - this->Point[n[0]] -
+      this->Point[n[1]] - this->Point[n[2]];
     if (normal.dot(up) < 0.0)
     {
       std::swap_ranges(element.Node.begin(), element.Node.begin() + 3, element.Node.begin() + 3);
@@ -182,7 +187,8 @@ void Band::OrientWedges()
 
 void Band::BuildFaces()
 {
-  const auto sortedNodes = [this](int e, int slot) {
+  const auto sortedNodes = [this](int e, int slot)
+  {
     const auto& element = this->Elements[e];
     const auto& face = TopologyOf(element.Count).Faces[slot];
     // A triangle's fourth place sorts last.
@@ -195,7 +201,8 @@ void Band::BuildFaces()
     std::sort(nodes.begin(), nodes.end());
     return nodes;
   };
-  const auto findTwin = [&](int e, const std::array<int, 4>& key, int& twinSlot) {
+  const auto findTwin = [&](int e, const std::array<int, 4>& key, int& twinSlot)
+  {
     for (const int other : this->ElementsOfNode(key[0]))
     {
       if (other <= e)
@@ -247,15 +254,17 @@ void Band::BuildFaces()
       this->Faces.push_back(face);
     }
   }
-  this->FaceLists = BuildLists(this->NumberOfNodes(), [this](auto&& add) {
-    for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  this->FaceLists = BuildLists(this->NumberOfNodes(),
+    [this](auto&& add)
     {
-      for (int i = 0; i < this->Faces[f].Count; ++i)
+      for (std::size_t f = 0; f < this->Faces.size(); ++f)
       {
-        add(this->Faces[f].Node[i], static_cast<int>(f));
+        for (int i = 0; i < this->Faces[f].Count; ++i)
+        {
+          add(this->Faces[f].Node[i], static_cast<int>(f));
+        }
       }
-    }
-  });
+    });
 }
 
 void Band::BuildEdges()
@@ -289,13 +298,15 @@ void Band::BuildEdges()
       this->Edges.push_back({ n, other });
     }
   }
-  this->EdgeLists = BuildLists(this->NumberOfNodes(), [this](auto&& add) {
-    for (std::size_t i = 0; i < this->Edges.size(); ++i)
+  this->EdgeLists = BuildLists(this->NumberOfNodes(),
+    [this](auto&& add)
     {
-      add(this->Edges[i].First, static_cast<int>(i));
-      add(this->Edges[i].Second, static_cast<int>(i));
-    }
-  });
+      for (std::size_t i = 0; i < this->Edges.size(); ++i)
+      {
+        add(this->Edges[i].First, static_cast<int>(i));
+        add(this->Edges[i].Second, static_cast<int>(i));
+      }
+    });
 }
 
 int Band::FindEdge(int a, int b) const

@@ -22,19 +22,19 @@ namespace trim
 struct BandElement
 {
   Id Global = -1;
-  int Count = 0;            ///< 8 or 6
-  std::array<int, 8> Node;  ///< band nodes, in an order with positive Jacobian
-  std::array<int, 6> Face;  ///< band faces, by the slots of ElementTopology
-  int Ring = 0;             ///< 0: meets the surface
+  int Count = 0;           ///< 8 or 6
+  std::array<int, 8> Node; ///< band nodes, in an order with positive Jacobian
+  std::array<int, 6> Face; ///< band faces, by the slots of ElementTopology
+  int Ring = 0;            ///< 0: meets the surface
 };
 
 struct BandFace
 {
   int Count = 0;
-  std::array<int, 4> Node;            ///< in the order of the first element, outward
+  std::array<int, 4> Node; ///< in the order of the first element, outward
   std::array<int, 2> Element{ -1, -1 };
-  std::array<int, 2> Slot{ -1, -1 };  ///< slot of the face in each element
-  bool Exterior = false;              ///< on the border of the mesh
+  std::array<int, 2> Slot{ -1, -1 }; ///< slot of the face in each element
+  bool Exterior = false;             ///< on the border of the mesh
 };
 
 struct BandEdge
@@ -55,10 +55,10 @@ public:
 
   std::vector<BandElement> Elements; ///< by ascending global id
   std::vector<BandFace> Faces;
-  std::vector<BandEdge> Edges;       ///< First < Second, ascending
-  std::vector<Id> GlobalNode;        ///< ascending
-  std::vector<Vec3> Point;           ///< original positions
-  bool SinglePrecision = false;      ///< positions are stored as float
+  std::vector<BandEdge> Edges;  ///< First < Second, ascending
+  std::vector<Id> GlobalNode;   ///< ascending
+  std::vector<Vec3> Point;      ///< original positions
+  bool SinglePrecision = false; ///< positions are stored as float
 
   int NumberOfNodes() const { return static_cast<int>(this->GlobalNode.size()); }
   int NumberOfElements() const { return static_cast<int>(this->Elements.size()); }

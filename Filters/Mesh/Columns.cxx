@@ -76,9 +76,9 @@ double AxisLength(const Band& band, int element, int axis)
   {
     if (topology.Edges[i].Axis == axis)
     {
-      sum += (band.Point[e.Node[topology.Edges[i].First]] -
-        band.Point[e.Node[topology.Edges[i].Second]])
-               .norm();
+      sum +=
+        (band.Point[e.Node[topology.Edges[i].First]] - band.Point[e.Node[topology.Edges[i].Second]])
+          .norm();
       ++count;
     }
   }
@@ -196,10 +196,12 @@ int ChooseThickness(std::vector<Candidate> candidates, int partSize)
       continue;
     }
     // An open chain is longer than what the band shows of it.
-    const bool shortest = std::all_of(candidates.begin(), candidates.end(), [&](const Candidate& o) {
-      return o.Root == candidate.Root || o.MeanLength > ThicknessRatio * candidate.MeanLength ||
-        (o.ClosedShare < 0.5 && o.MeanLength > candidate.MeanLength);
-    });
+    const bool shortest = std::all_of(candidates.begin(), candidates.end(),
+      [&](const Candidate& o)
+      {
+        return o.Root == candidate.Root || o.MeanLength > ThicknessRatio * candidate.MeanLength ||
+          (o.ClosedShare < 0.5 && o.MeanLength > candidate.MeanLength);
+      });
     return shortest && candidate.ClosedShare > 0.5 ? candidate.Root : -1;
   }
   return -1;

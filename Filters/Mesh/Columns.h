@@ -31,8 +31,7 @@ struct Columns
   {
     const auto& f = band.Faces[face];
     const int axis = this->Axis[f.Element[0]];
-    return axis >= 0 &&
-      TopologyOf(band.Elements[f.Element[0]].Count).FaceAxis[f.Slot[0]] == axis;
+    return axis >= 0 && TopologyOf(band.Elements[f.Element[0]].Count).FaceAxis[f.Slot[0]] == axis;
   }
   /// An edge from layer to layer.
   bool IsThicknessEdge(const Band& band, int edge) const

@@ -22,19 +22,21 @@ template <typename Test>
 Id FirstFailure(Id count, const Test& fails)
 {
   std::atomic<Id> first{ count };
-  vtkSMPTools::For(0, count, 100000, [&](Id begin, Id end) {
-    for (Id i = begin; i < end; ++i)
+  vtkSMPTools::For(0, count, 100000,
+    [&](Id begin, Id end)
     {
-      if (fails(i))
+      for (Id i = begin; i < end; ++i)
       {
-        Id seen = first.load();
-        while (i < seen && !first.compare_exchange_weak(seen, i))
+        if (fails(i))
         {
+          Id seen = first.load();
+          while (i < seen && !first.compare_exchange_weak(seen, i))
+          {
+          }
+          return;
         }
-        return;
       }
-    }
-  });
+    });
   return first.load();
 }
 
@@ -61,14 +63,16 @@ bool TakePoints(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
       ", but must be float or double in one array: convert them, e.g. with a Calculator.";
     return false;
   }
-  const Id bad = FirstFailure(mesh.NumberOfPoints, [&mesh](Id i) {
-    return mesh.PointsDouble ? !(std::isfinite(mesh.PointsDouble[3 * i]) &&
-                                 std::isfinite(mesh.PointsDouble[3 * i + 1]) &&
-                                 std::isfinite(mesh.PointsDouble[3 * i + 2]))
-                             : !(std::isfinite(mesh.PointsFloat[3 * i]) &&
-                                 std::isfinite(mesh.PointsFloat[3 * i + 1]) &&
-                                 std::isfinite(mesh.PointsFloat[3 * i + 2]));
-  });
+  const Id bad = FirstFailure(mesh.NumberOfPoints,
+    [&mesh](Id i)
+    {
+      return mesh.PointsDouble
+        ? !(std::isfinite(mesh.PointsDouble[3 * i]) &&
+            std::isfinite(mesh.PointsDouble[3 * i + 1]) &&
+            std::isfinite(mesh.PointsDouble[3 * i + 2]))
+        : !(std::isfinite(mesh.PointsFloat[3 * i]) && std::isfinite(mesh.PointsFloat[3 * i + 1]) &&
+            std::isfinite(mesh.PointsFloat[3 * i + 2]));
+    });
   if (bad < mesh.NumberOfPoints)
   {
     error = "Point " + std::to_string(bad) +
@@ -175,7 +179,8 @@ bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
     mesh.Offsets32 = cells->GetOffsetsArray32()->GetPointer(0);
     connectivitySize = cells->GetConnectivityArray32()->GetNumberOfValues();
   }
-  const auto defectOf = [&](Id c) {
+  const auto defectOf = [&](Id c)
+  {
     return mesh.Offsets64 ? FindCellDefect(mesh.Connectivity64, mesh.Offsets64, connectivitySize,
                               types, mesh.NumberOfPoints, c)
                           : FindCellDefect(mesh.Connectivity32, mesh.Offsets32, connectivitySize,

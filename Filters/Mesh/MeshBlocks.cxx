@@ -23,22 +23,23 @@ Box3 CellBox(const HexMesh& mesh, Id cell)
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
 {
   MeshBlocks blocks;
-  const Id count =
-    (mesh.NumberOfCells + MeshBlocks::CellsPerBlock - 1) / MeshBlocks::CellsPerBlock;
+  const Id count = (mesh.NumberOfCells + MeshBlocks::CellsPerBlock - 1) / MeshBlocks::CellsPerBlock;
   blocks.Boxes.resize(count);
   std::vector<double> largest(count, 0.0);
-  vtkSMPTools::For(0, count, 256, [&](Id begin, Id end) {
-    for (Id b = begin; b < end; ++b)
+  vtkSMPTools::For(0, count, 256,
+    [&](Id begin, Id end)
     {
-      const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-      for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
+      for (Id b = begin; b < end; ++b)
       {
-        const Box3 box = CellBox(mesh, c);
-        largest[b] = std::max(largest[b], box.diagonal().squaredNorm());
-        blocks.Boxes[b].extend(box);
+        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+        for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
+        {
+          const Box3 box = CellBox(mesh, c);
+          largest[b] = std::max(largest[b], box.diagonal().squaredNorm());
+          blocks.Boxes[b].extend(box);
+        }
       }
-    }
-  });
+    });
   for (Id b = 0; b < count; ++b)
   {
     blocks.Bounds.extend(blocks.Boxes[b]);

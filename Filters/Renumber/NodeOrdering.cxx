@@ -69,16 +69,18 @@ std::vector<int> SortAlong(
     rows[axis] = Rows(values);
   }
   std::vector<int> order = Identity(count);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    for (const auto& row : rows)
+  std::sort(order.begin(), order.end(),
+    [&](int a, int b)
     {
-      if (row[a] != row[b])
+      for (const auto& row : rows)
       {
-        return row[a] < row[b];
+        if (row[a] != row[b])
+        {
+          return row[a] < row[b];
+        }
       }
-    }
-    return a < b;
-  });
+      return a < b;
+    });
   std::vector<int> number(count);
   for (int i = 0; i < count; ++i)
   {
@@ -101,8 +103,7 @@ Eigen::Matrix3d ByExtent(
   }
   const Vec3 extent = high - low;
   std::array<int, 3> order{ 0, 1, 2 };
-  std::stable_sort(
-    order.begin(), order.end(), [&](int a, int b) { return extent[a] > extent[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return extent[a] > extent[b]; });
   Eigen::Matrix3d sorted;
   for (int i = 0; i < 3; ++i)
   {
@@ -187,9 +188,8 @@ LevelStructure Levels(const NodeGraph& graph, const Band::Lists& links, int root
     ++levels.Depth;
     front = std::move(next);
   }
-  levels.Last = *std::min_element(front.begin(), front.end(), [&](int a, int b) {
-    return links.end(a) - links.begin(a) < links.end(b) - links.begin(b);
-  });
+  levels.Last = *std::min_element(front.begin(), front.end(),
+    [&](int a, int b) { return links.end(a) - links.begin(a) < links.end(b) - links.begin(b); });
   return levels;
 }
 
@@ -289,7 +289,8 @@ std::vector<int> ReverseCuthillMcKee(const Csr& csr, int count, int root)
   OrderingMaps maps(csr);
   std::vector<int> order;
   std::vector<char> done(boost::num_vertices(csr), 0);
-  const auto search = [&](int start) {
+  const auto search = [&](int start)
+  {
     const std::size_t before = order.size();
     std::deque<Csr::vertex_descriptor> queue{ static_cast<Csr::vertex_descriptor>(start) };
     boost::cuthill_mckee_ordering(
@@ -364,15 +365,17 @@ struct Best
 /// Links from nodes to elements.
 Band::Lists LinkElements(const NodeGraph& graph)
 {
-  return BuildLists(graph.NumberOfNodes, [&](auto&& add) {
-    for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
+  return BuildLists(graph.NumberOfNodes,
+    [&](auto&& add)
     {
-      for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
+      for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
       {
-        add(graph.Connectivity[i], static_cast<int>(e));
+        for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
+        {
+          add(graph.Connectivity[i], static_cast<int>(e));
+        }
       }
-    }
-  });
+    });
 }
 
 /// Offers Cuthill-McKee orderings, from several starts, of the graph numbered by `number`.
@@ -385,7 +388,8 @@ void OfferCuthillMcKee(const NodeGraph& graph, const std::vector<int>& number, B
   }
   const auto links = LinkElements(renumbered);
   const Csr csr = BuildGraph(renumbered, links, {});
-  const auto offer = [&](const std::vector<int>& next) {
+  const auto offer = [&](const std::vector<int>& next)
+  {
     std::vector<int> chained(number.size());
     for (std::size_t i = 0; i < number.size(); ++i)
     {
@@ -438,8 +442,8 @@ std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int
   levels = Levels(graph, links, start);
   const int bound = (levels.Reached - 1 + levels.Depth - 1) / std::max(1, levels.Depth);
 
-  const Eigen::Matrix3d frames[3] = { Eigen::Matrix3d::Identity(),
-    ElementAxes(graph, position), PrincipalAxes(count, position) };
+  const Eigen::Matrix3d frames[3] = { Eigen::Matrix3d::Identity(), ElementAxes(graph, position),
+    PrincipalAxes(count, position) };
   for (const auto& frame : frames)
   {
     if (best.Bandwidth <= bound || aborted())

@@ -123,8 +123,7 @@ double SmallestCorner(const ElementPoints& p, const int (&corners)[N][3])
   for (std::size_t i = 0; i < N; ++i)
   {
     smallest = std::min(smallest,
-      UnitDeterminant(
-        p[corners[i][0]] - p[i], p[corners[i][1]] - p[i], p[corners[i][2]] - p[i]));
+      UnitDeterminant(p[corners[i][0]] - p[i], p[corners[i][1]] - p[i], p[corners[i][2]] - p[i]));
   }
   return smallest;
 }
@@ -161,10 +160,12 @@ JacobianRange MeasureJacobian(const ElementPoints& points, int count)
 {
   JacobianRange range;
   range.IntegrationPoint = std::numeric_limits<double>::infinity();
-  const int samples = ForIntegrationPoints(points, count, [&range](double value) {
-    range.IntegrationPoint = std::min(range.IntegrationPoint, value);
-    range.Mean += value;
-  });
+  const int samples = ForIntegrationPoints(points, count,
+    [&range](double value)
+    {
+      range.IntegrationPoint = std::min(range.IntegrationPoint, value);
+      range.Mean += value;
+    });
   range.Mean /= samples;
   range.Bezier =
     count == 8 ? SmallestHexahedronCoefficient(points) : SmallestWedgeCoefficient(points);
@@ -174,8 +175,7 @@ JacobianRange MeasureJacobian(const ElementPoints& points, int count)
 double VolumeOf(const ElementPoints& points, int count)
 {
   double sum = 0.0;
-  const int samples =
-    ForIntegrationPoints(points, count, [&sum](double value) { sum += value; });
+  const int samples = ForIntegrationPoints(points, count, [&sum](double value) { sum += value; });
   return sum / samples * (count == 8 ? 1.0 : 0.5);
 }
 

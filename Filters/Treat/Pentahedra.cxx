@@ -130,8 +130,8 @@ std::map<int, std::vector<ExposedEdge>> FindExposed(
 }
 
 /// Puts A of each layer in the middle of its neighbours, on the surface; all layers or none.
-bool Distribute(const Band& band, const NodeMover& mover, const std::vector<ExposedEdge>& edges,
-  Moves& moves)
+bool Distribute(
+  const Band& band, const NodeMover& mover, const std::vector<ExposedEdge>& edges, Moves& moves)
 {
   std::map<int, Vec3> targets;
   for (const auto& edge : edges)
@@ -173,8 +173,8 @@ ReplacedElement MakeWedge(const BandElement& element, const ExposedEdge& edge)
 }
 
 template <typename Test>
-bool AnyLayer(const Band& band, const std::vector<ExposedEdge>& edges, const Moves& moves,
-  const Test& test)
+bool AnyLayer(
+  const Band& band, const std::vector<ExposedEdge>& edges, const Moves& moves, const Test& test)
 {
   for (const auto& edge : edges)
   {
@@ -193,11 +193,13 @@ bool AnyLayer(const Band& band, const std::vector<ExposedEdge>& edges, const Mov
 bool IsLeft(const Band& band, const Columns& columns, const std::vector<ExposedEdge>& edges,
   const std::vector<TreatmentChoice>& choice)
 {
-  return std::any_of(edges.begin(), edges.end(), [&](const ExposedEdge& edge) {
-    const auto& element = band.Elements[edge.Element];
-    return choice[columns.Pillar[CornerAt(element, edge, 0).A]] == TreatmentChoice::LeaveCorner ||
-      choice[columns.Pillar[CornerAt(element, edge, 1).A]] == TreatmentChoice::LeaveCorner;
-  });
+  return std::any_of(edges.begin(), edges.end(),
+    [&](const ExposedEdge& edge)
+    {
+      const auto& element = band.Elements[edge.Element];
+      return choice[columns.Pillar[CornerAt(element, edge, 0).A]] == TreatmentChoice::LeaveCorner ||
+        choice[columns.Pillar[CornerAt(element, edge, 1).A]] == TreatmentChoice::LeaveCorner;
+    });
 }
 
 Optimization Resolve(Optimization asked, TreatmentChoice choice)
@@ -230,8 +232,8 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
     {
       result.Exposed[columns.Column[edge.Element]] = 1;
     }
-    const bool straight = AnyLayer(
-      band, edges, moves, [](const CornerShape& shape) { return !IsCorner(shape); });
+    const bool straight =
+      AnyLayer(band, edges, moves, [](const CornerShape& shape) { return !IsCorner(shape); });
     const bool twice = std::any_of(edges.begin(), edges.end(),
       [&](const ExposedEdge& edge) { return isWedge[edge.Element] != 0; });
     const bool left = IsLeft(band, columns, edges, choice);
@@ -247,8 +249,8 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
     {
       const bool done = Distribute(band, mover, edges, moves);
       const bool reflex = !done ||
-        AnyLayer(band, edges, moves,
-          [](const CornerShape& shape) { return shape.Sine < ReflexSine; });
+        AnyLayer(
+          band, edges, moves, [](const CornerShape& shape) { return shape.Sine < ReflexSine; });
       treatment = reflex && choice[pillar.first] != TreatmentChoice::Distribute
         ? Optimization::Degenerate
         : treatment;

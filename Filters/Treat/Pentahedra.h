@@ -42,10 +42,10 @@ struct ReplacedElement
 
 struct Pentahedra
 {
-  int Count = 0; ///< elements found
-  std::vector<ReplacedElement> Wedges;  ///< by ascending element
-  std::vector<char> Exposed;            ///< columns (smallest element) that have such an edge
-  std::vector<char> FlatCorner;         ///< elements left with a straight corner
+  int Count = 0;                       ///< elements found
+  std::vector<ReplacedElement> Wedges; ///< by ascending element
+  std::vector<char> Exposed;           ///< columns (smallest element) that have such an edge
+  std::vector<char> FlatCorner;        ///< elements left with a straight corner
 };
 
 /**

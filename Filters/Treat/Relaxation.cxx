@@ -102,7 +102,8 @@ private:
   {
     std::vector<char> seen(this->TheBand.NumberOfNodes(), 0);
     std::vector<int> nodes;
-    const auto add = [&](int element) {
+    const auto add = [&](int element)
+    {
       const auto& e = this->Elements[element];
       for (int i = 0; i < e.Count; ++i)
       {
@@ -144,8 +145,8 @@ private:
       return false;
     }
     const auto elements = this->TheBand.ElementsOfNode(node);
-    return std::none_of(elements.begin(), elements.end(),
-             [this](int e) { return this->TheBand.InHalo(e); }) &&
+    return std::none_of(
+             elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); }) &&
       this->Mover.MayRelax(node);
   }
 
@@ -159,8 +160,8 @@ private:
         const int other = this->Elements[e].Node[i];
         if (other != node && this->Mover.IsLateral(node, other))
         {
-          shortest = std::min(shortest,
-            (this->TheMoves.Position[other] - this->TheMoves.Position[node]).norm());
+          shortest = std::min(
+            shortest, (this->TheMoves.Position[other] - this->TheMoves.Position[node]).norm());
         }
       }
     }
@@ -195,7 +196,8 @@ private:
     double best = before + SmallestGain;
     const Vec3 from = this->TheMoves.Position[node];
     Vec3 to = from;
-    const auto attempt = [&](const Vec3& candidate) {
+    const auto attempt = [&](const Vec3& candidate)
+    {
       Vec3 place;
       if (!this->Mover.Constrained(node, candidate, this->OnCut[node] != 0, place))
       {

@@ -1,8 +1,7 @@
 #include "ValidityLadder.h"
 
+#include "BandQuality.h"
 #include "Relaxation.h"
-
-#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +11,6 @@ namespace trim
 namespace
 {
 
-/// Jacobians below this share of the element's mean count as zero.
-constexpr double SmallestJacobian = 1e-6;
-/// Rounding of a coefficient that is zero by construction (a straight corner).
-constexpr double JacobianRounding = 1e-9;
-/// Two nodes nearer than this share of the element's shortest edge have become one.
-constexpr double SmallestDistanceShare = 1e-3;
-/// An element with less of its volume left has collapsed.
-constexpr double SmallestVolumeShare = 0.01;
 constexpr int LongestClimb = 40;
 /// How many columns below the quality floor are tried with the other correction.
 constexpr int MostFloorTrials = 16;
@@ -32,42 +23,10 @@ constexpr double SmallestShare = 0.15;
 /// Everything the ladder may set.
 struct Choices
 {
-  std::vector<Fate> Fates;                        // by column
-  std::vector<CorrectionChoice> Corrections;      // by pillar
-  std::vector<TreatmentChoice> Treatments;        // by pillar
+  std::vector<Fate> Fates;                   // by column
+  std::vector<CorrectionChoice> Corrections; // by pillar
+  std::vector<TreatmentChoice> Treatments;   // by pillar
 };
-
-/// Between any two nodes of an element.
-double ShortestDistance(const ElementPoints& p, int count)
-{
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int i = 1; i < count; ++i)
-  {
-    for (int j = 0; j < i; ++j)
-    {
-      shortest = std::min(shortest, (p[i] - p[j]).squaredNorm());
-    }
-  }
-  return std::sqrt(shortest);
-}
-
-bool IsValid(const ElementPoints& points, int count, Optimization treatment)
-{
-  const JacobianRange range = MeasureJacobian(points, count);
-  if (!(range.IntegrationPoint > SmallestJacobian * std::abs(range.Mean)))
-  {
-    return false;
-  }
-  switch (treatment)
-  {
-    case Optimization::Degenerate:
-      return range.Bezier > SmallestJacobian * range.Mean;
-    case Optimization::Distribute:
-      return range.Bezier >= -JacobianRounding * range.Mean;
-    default:
-      return true;
-  }
-}
 
 class Ladder
 {
@@ -81,6 +40,7 @@ public:
     , NodeStatus(nodeStatus)
     , Surface(surface)
     , Options(options)
+    , Quality(band, options.Treatment, options.QualityFloor)
     , Mover(band, columns, nodeStatus, surface, precision)
     , Rungs(band.NumberOfElements(), Rung::None)
   {
@@ -108,7 +68,7 @@ public:
     this->LeaveInvalid(trimmed, aborted);
     this->RaiseToFloor(trimmed, aborted);
     trimmed.RescuedBy = this->Rungs;
-    trimmed.BelowFloor = this->FindBelowFloor(trimmed);
+    trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
     return trimmed;
   }
 
@@ -131,8 +91,8 @@ private:
       this->Options.CorrectionType, this->Set.Corrections);
     if (this->Options.CorrectionType != Correction::Eliminate)
     {
-      trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
-        trimmed.Kept, this->Options.Treatment, this->Set.Treatments, trimmed.NodeMoves);
+      trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
+        this->Options.Treatment, this->Set.Treatments, trimmed.NodeMoves);
       this->RelaxBad(trimmed);
     }
     return trimmed;
@@ -143,11 +103,11 @@ private:
   {
     const int count = this->TheBand.NumberOfElements();
     trimmed.Relaxed.assign(count, 0);
-    for (const int e : this->FindInvalid(trimmed))
+    for (const int e : this->Quality.FindInvalid(trimmed))
     {
       trimmed.Relaxed[e] = 1;
     }
-    for (const int e : this->FindBelowFloor(trimmed))
+    for (const int e : this->Quality.FindBelowFloor(trimmed))
     {
       trimmed.Relaxed[e] = 1;
     }
@@ -184,38 +144,6 @@ private:
       std::max(this->Options.QualityFloor, SmallestGoal), trimmed.NodeMoves);
   }
 
-  /// Touched elements that are valid but below the quality floor, and were not so before.
-  std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const
-  {
-    std::vector<int> below;
-    for (int e = 0; e < this->TheBand.NumberOfElements() && this->Options.QualityFloor > 0.0; ++e)
-    {
-      if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || trimmed.Treated.FlatCorner[e])
-      {
-        continue;
-      }
-      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-      if (final.Touched && ScaledJacobian(final.Points, final.Count) < this->Options.QualityFloor &&
-        ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >=
-          this->Options.QualityFloor)
-      {
-        below.push_back(e);
-      }
-    }
-    return below;
-  }
-
-  ElementPoints ShapeBefore(int e) const
-  {
-    const auto& element = this->TheBand.Elements[e];
-    ElementPoints before;
-    for (int i = 0; i < element.Count; ++i)
-    {
-      before[i] = this->TheBand.Point[element.Node[i]];
-    }
-    return before;
-  }
-
   /// Nodes of the new boundary that are not on the surface.
   int CountLeft(const TrimmedBand& trimmed) const
   {
@@ -227,18 +155,6 @@ private:
     return left;
   }
 
-  /// By how much elements miss the floor, in sum.
-  double Deficit(const TrimmedBand& trimmed) const
-  {
-    double deficit = 0.0;
-    for (const int e : this->FindBelowFloor(trimmed))
-    {
-      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-      deficit += this->Options.QualityFloor - ScaledJacobian(final.Points, final.Count);
-    }
-    return deficit;
-  }
-
   /// The other correction for columns that relaxation could not raise to the floor. It is kept
   /// only where it helps and spoils nothing: a low quality is no reason to leave the surface.
   void RaiseToFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
@@ -246,9 +162,9 @@ private:
     std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
     for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
     {
-      const std::vector<int> below = this->FindBelowFloor(trimmed);
-      const auto next = std::find_if(below.begin(), below.end(),
-        [&](int e) { return !tried[this->TheColumns.Column[e]]; });
+      const std::vector<int> below = this->Quality.FindBelowFloor(trimmed);
+      const auto next = std::find_if(
+        below.begin(), below.end(), [&](int e) { return !tried[this->TheColumns.Column[e]]; });
       if (next == below.end())
       {
         return;
@@ -259,10 +175,10 @@ private:
       this->ForMovingPillars(trimmed, column,
         [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::Other; });
       TrimmedBand other = this->Attempt();
-      other.Invalid = this->FindInvalid(other);
+      other.Invalid = this->Quality.FindInvalid(other);
       if (other.Invalid.size() <= trimmed.Invalid.size() &&
         this->CountLeft(other) <= this->CountLeft(trimmed) &&
-        this->Deficit(other) < 0.999 * this->Deficit(trimmed))
+        this->Quality.Deficit(other) < 0.999 * this->Quality.Deficit(trimmed))
       {
         this->Rungs[column] = Rung::Correction;
         trimmed = std::move(other);
@@ -280,7 +196,7 @@ private:
   {
     while (!aborted())
     {
-      trimmed.Invalid = this->FindInvalid(trimmed);
+      trimmed.Invalid = this->Quality.FindInvalid(trimmed);
       bool changed = false;
       for (const int e : trimmed.Invalid)
       {
@@ -303,100 +219,10 @@ private:
     }
   }
 
-  /// Kept elements that the trim made invalid, ascending.
-  std::vector<int> FindInvalid(const TrimmedBand& trimmed) const
-  {
-    const int count = this->TheBand.NumberOfElements();
-    const std::vector<char> coincides = this->FindCoincidentNodes(trimmed);
-    std::vector<char> invalid(count, 0);
-    vtkSMPTools::For(0, count, 256, [&](Id begin, Id end) {
-      for (Id e = begin; e < end; ++e)
-      {
-        invalid[e] = trimmed.Kept[e] && this->IsSpoiled(trimmed, static_cast<int>(e), coincides);
-      }
-    });
-    std::vector<int> list;
-    for (int e = 0; e < count; ++e)
-    {
-      if (invalid[e])
-      {
-        list.push_back(e);
-      }
-    }
-    return list;
-  }
-
-  /// Moved nodes that came to lie on the other end of a mesh edge, though no kept element need
-  /// have both: the parts of the new boundary would touch.
-  std::vector<char> FindCoincidentNodes(const TrimmedBand& trimmed) const
-  {
-    std::vector<int> users(this->TheBand.NumberOfNodes(), 0);
-    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
-    {
-      if (trimmed.Kept[e])
-      {
-        const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-        for (int i = 0; i < final.Count; ++i)
-        {
-          ++users[final.Node[i]];
-        }
-      }
-    }
-    std::vector<char> coincides(this->TheBand.NumberOfNodes(), 0);
-    const auto& moves = trimmed.NodeMoves;
-    for (const auto& edge : this->TheBand.Edges)
-    {
-      const int a = edge.First;
-      const int b = edge.Second;
-      if (users[a] == 0 || users[b] == 0 ||
-        (moves.Applied[a] == Correction::None && moves.Applied[b] == Correction::None))
-      {
-        continue;
-      }
-      const double before = (this->TheBand.Point[a] - this->TheBand.Point[b]).norm();
-      const double after = (moves.Position[a] - moves.Position[b]).norm();
-      if (after < SmallestDistanceShare * before)
-      {
-        // The one that fewer elements need has to give way.
-        const bool aGives = moves.Applied[b] == Correction::None ||
-          (moves.Applied[a] != Correction::None && users[a] <= users[b]);
-        coincides[aGives ? a : b] = 1;
-      }
-    }
-    return coincides;
-  }
-
-  bool IsSpoiled(const TrimmedBand& trimmed, int e, const std::vector<char>& coincides) const
-  {
-    const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    if (!final.Touched)
-    {
-      return false;
-    }
-    for (int i = 0; i < final.Count; ++i)
-    {
-      if (coincides[final.Node[i]])
-      {
-        return true;
-      }
-    }
-    const auto& element = this->TheBand.Elements[e];
-    const ElementPoints before = this->ShapeBefore(e);
-    if (!IsValid(before, element.Count, Optimization::None))
-    {
-      return false; // it came like this
-    }
-    return VolumeOf(final.Points, final.Count) <
-      SmallestVolumeShare * VolumeOf(before, element.Count) ||
-      !IsValid(final.Points, final.Count, this->Options.Treatment) ||
-      ShortestDistance(final.Points, final.Count) <
-      SmallestDistanceShare * ShortestDistance(before, element.Count);
-  }
-
   std::vector<int> FindBadColumns(const TrimmedBand& trimmed) const
   {
     std::vector<int> columns;
-    for (const int e : this->FindInvalid(trimmed))
+    for (const int e : this->Quality.FindInvalid(trimmed))
     {
       columns.push_back(this->TheColumns.Column[e]);
     }
@@ -491,10 +317,12 @@ private:
         [[fallthrough]];
       case Rung::Treatment:
         this->Rungs[column] = Rung::Correction;
-        this->ForMovingPillars(trimmed, column, [&](int pillar) {
-          this->Set.Treatments[pillar] = TreatmentChoice::AsAsked;
-          this->Set.Corrections[pillar] = CorrectionChoice::Other;
-        });
+        this->ForMovingPillars(trimmed, column,
+          [&](int pillar)
+          {
+            this->Set.Treatments[pillar] = TreatmentChoice::AsAsked;
+            this->Set.Corrections[pillar] = CorrectionChoice::Other;
+          });
         return;
       case Rung::Correction:
         this->ForMovingPillars(trimmed, column,
@@ -518,10 +346,12 @@ private:
       default:
         this->Set.Fates[column] = Fate::ByVolume;
         this->Rungs[column] = Rung::Left;
-        this->ForMovingPillars(trimmed, column, [&](int pillar) {
-          this->Set.Corrections[pillar] = CorrectionChoice::Leave;
-          this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
-        });
+        this->ForMovingPillars(trimmed, column,
+          [&](int pillar)
+          {
+            this->Set.Corrections[pillar] = CorrectionChoice::Leave;
+            this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
+          });
         return;
     }
   }
@@ -532,34 +362,12 @@ private:
   const std::vector<unsigned char>& NodeStatus;
   const nurbs::TrimmingSurface& Surface;
   LadderOptions Options;
+  BandQuality Quality;
   NodeMover Mover;
   Choices Set;
   std::vector<Rung> Rungs;
 };
 
-}
-
-FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element)
-{
-  FinalElement final;
-  const auto& original = band.Elements[element];
-  final.Count = original.Count;
-  final.Node = original.Node;
-  const auto& wedges = trimmed.Treated.Wedges;
-  const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), element,
-    [](const ReplacedElement& w, int e) { return w.Element < e; });
-  if (wedge != wedges.end() && wedge->Element == element)
-  {
-    final.Count = 6;
-    final.Node = wedge->Node;
-    final.Touched = true;
-  }
-  for (int i = 0; i < final.Count; ++i)
-  {
-    final.Points[i] = trimmed.NodeMoves.Position[final.Node[i]];
-    final.Touched |= trimmed.NodeMoves.Applied[final.Node[i]] != Correction::None;
-  }
-  return final;
 }
 
 TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,

@@ -98,19 +98,21 @@ void TurnStatuses(NodeClassification& nodes)
 void ClassifyElements(const HexMesh& mesh, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
-  vtkSMPTools::For(0, mesh.NumberOfCells, 50000, [&](Id begin, Id end) {
-    std::array<Id, 8> nodes;
-    std::array<unsigned char, 8> status;
-    for (Id c = begin; c < end; ++c)
+  vtkSMPTools::For(0, mesh.NumberOfCells, 50000,
+    [&](Id begin, Id end)
     {
-      const int count = mesh.Cell(c, nodes);
-      for (int i = 0; i < count; ++i)
+      std::array<Id, 8> nodes;
+      std::array<unsigned char, 8> status;
+      for (Id c = begin; c < end; ++c)
       {
-        status[i] = result.Nodes.Status[nodes[i]];
+        const int count = mesh.Cell(c, nodes);
+        for (int i = 0; i < count; ++i)
+        {
+          status[i] = result.Nodes.Status[nodes[i]];
+        }
+        result.ElementStatus[c] = StatusOfElement(status.data(), count);
       }
-      result.ElementStatus[c] = StatusOfElement(status.data(), count);
-    }
-  });
+    });
 }
 
 /// Cells that the surface cuts or touches with a node.
@@ -135,33 +137,36 @@ std::vector<Id> FindSeeds(const HexMesh& mesh, const TrimResult& result)
 }
 
 /// Cells within so many of the largest elements of the surface: all rings lie among them.
-std::vector<Id> FindNearCells(const HexMesh& mesh, const MeshBlocks& blocks,
-  const nurbs::TrimmingSurface& surface, int rings)
+std::vector<Id> FindNearCells(
+  const HexMesh& mesh, const MeshBlocks& blocks, const nurbs::TrimmingSurface& surface, int rings)
 {
   const Vec3 margin = Vec3::Constant((rings + 1) * blocks.LargestDiagonal);
-  const auto near = [&](Box3 box) {
+  const auto near = [&](Box3 box)
+  {
     box.min() -= margin;
     box.max() += margin;
     return surface.MayIntersect(box);
   };
   std::vector<std::vector<Id>> found(blocks.NumberOfBlocks());
-  vtkSMPTools::For(0, blocks.NumberOfBlocks(), 64, [&](Id begin, Id end) {
-    for (Id b = begin; b < end; ++b)
+  vtkSMPTools::For(0, blocks.NumberOfBlocks(), 64,
+    [&](Id begin, Id end)
     {
-      if (!near(blocks.Boxes[b]))
+      for (Id b = begin; b < end; ++b)
       {
-        continue;
-      }
-      const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-      for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
-      {
-        if (near(CellBox(mesh, c)))
+        if (!near(blocks.Boxes[b]))
         {
-          found[b].push_back(c);
+          continue;
+        }
+        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+        for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
+        {
+          if (near(CellBox(mesh, c)))
+          {
+            found[b].push_back(c);
+          }
         }
       }
-    }
-  });
+    });
   std::vector<Id> cells;
   for (const auto& list : found)
   {
@@ -236,8 +241,7 @@ std::unique_ptr<TrimBand> BuildBand(const HexMesh& mesh, const MeshBlocks& block
   return near;
 }
 
-bool MeasureBand(
-  TrimResult& result, const nurbs::TrimmingSurface& surface, std::string& error)
+bool MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface, std::string& error)
 {
   auto& near = *result.Near;
   const double gap = GapShare * surface.Bounds().diagonal().norm();
@@ -255,8 +259,7 @@ bool MeasureBand(
   if (!MeasureShares(near.Mesh, near.Structure, near.NodeStatus, elementStatus, surface, gap,
         near.Shares, missed))
   {
-    const Vec3 place =
-      0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
+    const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
     error = "The trimming surface ends inside the grid, near " + PlaceText(place) +
       ", and so does not part it: extend the surface beyond the grid or close it.";
     return false;
@@ -288,8 +291,8 @@ void WarnIfMissed(const HexMesh& mesh, TrimResult& result)
     return;
   }
   const auto& status = result.ElementStatus;
-  const bool oneSide = std::all_of(
-    status.begin(), status.end(), [&](unsigned char s) { return s == status.front(); });
+  const bool oneSide =
+    std::all_of(status.begin(), status.end(), [&](unsigned char s) { return s == status.front(); });
   if (mesh.NumberOfCells > 0 && oneSide)
   {
     result.Warnings.push_back(std::string("The trimming surface misses the grid, which is ") +
@@ -305,9 +308,8 @@ void WarnOfLeftovers(TrimResult& result)
     return;
   }
   const auto& near = *result.Near;
-  const auto warn = [&](std::size_t count, const std::string& what, const Vec3& place) {
-    result.Warnings.push_back(std::to_string(count) + what + PlaceText(place) + ".");
-  };
+  const auto warn = [&](std::size_t count, const std::string& what, const Vec3& place)
+  { result.Warnings.push_back(std::to_string(count) + what + PlaceText(place) + "."); };
   if (!near.Trimmed.Invalid.empty())
   {
     const int e = near.Trimmed.Invalid.front();
@@ -333,9 +335,9 @@ void WarnOfLeftovers(TrimResult& result)
     const auto faces = near.Mesh.FacesOfNode(n);
     if (near.NodeStatus[n] == NodeEliminate && near.Trimmed.Moving[n] &&
       std::all_of(elements.begin(), elements.end(), [&](int e) { return near.Trimmed.Kept[e]; }) &&
-      std::none_of(faces.begin(), faces.end(), [&](int f) {
-        return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f);
-      }))
+      std::none_of(faces.begin(), faces.end(),
+        [&](int f)
+        { return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f); }))
     {
       firstInside = firstInside < 0 ? n : firstInside;
       ++inside;
@@ -384,8 +386,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, nurbs::TrimmingSu
     return result;
   }
   bool turn = options.InvertSide;
-  if (options.UseKeepPoint &&
-    LiesBeyond(mesh, blocks, surface, result.Nodes, options.KeepPoint))
+  if (options.UseKeepPoint && LiesBeyond(mesh, blocks, surface, result.Nodes, options.KeepPoint))
   {
     turn = !turn;
   }

@@ -150,7 +150,8 @@ int vtkTrimHexahedralGrid::RequestData(
   nurbs::TrimmingSurface& surface = *this->Kept->Surface;
 
   // Asked from every thread, but only one of them looks; negative: no news of the progress.
-  const trim::Progress progress = [this](double done) {
+  const trim::Progress progress = [this](double done)
+  {
     if (!vtkSMPTools::IsParallelScope() || vtkSMPTools::GetSingleThread())
     {
       if (done >= 0.0)
@@ -176,8 +177,7 @@ int vtkTrimHexahedralGrid::RequestData(
   {
     return 1;
   }
-  const trim::TrimResult result =
-    trim::Trim(mesh, this->Kept->Blocks, surface, options, progress);
+  const trim::TrimResult result = trim::Trim(mesh, this->Kept->Blocks, surface, options, progress);
   if (!result.Error.empty())
   {
     vtkErrorMacro(<< result.Error);

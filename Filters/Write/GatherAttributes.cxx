@@ -22,8 +22,9 @@ void GatherRaw(vtkDataArray* source, const std::vector<vtkIdType>& ids, vtkDataA
     static_cast<std::size_t>(source->GetDataTypeSize());
   const char* from = static_cast<const char*>(source->GetVoidPointer(0));
   char* to = static_cast<char*>(target->GetVoidPointer(0));
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(ids.size()), 50000, [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), 50000,
+    [&](vtkIdType begin, vtkIdType end)
+    {
       for (vtkIdType i = begin; i < end; ++i)
       {
         std::memcpy(to + size * i, from + size * ids[i], size);

@@ -83,8 +83,7 @@ std::vector<int> MovedBandNodes(const TrimResult& result)
   return moved;
 }
 
-void AddPointStatuses(
-  const TrimResult& result, const std::vector<Id>& ids, vtkPointData* pointData)
+void AddPointStatuses(const TrimResult& result, const std::vector<Id>& ids, vtkPointData* pointData)
 {
   const Id count = static_cast<Id>(ids.size());
   auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
@@ -102,15 +101,17 @@ void AddPointStatuses(
   unsigned char* corrections = correction->GetPointer(0);
   std::fill_n(moves, 3 * count, 0.0f);
   std::fill_n(corrections, count, static_cast<unsigned char>(0));
-  ForMovedPoints(result, ids, [&](Id tuple, int node) {
-    const auto& near = *result.Near;
-    const Vec3 move = near.Trimmed.NodeMoves.Position[node] - near.Mesh.Point[node];
-    for (int i = 0; i < 3; ++i)
+  ForMovedPoints(result, ids,
+    [&](Id tuple, int node)
     {
-      moves[3 * tuple + i] = static_cast<float>(move[i]);
-    }
-    corrections[tuple] = static_cast<unsigned char>(near.Trimmed.NodeMoves.Applied[node]);
-  });
+      const auto& near = *result.Near;
+      const Vec3 move = near.Trimmed.NodeMoves.Position[node] - near.Mesh.Point[node];
+      for (int i = 0; i < 3; ++i)
+      {
+        moves[3 * tuple + i] = static_cast<float>(move[i]);
+      }
+      corrections[tuple] = static_cast<unsigned char>(near.Trimmed.NodeMoves.Applied[node]);
+    });
   pointData->AddArray(status);
   pointData->AddArray(distance);
   pointData->AddArray(displacement);

@@ -23,12 +23,10 @@ void AddEntry(vtkFieldData* fieldData, const char* name, Value value)
 
 void Summary::AddTo(vtkFieldData* fieldData) const
 {
-  const auto count = [fieldData](const char* name, Id value) {
-    AddEntry<vtkIdTypeArray>(fieldData, name, value);
-  };
-  const auto measure = [fieldData](const char* name, double value) {
-    AddEntry<vtkDoubleArray>(fieldData, name, value);
-  };
+  const auto count = [fieldData](const char* name, Id value)
+  { AddEntry<vtkIdTypeArray>(fieldData, name, value); };
+  const auto measure = [fieldData](const char* name, double value)
+  { AddEntry<vtkDoubleArray>(fieldData, name, value); };
   count("Kept", this->Kept);
   count("Eliminated", this->Eliminated);
   count("Treated", this->Treated);

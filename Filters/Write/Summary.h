@@ -29,7 +29,7 @@ struct Summary
   Id RescuedByTreatment = 0;  ///< columns, as the following
   Id RescuedByCorrection = 0;
   Id RescuedByFate = 0;
-  Id RescuedByLeaving = 0;  ///< columns whose nodes were left off the surface
+  Id RescuedByLeaving = 0; ///< columns whose nodes were left off the surface
   double MinimumScaledJacobian = std::numeric_limits<double>::quiet_NaN();
   double MinimumIntegrationPointJacobian = std::numeric_limits<double>::quiet_NaN();
   double MaximumDistanceToSurface = 0;

@@ -33,9 +33,9 @@ namespace
 /// The kept part of the mesh in the making: which cells and points stay, and in which order.
 struct KeptMesh
 {
-  std::vector<Id> Cells;       ///< input ids, ascending
-  std::vector<Id> Points;      ///< input ids, by new number
-  NodeGraph Graph;             ///< the elements, in new numbers
+  std::vector<Id> Cells;        ///< input ids, ascending
+  std::vector<Id> Points;       ///< input ids, by new number
+  NodeGraph Graph;              ///< the elements, in new numbers
   std::vector<int> BandElement; ///< of each kept cell, -1 away from the cut
 };
 
@@ -49,8 +49,8 @@ void ColourByStatus(vtkUnstructuredGrid* grid)
 }
 
 /// Nodes of a kept cell in input ids, with edges dropped where it became a wedge.
-int NodesOfKept(const HexMesh& mesh, const TrimResult& result, Id cell, int bandElement,
-  std::array<Id, 8>& nodes)
+int NodesOfKept(
+  const HexMesh& mesh, const TrimResult& result, Id cell, int bandElement, std::array<Id, 8>& nodes)
 {
   if (bandElement >= 0)
   {
@@ -152,8 +152,8 @@ void WriteCells(const KeptMesh& kept, vtkUnstructuredGrid* output)
   offsets->SetNumberOfValues(count + 1);
   connectivity->SetNumberOfValues(static_cast<Id>(kept.Graph.Connectivity.size()));
   std::copy(kept.Graph.Offset.begin(), kept.Graph.Offset.end(), offsets->GetPointer(0));
-  std::copy(kept.Graph.Connectivity.begin(), kept.Graph.Connectivity.end(),
-    connectivity->GetPointer(0));
+  std::copy(
+    kept.Graph.Connectivity.begin(), kept.Graph.Connectivity.end(), connectivity->GetPointer(0));
   vtkNew<vtkUnsignedCharArray> types;
   types->SetNumberOfValues(count);
   unsigned char* type = types->GetPointer(0);
@@ -168,8 +168,8 @@ void WriteCells(const KeptMesh& kept, vtkUnstructuredGrid* output)
 
 /// Coordinates in the precision of the input; those of unmoved points bit by bit.
 template <typename ArrayType, typename Value>
-void WritePoints(const Value* from, const KeptMesh& kept, const TrimResult& result,
-  vtkUnstructuredGrid* output)
+void WritePoints(
+  const Value* from, const KeptMesh& kept, const TrimResult& result, vtkUnstructuredGrid* output)
 {
   vtkNew<ArrayType> coordinates;
   coordinates->SetNumberOfComponents(3);
@@ -189,8 +189,8 @@ void WritePoints(const Value* from, const KeptMesh& kept, const TrimResult& resu
     }
     for (std::size_t i = 0; i < kept.Points.size(); ++i)
     {
-      const auto it = std::lower_bound(
-        byGlobal.begin(), byGlobal.end(), std::make_pair(kept.Points[i], -1));
+      const auto it =
+        std::lower_bound(byGlobal.begin(), byGlobal.end(), std::make_pair(kept.Points[i], -1));
       if (it != byGlobal.end() && it->first == kept.Points[i])
       {
         const Vec3& p = result.Near->Trimmed.NodeMoves.Position[it->second];
@@ -208,7 +208,8 @@ void WritePoints(const Value* from, const KeptMesh& kept, const TrimResult& resu
 
 void AddOriginalIds(const KeptMesh& kept, vtkUnstructuredGrid* output)
 {
-  const auto add = [](const char* name, const std::vector<Id>& ids, vtkDataSetAttributes* data) {
+  const auto add = [](const char* name, const std::vector<Id>& ids, vtkDataSetAttributes* data)
+  {
     vtkNew<vtkIdTypeArray> array;
     array->SetName(name);
     array->SetNumberOfValues(static_cast<Id>(ids.size()));
@@ -219,14 +220,13 @@ void AddOriginalIds(const KeptMesh& kept, vtkUnstructuredGrid* output)
   add("vtkOriginalCellIds", kept.Cells, output->GetCellData());
 }
 
-ElementPoints PointsOfKept(const HexMesh& mesh, const TrimResult& result, const KeptMesh& kept,
-  Id i, int& count)
+ElementPoints PointsOfKept(
+  const HexMesh& mesh, const TrimResult& result, const KeptMesh& kept, Id i, int& count)
 {
   ElementPoints points;
   if (kept.BandElement[i] >= 0)
   {
-    const auto final =
-      FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]);
+    const auto final = FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]);
     count = final.Count;
     return final.Points;
   }
@@ -249,18 +249,20 @@ void AddQuality(const HexMesh& mesh, const TrimResult& result, const KeptMesh& k
   scaled->SetNumberOfValues(count);
   float* values = scaled->GetPointer(0);
   std::vector<double> volume(count);
-  vtkSMPTools::For(0, count, 10000, [&](Id begin, Id end) {
-    for (Id i = begin; i < end; ++i)
+  vtkSMPTools::For(0, count, 10000,
+    [&](Id begin, Id end)
     {
-      int nodes = 0;
-      const ElementPoints points = PointsOfKept(mesh, result, kept, i, nodes);
-      const bool touched = kept.BandElement[i] >= 0 &&
-        FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]).Touched;
-      values[i] = touched || allElements ? static_cast<float>(ScaledJacobian(points, nodes))
-                                         : std::numeric_limits<float>::quiet_NaN();
-      volume[i] = std::abs(VolumeOf(points, nodes));
-    }
-  });
+      for (Id i = begin; i < end; ++i)
+      {
+        int nodes = 0;
+        const ElementPoints points = PointsOfKept(mesh, result, kept, i, nodes);
+        const bool touched = kept.BandElement[i] >= 0 &&
+          FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]).Touched;
+        values[i] = touched || allElements ? static_cast<float>(ScaledJacobian(points, nodes))
+                                           : std::numeric_limits<float>::quiet_NaN();
+        volume[i] = std::abs(VolumeOf(points, nodes));
+      }
+    });
   summary.Volume = std::accumulate(volume.begin(), volume.end(), 0.0);
   output->GetCellData()->AddArray(scaled);
 }
@@ -317,8 +319,8 @@ double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& s
   {
     if (onCut[n] && used[n])
     {
-      largest = std::max(
-        largest, surface.ClosestPoint(near.Trimmed.NodeMoves.Position[n]).Distance);
+      largest =
+        std::max(largest, surface.ClosestPoint(near.Trimmed.NodeMoves.Position[n]).Distance);
     }
   }
   return largest;
@@ -421,8 +423,8 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Tri
   progress(0.95);
 }
 
-void WriteStatusGrid(vtkUnstructuredGrid* input, const TrimResult& result,
-  vtkUnstructuredGrid* output)
+void WriteStatusGrid(
+  vtkUnstructuredGrid* input, const TrimResult& result, vtkUnstructuredGrid* output)
 {
   output->ShallowCopy(input);
   std::vector<Id> ids(input->GetNumberOfPoints());

@@ -29,8 +29,8 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Tri
   vtkUnstructuredGrid* output);
 
 /// Fills `output` with the whole input grid and the status arrays.
-void WriteStatusGrid(vtkUnstructuredGrid* input, const TrimResult& result,
-  vtkUnstructuredGrid* output);
+void WriteStatusGrid(
+  vtkUnstructuredGrid* input, const TrimResult& result, vtkUnstructuredGrid* output);
 
 }
 

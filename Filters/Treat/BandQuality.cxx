@@ -1,0 +1,190 @@
+#include "BandQuality.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trim
+{
+namespace
+{
+
+/// Jacobians below this share of the element's mean count as zero.
+constexpr double SmallestJacobian = 1e-6;
+/// Rounding of a coefficient that is zero by construction (a straight corner).
+constexpr double JacobianRounding = 1e-9;
+/// Two nodes nearer than this share of the element's shortest edge have become one.
+constexpr double SmallestDistanceShare = 1e-3;
+/// An element with less of its volume left has collapsed.
+constexpr double SmallestVolumeShare = 0.01;
+
+/// Between any two nodes of an element.
+double ShortestDistance(const ElementPoints& p, int count)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 1; i < count; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      shortest = std::min(shortest, (p[i] - p[j]).squaredNorm());
+    }
+  }
+  return std::sqrt(shortest);
+}
+
+bool IsValid(const ElementPoints& points, int count, Optimization treatment)
+{
+  const JacobianRange range = MeasureJacobian(points, count);
+  if (!(range.IntegrationPoint > SmallestJacobian * std::abs(range.Mean)))
+  {
+    return false;
+  }
+  switch (treatment)
+  {
+    case Optimization::Degenerate:
+      return range.Bezier > SmallestJacobian * range.Mean;
+    case Optimization::Distribute:
+      return range.Bezier >= -JacobianRounding * range.Mean;
+    default:
+      return true;
+  }
+}
+
+}
+
+ElementPoints BandQuality::ShapeBefore(int e) const
+{
+  const auto& element = this->TheBand.Elements[e];
+  ElementPoints before;
+  for (int i = 0; i < element.Count; ++i)
+  {
+    before[i] = this->TheBand.Point[element.Node[i]];
+  }
+  return before;
+}
+
+std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
+{
+  const int count = this->TheBand.NumberOfElements();
+  const std::vector<char> coincides = this->FindCoincidentNodes(trimmed);
+  std::vector<char> invalid(count, 0);
+  vtkSMPTools::For(0, count, 256,
+    [&](Id begin, Id end)
+    {
+      for (Id e = begin; e < end; ++e)
+      {
+        invalid[e] = trimmed.Kept[e] && this->IsSpoiled(trimmed, static_cast<int>(e), coincides);
+      }
+    });
+  std::vector<int> list;
+  for (int e = 0; e < count; ++e)
+  {
+    if (invalid[e])
+    {
+      list.push_back(e);
+    }
+  }
+  return list;
+}
+
+/// Moved nodes that came to lie on the other end of a mesh edge, though no kept element need
+/// have both: the parts of the new boundary would touch.
+std::vector<char> BandQuality::FindCoincidentNodes(const TrimmedBand& trimmed) const
+{
+  std::vector<int> users(this->TheBand.NumberOfNodes(), 0);
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+  {
+    if (trimmed.Kept[e])
+    {
+      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+      for (int i = 0; i < final.Count; ++i)
+      {
+        ++users[final.Node[i]];
+      }
+    }
+  }
+  std::vector<char> coincides(this->TheBand.NumberOfNodes(), 0);
+  const auto& moves = trimmed.NodeMoves;
+  for (const auto& edge : this->TheBand.Edges)
+  {
+    const int a = edge.First;
+    const int b = edge.Second;
+    if (users[a] == 0 || users[b] == 0 ||
+      (moves.Applied[a] == Correction::None && moves.Applied[b] == Correction::None))
+    {
+      continue;
+    }
+    const double before = (this->TheBand.Point[a] - this->TheBand.Point[b]).norm();
+    const double after = (moves.Position[a] - moves.Position[b]).norm();
+    if (after < SmallestDistanceShare * before)
+    {
+      // The one that fewer elements need has to give way.
+      const bool aGives = moves.Applied[b] == Correction::None ||
+        (moves.Applied[a] != Correction::None && users[a] <= users[b]);
+      coincides[aGives ? a : b] = 1;
+    }
+  }
+  return coincides;
+}
+
+bool BandQuality::IsSpoiled(
+  const TrimmedBand& trimmed, int e, const std::vector<char>& coincides) const
+{
+  const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+  if (!final.Touched)
+  {
+    return false;
+  }
+  for (int i = 0; i < final.Count; ++i)
+  {
+    if (coincides[final.Node[i]])
+    {
+      return true;
+    }
+  }
+  const auto& element = this->TheBand.Elements[e];
+  const ElementPoints before = this->ShapeBefore(e);
+  if (!IsValid(before, element.Count, Optimization::None))
+  {
+    return false; // it came like this
+  }
+  return VolumeOf(final.Points, final.Count) <
+    SmallestVolumeShare * VolumeOf(before, element.Count) ||
+    !IsValid(final.Points, final.Count, this->Treatment) ||
+    ShortestDistance(final.Points, final.Count) <
+    SmallestDistanceShare * ShortestDistance(before, element.Count);
+}
+
+std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
+{
+  std::vector<int> below;
+  for (int e = 0; e < this->TheBand.NumberOfElements() && this->Floor > 0.0; ++e)
+  {
+    if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || trimmed.Treated.FlatCorner[e])
+    {
+      continue;
+    }
+    const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+    if (final.Touched && ScaledJacobian(final.Points, final.Count) < this->Floor &&
+      ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >= this->Floor)
+    {
+      below.push_back(e);
+    }
+  }
+  return below;
+}
+
+double BandQuality::Deficit(const TrimmedBand& trimmed) const
+{
+  double deficit = 0.0;
+  for (const int e : this->FindBelowFloor(trimmed))
+  {
+    const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+    deficit += this->Floor - ScaledJacobian(final.Points, final.Count);
+  }
+  return deficit;
+}
+
+}

@@ -1,0 +1,53 @@
+/**
+ * @file BandQuality.h
+ * @brief Which elements of the trimmed band are invalid, or below the quality floor.
+ */
+#ifndef BandQuality_h
+#define BandQuality_h
+
+#include "TrimmedBand.h"
+
+#include <vector>
+
+namespace trim
+{
+
+class BandQuality
+{
+public:
+  /**
+   * @param treatment what counts as valid: with degenerated pentahedra a Jacobian that is positive
+   * in the whole element, with distributed ones not negative, else positive at the integration
+   * points.
+   * @param floor scaled Jacobian that touched elements have to reach; 0: none.
+   */
+  BandQuality(const Band& band, Optimization treatment, double floor)
+    : TheBand(band)
+    , Treatment(treatment)
+    , Floor(floor)
+  {
+  }
+
+  /// Kept elements that the trim made invalid, ascending.
+  std::vector<int> FindInvalid(const TrimmedBand& trimmed) const;
+
+  /// Touched elements that are valid but below the floor, and were not so before; straight
+  /// corners are exempt.
+  std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const;
+
+  /// By how much elements miss the floor, in sum.
+  double Deficit(const TrimmedBand& trimmed) const;
+
+private:
+  ElementPoints ShapeBefore(int element) const;
+  std::vector<char> FindCoincidentNodes(const TrimmedBand& trimmed) const;
+  bool IsSpoiled(const TrimmedBand& trimmed, int element, const std::vector<char>& coincides) const;
+
+  const Band& TheBand;
+  Optimization Treatment;
+  double Floor;
+};
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+/**
+ * @file TrimmedBand.h
+ * @brief The band after decision, correction and treatment, and the final shape of its elements.
+ */
+#ifndef TrimmedBand_h
+#define TrimmedBand_h
+
+#include "Jacobian.h"
+#include "Pentahedra.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/// The rung by which a column was saved.
+enum class Rung : unsigned char
+{
+  None,
+  FateFirst, ///< the eliminated elements round a node that has no place are kept
+  Treatment,
+  Correction,
+  Fate,       ///< eliminated instead of kept
+  FateAround, ///< kept, with its eliminated neighbours
+  Left
+};
+
+/// The trimmed band.
+struct TrimmedBand
+{
+  std::vector<char> Kept; ///< by element
+  Moves NodeMoves;
+  Pentahedra Treated;
+  std::vector<Rung> RescuedBy; ///< by column (smallest element)
+  std::vector<char> Relaxed;   ///< elements that were below the floor before the relaxation
+  std::vector<int> BelowFloor; ///< valid elements that stayed below the quality floor
+  std::vector<int> Invalid;    ///< elements that no rung could save; empty as a rule
+  std::vector<char> Moving;    ///< nodes that have to lie on the new boundary
+};
+
+/// Nodes and positions of a band element as it is after the trim.
+struct FinalElement
+{
+  int Count = 0;
+  std::array<int, 8> Node;
+  ElementPoints Points;
+  bool Touched = false; ///< has a moved node or was replaced
+};
+FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element);
+
+}
+
+#endif
