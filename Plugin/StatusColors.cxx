@@ -28,7 +28,15 @@ const char* const Colors = R"json({
       "Annotations" : [ "0", "none", "2", "type II", "3", "type III", "4", "relaxed" ],
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71,  0.89, 0.40, 0.10,
         0.60, 0.31, 0.64 ],
-      "IndexedOpacities" : [ 1, 1, 1, 1 ] } }
+      "IndexedOpacities" : [ 1, 1, 1, 1 ] } },
+    "Rescue" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "not needed", "1", "relaxed", "2", "other treatment",
+        "3", "other correction", "4", "other fate", "5", "left off the surface" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.60, 0.31, 0.64,  0.99, 0.72, 0.26,
+        0.12, 0.47, 0.71,  0.89, 0.40, 0.10,  0.84, 0.19, 0.15 ],
+      "IndexedOpacities" : [ 1, 1, 1, 1, 1, 1 ] } }
   }
 })json";
 

@@ -23,7 +23,9 @@
  *   behind the cut, moved for the quality of the elements there).
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
- * where it was not computed), every array of the input, and a summary in its field data.
+ * where it was not computed), Rescue (unsigned char, cells: how an element that would have become
+ * invalid was saved, 0 not needed, 1 relaxation, 2 other treatment, 3 other correction, 4 other
+ * fate, 5 nodes left off the surface), every array of the input, and a summary in its field data.
  *
  * @warning Wedges that the trim makes have their nodes 0-1-2 oriented so that their normal
  * points to nodes 3-4-5: the Jacobian of vtkWedge's shape functions is positive, as

@@ -2,6 +2,7 @@
 
 #include "GatherAttributes.h"
 #include "NodeOrdering.h"
+#include "Rescue.h"
 #include "Status.h"
 #include "StatusArrays.h"
 
@@ -267,6 +268,23 @@ void AddQuality(const HexMesh& mesh, const TrimResult& result, const KeptMesh& k
   output->GetCellData()->AddArray(scaled);
 }
 
+/// Rescue: the rung of the validity ladder that saved the element.
+void AddRescue(const TrimResult& result, const KeptMesh& kept, vtkUnstructuredGrid* output)
+{
+  const Id count = static_cast<Id>(kept.Cells.size());
+  vtkNew<vtkUnsignedCharArray> rescue;
+  rescue->SetName("Rescue");
+  rescue->SetNumberOfValues(count);
+  unsigned char* values = rescue->GetPointer(0);
+  for (Id i = 0; i < count; ++i)
+  {
+    values[i] = kept.BandElement[i] < 0
+      ? static_cast<unsigned char>(Rescue::None)
+      : static_cast<unsigned char>(RescueOf(*result.Near, kept.BandElement[i]));
+  }
+  output->GetCellData()->AddArray(rescue);
+}
+
 void SummariseTouched(const TrimResult& result, Summary& summary)
 {
   const auto& near = *result.Near;
@@ -326,31 +344,18 @@ double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& s
   return largest;
 }
 
-void CountRungs(const TrimResult& result, Summary& summary)
+/// By elements where they were relaxed, by columns elsewhere: these go or stay as one.
+void CountRescues(const TrimResult& result, Summary& summary)
 {
-  const auto& relaxed = result.Near->Trimmed.Relaxed;
-  summary.RescuedByRelaxation = std::count(relaxed.begin(), relaxed.end(), char(1));
-  for (const Rung rung : result.Near->Trimmed.RescuedBy)
+  const auto& trimmed = result.Near->Trimmed;
+  summary.RescuedByRelaxation = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), char(1));
+  for (const Rung rung : trimmed.RescuedBy)
   {
-    switch (rung)
-    {
-      case Rung::Treatment:
-        ++summary.RescuedByTreatment;
-        break;
-      case Rung::Correction:
-        ++summary.RescuedByCorrection;
-        break;
-      case Rung::FateFirst:
-      case Rung::Fate:
-      case Rung::FateAround:
-        ++summary.RescuedByFate;
-        break;
-      case Rung::Left:
-        ++summary.RescuedByLeaving;
-        break;
-      default:
-        break;
-    }
+    const Rescue rescue = RescueBy(rung);
+    summary.RescuedByTreatment += rescue == Rescue::Treatment;
+    summary.RescuedByCorrection += rescue == Rescue::Correction;
+    summary.RescuedByFate += rescue == Rescue::Fate;
+    summary.RescuedByLeaving += rescue == Rescue::Left;
   }
 }
 
@@ -371,7 +376,7 @@ void Summarise(const TrimResult& result, const KeptMesh& kept,
     summary.Wedges = static_cast<Id>(result.Near->Trimmed.Treated.Wedges.size());
     summary.MaximumDistanceToSurface = LargestDistance(result, surface);
     SummariseTouched(result, summary);
-    CountRungs(result, summary);
+    CountRescues(result, summary);
   }
 }
 
@@ -415,6 +420,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Tri
   ColourByStatus(output);
   AddOriginalIds(kept, output);
 
+  AddRescue(result, kept, output);
   Summary summary;
   AddQuality(mesh, result, kept, options.QualityOfAllElements, summary, output);
   Summarise(result, kept, surface, summary);
