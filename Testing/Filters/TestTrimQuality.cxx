@@ -1,0 +1,96 @@
+/**
+ * @file TestTrimQuality.cxx
+ * @brief The quality floor: poor elements are relaxed, on the surface and in their layer.
+ */
+#include "RunTrim.h"
+
+#include "vtkTrimHexahedralGrid.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace judge;
+
+namespace
+{
+int failures = 0;
+
+void Expect(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    std::printf("FAIL %s\n", what);
+    ++failures;
+  }
+}
+
+/// What one trim by a leaning cylinder says of itself and of its nodes.
+struct Trimmed
+{
+  double MinimumScaledJacobian, MaximumDistance, Relaxations;
+  int RelaxedNodes = 0, RelaxedOffLayer = 0, RescuedElements = 0, NotExact = 0;
+};
+
+Trimmed TrimAt(double floor)
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  Placement at;
+  at.Lean = 0.6;
+  at.Seed = 3;
+  at.Size = 0.45;
+  const Surface surface = MakeSurface("cylinder", mesh.Box, at);
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetMinimumScaledJacobian(floor);
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  const auto number = [output](const char* name)
+  { return output->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  Trimmed result{ number("MinimumScaledJacobian"), number("MaximumDistanceToSurface"),
+    number("RescuedByRelaxation") };
+  auto* applied = output->GetPointData()->GetArray("CorrectionApplied");
+  auto* moved = output->GetPointData()->GetArray("Displacement");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double* d = moved->GetTuple3(i);
+    const bool relaxed = applied->GetComponent(i, 0) == 4;
+    result.RelaxedNodes += relaxed;
+    // The layers of this sheet are level.
+    result.RelaxedOffLayer += relaxed && std::abs(d[2]) > 1e-9;
+    result.NotExact += (d[0] != 0 || d[1] != 0 || d[2] != 0) != (applied->GetComponent(i, 0) != 0);
+  }
+  auto* rescue = output->GetCellData()->GetArray("Rescue");
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    result.RescuedElements += rescue->GetComponent(i, 0) == 1;
+  }
+  return result;
+}
+}
+
+int main()
+{
+  const Trimmed plain = TrimAt(0);
+  const Trimmed raised = TrimAt(0.7);
+  std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",
+    plain.MinimumScaledJacobian, raised.MinimumScaledJacobian, raised.RelaxedNodes);
+  Expect(plain.MinimumScaledJacobian < 0.7, "the trial needs no relaxation: choose another");
+  Expect(plain.RelaxedNodes == 0 && plain.RescuedElements == 0, "relaxed without being asked");
+  Expect(raised.MinimumScaledJacobian >= 0.7, "the floor is not reached");
+  Expect(raised.RelaxedNodes > 0 && raised.RescuedElements > 0, "nothing says what was relaxed");
+  Expect(raised.RescuedElements == static_cast<int>(raised.Relaxations),
+    "Rescue and RescuedByRelaxation do not agree");
+  Expect(raised.RelaxedOffLayer == 0, "a relaxed node left its layer");
+  Expect(raised.MaximumDistance < 1e-8, "a relaxed node left the surface");
+  Expect(
+    plain.NotExact == 0 && raised.NotExact == 0, "CorrectionApplied and Displacement do not agree");
+  return failures != 0;
+}
