@@ -31,6 +31,20 @@ std::vector<Id> NodesOfCells(const HexMesh& mesh, const std::vector<Id>& cells)
   return all;
 }
 
+/// The nodes of a face in ascending order: the same from both its elements.
+std::array<int, 4> FaceKey(const BandElement& element, int slot)
+{
+  const auto& face = TopologyOf(element.Count).Faces[slot];
+  std::array<int, 4> key;
+  key.fill(std::numeric_limits<int>::max()); // a triangle's fourth place sorts last
+  for (int i = 0; i < face.Count; ++i)
+  {
+    key[i] = element.Node[face.Node[i]];
+  }
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
 /// Breadth-first rings over cells that share a node; -1 outside.
 std::vector<int> GrowRings(const std::vector<int>& seeds,
   const std::vector<std::array<int, 8>>& cells, const std::vector<int>& counts, int numberOfNodes,
@@ -185,42 +199,24 @@ void Band::OrientWedges()
   }
 }
 
+int Band::FindTwin(int element, const std::array<int, 4>& key, int& slot) const
+{
+  for (const int other : this->ElementsOfNode(key[0]))
+  {
+    const auto& candidate = this->Elements[other];
+    for (slot = 0; other > element && slot < TopologyOf(candidate.Count).NumberOfFaces; ++slot)
+    {
+      if (candidate.Face[slot] < 0 && FaceKey(candidate, slot) == key)
+      {
+        return other;
+      }
+    }
+  }
+  return -1;
+}
+
 void Band::BuildFaces()
 {
-  const auto sortedNodes = [this](int e, int slot)
-  {
-    const auto& element = this->Elements[e];
-    const auto& face = TopologyOf(element.Count).Faces[slot];
-    // A triangle's fourth place sorts last.
-    std::array<int, 4> nodes;
-    nodes.fill(std::numeric_limits<int>::max());
-    for (int i = 0; i < face.Count; ++i)
-    {
-      nodes[i] = element.Node[face.Node[i]];
-    }
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
-  };
-  const auto findTwin = [&](int e, const std::array<int, 4>& key, int& twinSlot)
-  {
-    for (const int other : this->ElementsOfNode(key[0]))
-    {
-      if (other <= e)
-      {
-        continue;
-      }
-      const int slots = TopologyOf(this->Elements[other].Count).NumberOfFaces;
-      for (int s = 0; s < slots; ++s)
-      {
-        if (this->Elements[other].Face[s] < 0 && sortedNodes(other, s) == key)
-        {
-          twinSlot = s;
-          return other;
-        }
-      }
-    }
-    return -1;
-  };
   for (int e = 0; e < this->NumberOfElements(); ++e)
   {
     auto& element = this->Elements[e];
@@ -243,7 +239,7 @@ void Band::BuildFaces()
       const int index = static_cast<int>(this->Faces.size());
       element.Face[slot] = index;
       int twinSlot = -1;
-      const int twin = findTwin(e, sortedNodes(e, slot), twinSlot);
+      const int twin = this->FindTwin(e, FaceKey(element, slot), twinSlot);
       if (twin >= 0)
       {
         face.Element[1] = twin;

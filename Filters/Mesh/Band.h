@@ -101,6 +101,8 @@ private:
   void TakeElements(
     const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings);
   void OrientWedges();
+  /// The later element with a face of the same nodes, and its slot there; -1 if there is none.
+  int FindTwin(int element, const std::array<int, 4>& key, int& slot) const;
   void BuildFaces();
   void BuildEdges();
 

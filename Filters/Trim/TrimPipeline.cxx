@@ -301,6 +301,58 @@ void WarnIfMissed(const HexMesh& mesh, TrimResult& result)
   }
 }
 
+/// One warning for a list of places, if there are any: their number, what they are, the first.
+void Warn(TrimResult& result, std::size_t count, const std::string& what, const Vec3& first)
+{
+  if (count > 0)
+  {
+    result.Warnings.push_back(std::to_string(count) + what + PlaceText(first) + ".");
+  }
+}
+
+void WarnOfElements(TrimResult& result, const std::vector<int>& elements, const std::string& what)
+{
+  if (!elements.empty())
+  {
+    const auto& band = result.Near->Mesh;
+    const auto& first = band.Elements[elements.front()];
+    Warn(result, elements.size(),
+      what + " The first (cell " + std::to_string(first.Global) + " of the input) is at ",
+      band.Point[first.Node[0]]);
+  }
+}
+
+template <typename Test>
+void WarnOfNodes(TrimResult& result, const Test& test, const std::string& what)
+{
+  const auto& band = result.Near->Mesh;
+  std::vector<int> nodes;
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    if (test(n))
+    {
+      nodes.push_back(n);
+    }
+  }
+  if (!nodes.empty())
+  {
+    Warn(result, nodes.size(), what + " The first is at ", band.Point[nodes.front()]);
+  }
+}
+
+/// True for a node beyond the surface that has only kept elements round it.
+bool IsInsideKept(const TrimBand& near, int n)
+{
+  const auto elements = near.Mesh.ElementsOfNode(n);
+  const auto faces = near.Mesh.FacesOfNode(n);
+  const auto isBorder = [&near](int f)
+  { return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f); };
+  return near.NodeStatus[n] == NodeEliminate && near.Trimmed.Moving[n] &&
+    std::all_of(
+      elements.begin(), elements.end(), [&near](int e) { return near.Trimmed.Kept[e] != 0; }) &&
+    std::none_of(faces.begin(), faces.end(), isBorder);
+}
+
 void WarnOfLeftovers(TrimResult& result)
 {
   if (!result.Near)
@@ -308,65 +360,22 @@ void WarnOfLeftovers(TrimResult& result)
     return;
   }
   const auto& near = *result.Near;
-  const auto warn = [&](std::size_t count, const std::string& what, const Vec3& place)
-  { result.Warnings.push_back(std::to_string(count) + what + PlaceText(place) + "."); };
-  if (!near.Trimmed.Invalid.empty())
-  {
-    const int e = near.Trimmed.Invalid.front();
-    warn(near.Trimmed.Invalid.size(),
-      " elements at the cut are distorted beyond repair, the first (cell " +
-        std::to_string(near.Mesh.Elements[e].Global) + " of the input) at ",
-      near.Mesh.Point[near.Mesh.Elements[e].Node[0]]);
-  }
-  if (!near.Trimmed.BelowFloor.empty())
-  {
-    const int e = near.Trimmed.BelowFloor.front();
-    warn(near.Trimmed.BelowFloor.size(),
-      " elements at the cut stay below MinimumScaledJacobian: refine the mesh there or move the "
-      "surface. The first (cell " +
-        std::to_string(near.Mesh.Elements[e].Global) + " of the input) is at ",
-      near.Mesh.Point[near.Mesh.Elements[e].Node[0]]);
-  }
-  std::size_t inside = 0;
-  int firstInside = -1;
-  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
-  {
-    const auto elements = near.Mesh.ElementsOfNode(n);
-    const auto faces = near.Mesh.FacesOfNode(n);
-    if (near.NodeStatus[n] == NodeEliminate && near.Trimmed.Moving[n] &&
-      std::all_of(elements.begin(), elements.end(), [&](int e) { return near.Trimmed.Kept[e]; }) &&
-      std::none_of(faces.begin(), faces.end(),
-        [&](int f)
-        { return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f); }))
-    {
-      firstInside = firstInside < 0 ? n : firstInside;
-      ++inside;
-    }
-  }
-  if (inside > 0)
-  {
-    warn(inside,
-      " nodes beyond the surface have only kept elements round them: the cut-out there is smaller "
-      "than an element and is not opened. Refine the mesh there. The first is at ",
-      near.Mesh.Point[firstInside]);
-  }
-  std::size_t left = 0;
-  int first = -1;
-  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
-  {
-    if (near.Trimmed.Moving[n] && near.Trimmed.NodeMoves.Applied[n] == Correction::None)
-    {
-      first = first < 0 ? n : first;
-      ++left;
-    }
-  }
-  if (left > 0)
-  {
-    warn(left,
-      " nodes of the new boundary were left off the surface, as no valid element was to be had "
-      "otherwise: refine the mesh there or move the surface. The first is at ",
-      near.Mesh.Point[first]);
-  }
+  WarnOfElements(result, near.Trimmed.Invalid,
+    " elements at the cut are distorted beyond repair: refine the mesh there, or try the other "
+    "correction type.");
+  WarnOfElements(result, near.Trimmed.BelowFloor,
+    " elements at the cut stay below MinimumScaledJacobian: refine the mesh there or move the "
+    "surface.");
+  WarnOfNodes(
+    result, [&near](int n) { return IsInsideKept(near, n); },
+    " nodes beyond the surface have only kept elements round them: the cut-out there is smaller "
+    "than an element and is not opened. Refine the mesh there.");
+  WarnOfNodes(
+    result,
+    [&near](int n)
+    { return near.Trimmed.Moving[n] && near.Trimmed.NodeMoves.Applied[n] == Correction::None; },
+    " nodes of the new boundary were left off the surface, as no valid element was to be had "
+    "otherwise: refine the mesh there or move the surface.");
 }
 
 }

@@ -120,34 +120,47 @@ int vtkTrimHexahedralGrid::FillInputPortInformation(int port, vtkInformation* in
 }
 
 //------------------------------------------------------------------------------
+int vtkTrimHexahedralGrid::Refuse(const std::string& error)
+{
+  vtkErrorMacro(<< error);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+trim::TrimOptions vtkTrimHexahedralGrid::Options() const
+{
+  trim::TrimOptions options;
+  options.Ladder.CorrectionType = static_cast<trim::Correction>(this->CorrectionType);
+  options.Ladder.Treatment = static_cast<trim::Optimization>(this->Optimization);
+  options.Ladder.EliminationFraction = this->EliminationFraction;
+  options.Ladder.QualityFloor = this->MinimumScaledJacobian;
+  options.InvertSide = this->InvertSide;
+  options.UseKeepPoint = this->UseKeepPoint;
+  options.KeepPoint = trim::Vec3(this->KeepPoint[0], this->KeepPoint[1], this->KeepPoint[2]);
+  options.Tolerance = this->Tolerance;
+  return options;
+}
+
+//------------------------------------------------------------------------------
 int vtkTrimHexahedralGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkDataObject* surfaceData = vtkDataObject::GetData(inputVector[1]);
-  vtkUnstructuredGrid* trimmed = vtkUnstructuredGrid::GetData(outputVector, 0);
-  vtkUnstructuredGrid* statuses = vtkUnstructuredGrid::GetData(outputVector, 1);
-  // On errors the outputs stay empty and 1 is returned: the executive would add a line of its
-  // own to the one error that tells what to do.
   if (!input)
   {
-    vtkErrorMacro("No grid is connected to the first input: connect a grid of hexahedra.");
-    return 1;
+    return this->Refuse("No grid is connected to the first input: connect a grid of hexahedra.");
   }
   if (!surfaceData)
   {
-    vtkErrorMacro("No trimming surface is connected to the second input: connect a CAD Surface "
-                  "Reader or a NURBS Surface Source.");
-    return 1;
+    return this->Refuse("No trimming surface is connected to the second input: connect a CAD "
+                        "Surface Reader or a NURBS Surface Source.");
   }
   std::string error;
   if (!this->Kept->TakeGrid(input, error) || !this->Kept->TakeSurface(surfaceData, error))
   {
-    vtkErrorMacro(<< error);
-    return 1;
+    return this->Refuse(error);
   }
-  const trim::HexMesh& mesh = this->Kept->Mesh;
-  nurbs::TrimmingSurface& surface = *this->Kept->Surface;
 
   // Asked from every thread, but only one of them looks; negative: no news of the progress.
   const trim::Progress progress = [this](double done)
@@ -162,31 +175,24 @@ int vtkTrimHexahedralGrid::RequestData(
     }
     return this->GetAbortOutput() || this->GetAbortExecute();
   };
-
-  trim::TrimOptions options;
-  options.Ladder.CorrectionType = static_cast<trim::Correction>(this->CorrectionType);
-  options.Ladder.Treatment = static_cast<trim::Optimization>(this->Optimization);
-  options.Ladder.EliminationFraction = this->EliminationFraction;
-  options.Ladder.QualityFloor = this->MinimumScaledJacobian;
-  options.InvertSide = this->InvertSide;
-  options.UseKeepPoint = this->UseKeepPoint;
-  options.KeepPoint = trim::Vec3(this->KeepPoint[0], this->KeepPoint[1], this->KeepPoint[2]);
-  options.Tolerance = this->Tolerance;
-
   if (progress(0.05))
   {
     return 1;
   }
-  const trim::TrimResult result = trim::Trim(mesh, this->Kept->Blocks, surface, options, progress);
+  const trim::HexMesh& mesh = this->Kept->Mesh;
+  nurbs::TrimmingSurface& surface = *this->Kept->Surface;
+  const trim::TrimResult result =
+    trim::Trim(mesh, this->Kept->Blocks, surface, this->Options(), progress);
   if (!result.Error.empty())
   {
-    vtkErrorMacro(<< result.Error);
-    return 1;
+    return this->Refuse(result.Error);
   }
   if (result.Aborted)
   {
     return 1;
   }
+  vtkUnstructuredGrid* trimmed = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkUnstructuredGrid* statuses = vtkUnstructuredGrid::GetData(outputVector, 1);
   trim::WriteOptions write;
   write.RenumberNodes = this->RenumberNodes;
   write.QualityOfAllElements = this->QualityOfAllElements;

@@ -40,6 +40,12 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+namespace trim
+{
+struct TrimOptions;
+}
 
 class NURBSTRIMFILTER_EXPORT vtkTrimHexahedralGrid : public vtkUnstructuredGridAlgorithm
 {
@@ -177,6 +183,11 @@ private:
 
   struct Cache;
   std::unique_ptr<Cache> Kept;
+
+  /// One error; the outputs stay empty, and the executive is not told, or it would add a line of
+  /// its own to the one that says what to do.
+  int Refuse(const std::string& error);
+  trim::TrimOptions Options() const;
 };
 
 #endif
