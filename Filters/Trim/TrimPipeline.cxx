@@ -20,8 +20,6 @@ constexpr int DeepBandRings = 12;
 /// A surface that shifts by more than this share of an element from skin to skin cannot be
 /// followed by whole columns: the sheet is treated as a block.
 constexpr double LargestColumnShift = 2.0;
-/// Gaps between faces are closed up to this share of the surface's diagonal (MakeSurface).
-constexpr double GapShare = 1e-5;
 
 /// Turns the surface round for a scope.
 class Turned

@@ -21,6 +21,9 @@
 namespace trim
 {
 
+/// Borders of faces that lie nearer than this share of the surface's diagonal are one edge.
+constexpr double GapShare = 1e-5;
+
 struct TrimOptions
 {
   LadderOptions Ladder;

@@ -5,21 +5,36 @@
 #include "TrimPipeline.h"
 #include "TrimmedGrid.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWeakPointer.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace
 {
 
-/// Borders of faces that lie nearer than this share of the surface's diagonal are one edge.
-constexpr double GapShare = 1e-5;
+/// When the surface changed last: a composite does not ask its blocks.
+vtkMTimeType TimeOf(vtkDataObject* data)
+{
+  vtkMTimeType time = data->GetMTime();
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
 
 std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
 {
@@ -32,7 +47,7 @@ std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurf
     }
   }
   return std::make_unique<nurbs::TrimmingSurface>(
-    std::move(faces), GapShare * box.diagonal().norm());
+    std::move(faces), trim::GapShare * box.diagonal().norm());
 }
 
 }
@@ -73,7 +88,7 @@ struct vtkTrimHexahedralGrid::Cache
 
   bool TakeSurface(vtkDataObject* data, std::string& error)
   {
-    if (this->SurfaceData == data && this->SurfaceTime == data->GetMTime())
+    if (this->SurfaceData == data && this->SurfaceTime == TimeOf(data))
     {
       return true;
     }
@@ -85,7 +100,7 @@ struct vtkTrimHexahedralGrid::Cache
     }
     this->Surface = MakeSurface(std::move(faces));
     this->SurfaceData = data;
-    this->SurfaceTime = data->GetMTime();
+    this->SurfaceTime = TimeOf(data);
     return true;
   }
 };
