@@ -1,0 +1,26 @@
+/**
+ * @file TrimLineFile.h
+ * @brief Points of a trim line from a text file.
+ */
+#ifndef TrimLineFile_h
+#define TrimLineFile_h
+
+#include "NurbsSurface.h"
+
+#include <string>
+#include <vector>
+
+namespace nurbs
+{
+/**
+ * Reads points from a CSV file: x, y, z in each line, separated by commas, semicolons, blanks or
+ * tabs. Empty lines and lines that begin with # are passed over, and so is a header, the first
+ * other line if none of its values is a number.
+ *
+ * @return false with one line in `error` that names the file, the line and what is expected, if
+ * the file cannot be read, is an IGES or STEP file, or has a line that is not three numbers.
+ */
+bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::string& error);
+}
+
+#endif

@@ -1,0 +1,297 @@
+/**
+ * vtkTrimLineSource: the surface is the curve of vtkParametricSpline, which the spline widget
+ * draws, swept; orientation, files of points, and bad input.
+ */
+#include "NURBSFieldData.h"
+#include "ReadTesting.h"
+#include "vtkTrimLineSource.h"
+
+#include "vtkExecutive.h"
+#include "vtkParametricSpline.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+using nurbs::NurbsSurface;
+using nurbs::Vec3;
+
+namespace
+{
+using Points = std::vector<Vec3>;
+
+void Give(vtkTrimLineSource* source, const Points& points, bool closed)
+{
+  source->SetNumberOfPoints(static_cast<int>(points.size()));
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    source->SetPoint(static_cast<int>(i), points[i].x(), points[i].y(), points[i].z());
+  }
+  source->SetClosed(closed);
+}
+
+NurbsSurface SurfaceOf(vtkTrimLineSource* source)
+{
+  NurbsSurface surface;
+  std::string error;
+  source->Update();
+  CHECK(nurbs::ReadNURBSFieldData(source->GetOutput()->GetFieldData(), surface, error), error);
+  return surface;
+}
+
+/// Uneven chords, out of any plane; round an axis, so that a closed line encloses something.
+Points RandomPoints(int count, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  Points points;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * (i + 0.8 * share(random)) / count;
+    const double radius = 20.0 + 10.0 * share(random);
+    points.emplace_back(
+      100.0 + radius * std::cos(angle), radius * std::sin(angle), 3.0 * share(random));
+  }
+  return points;
+}
+
+/// The largest distance of S(u, middle) from vtkParametricSpline, relative to the line's size.
+double LargestDeviation(const NurbsSurface& surface, const Points& points, bool closed)
+{
+  vtkNew<vtkPoints> given;
+  given->SetDataTypeToDouble();
+  for (const Vec3& point : points)
+  {
+    given->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkParametricSpline> spline;
+  spline->SetPoints(given);
+  spline->SetClosed(closed);
+  double largest = 0.0;
+  double backwards = 0.0;
+  const int places = 1000;
+  for (int i = 0; i <= places; ++i)
+  {
+    double u[3] = { static_cast<double>(i) / places, 0.0, 0.0 }, unused[9];
+    Vec3 expected;
+    spline->Evaluate(u, expected.data(), unused);
+    const double size = surface.LastU() - surface.FirstU();
+    const Vec3 found = nurbs::Evaluate(surface, surface.FirstU() + u[0] * size, 0.0);
+    const Vec3 other = nurbs::Evaluate(surface, surface.LastU() - u[0] * size, 0.0);
+    largest = std::max(largest, (found - expected).norm());
+    backwards = std::max(backwards, (other - expected).norm());
+  }
+  // A closed line may run the other way round.
+  return (closed ? std::min(largest, backwards) : largest) / 100.0;
+}
+
+void TestCurve()
+{
+  std::mt19937 random(7);
+  for (int count = 2; count <= 20; ++count)
+  {
+    for (bool closed : { false, true })
+    {
+      if (closed && count < 3)
+      {
+        continue;
+      }
+      const Points points = RandomPoints(count, random);
+      vtkNew<vtkTrimLineSource> source;
+      Give(source, points, closed);
+      source->SetLength(7.0);
+      const NurbsSurface surface = SurfaceOf(source);
+      const double deviation = LargestDeviation(surface, points, closed);
+      CHECK(deviation < 1e-9, count << " points, closed " << closed << ": off by " << deviation);
+      CHECK(surface.DegreeU == 3 && surface.DegreeV == 1, "degrees");
+      CHECK(surface.CountU == count + 2 + closed, "simple knots: " << surface.CountU);
+    }
+  }
+}
+
+/// Chords of very different lengths: the conversion must not lose digits.
+void TestUnevenChords()
+{
+  const Points points{ { 0, 0, 0 }, { 50, 0, 0 }, { 50.001, 0.0005, 0 }, { 50.002, 0.002, 0 },
+    { 80, 60, 0 }, { 80, 60.001, 0 }, { 0, 90, 0 } };
+  for (bool closed : { false, true })
+  {
+    vtkNew<vtkTrimLineSource> source;
+    Give(source, points, closed);
+    const double deviation = LargestDeviation(SurfaceOf(source), points, closed);
+    CHECK(deviation < 1e-9, "closed " << closed << ": off by " << deviation);
+  }
+}
+
+void TestSweep()
+{
+  const Vec3 direction = Vec3(1, 2, 4).normalized();
+  vtkNew<vtkTrimLineSource> source;
+  const Points points{ { 0, 0, 0 }, { 3, 1, 0 }, { 5, -1, 1 } };
+  Give(source, points, false);
+  source->SetDirection(0.1, 0.2, 0.4);
+  source->SetLength(2.5);
+  const NurbsSurface surface = SurfaceOf(source);
+  for (double u : { 0.0, 0.4, 1.0 })
+  {
+    const double at = surface.FirstU() + u * (surface.LastU() - surface.FirstU());
+    const Vec3 middle = nurbs::Evaluate(surface, at, 0.0);
+    const Vec3 low = nurbs::Evaluate(surface, at, surface.FirstV());
+    const Vec3 high = nurbs::Evaluate(surface, at, surface.LastV());
+    CHECK((low - middle + 2.5 * direction).norm() < 1e-12, "lower end");
+    CHECK((high - middle - 2.5 * direction).norm() < 1e-12, "upper end");
+  }
+  CHECK((nurbs::Evaluate(surface, surface.FirstU(), 0.0) - points[0]).norm() < 1e-12, "first");
+  CHECK((nurbs::Evaluate(surface, surface.LastU(), 0.0) - points[2]).norm() < 1e-12, "last");
+  CHECK(source->GetOutput()->GetNumberOfPolys() >= 64, "tessellation");
+  source->SetResolution(200);
+  source->Update();
+  CHECK(source->GetOutput()->GetNumberOfPolys() >= 200, "resolution");
+}
+
+void TestOrientation()
+{
+  const Points square{ { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 }, { 1, -1, 0 } };
+  const Points reverse(square.rbegin(), square.rend());
+  for (const Points& points : { square, reverse })
+  {
+    for (double sign : { 1.0, -1.0 })
+    {
+      vtkNew<vtkTrimLineSource> source;
+      Give(source, points, true);
+      source->SetDirection(0.2, 0, sign);
+      const NurbsSurface surface = SurfaceOf(source);
+      const double size = surface.LastU() - surface.FirstU();
+      for (double u : { 0.1, 0.3, 0.6, 0.9 })
+      {
+        const double at = surface.FirstU() + u * size;
+        const Vec3 place = nurbs::Evaluate(surface, at, 0.0);
+        CHECK(UnitNormal(surface, at, 0.0).dot(place) < 0.0, "the normal points inwards");
+      }
+    }
+  }
+  vtkNew<vtkTrimLineSource> open;
+  Give(open, { { 0, 0, 0 }, { 1, 0, 0 } }, false);
+  const NurbsSurface surface = SurfaceOf(open);
+  CHECK(UnitNormal(surface, 0.5, 0.0).y() < -0.99, "the normal of an open line points right");
+  const Vec3 corner = UnitNormal(surface, 1e-3, 0.0);
+  CHECK(corner.y() < -0.99, "near the end, too");
+}
+
+void TestModified()
+{
+  const Points points{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 } };
+  vtkNew<vtkTrimLineSource> source;
+  Give(source, points, false);
+  const vtkMTimeType before = source->GetMTime();
+  Give(source, points, false);
+  CHECK(source->GetMTime() == before, "the same values modify the source");
+  source->SetPoint(1, 1, 1, 0);
+  CHECK(source->GetMTime() > before, "a new point does not");
+}
+
+void TestFile()
+{
+  const Points points{ { 0, 0, 0 }, { 4, 0, 0.5 }, { 4, 3, 0 }, { -1e1, 3, 0 } };
+  vtkNew<vtkTrimLineSource> given;
+  Give(given, points, true);
+  const NurbsSurface expected = SurfaceOf(given);
+  for (const std::string text : { "x,y,z\n0,0,0\n4,0,0.5\n4,3,0\n-1e1,3,0\n0,0,0\n",
+         "# contour\r\n0; 0; 0\r\n+4;0;.5\r\n\r\n4 3\t0\r\n-10 3 0" })
+  {
+    const std::string path = OutputPath("line.csv");
+    WriteText(path, text);
+    vtkNew<vtkTrimLineSource> source;
+    source->SetClosed(1);
+    source->SetFileName(path.c_str());
+    const NurbsSurface surface = SurfaceOf(source);
+    CHECK(surface.KnotsU == expected.KnotsU, "knots from a file");
+    CHECK(surface.ControlPoints == expected.ControlPoints, "control points from a file");
+  }
+}
+
+using Source = vtkTrimLineSource;
+
+void CheckError(const std::string& part, const std::function<void(Source*)>& spoil)
+{
+  vtkNew<Source> source;
+  Give(source, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 }, { 0, 3, 0 } }, false);
+  source->Update();
+  CHECK(source->GetOutput()->GetNumberOfPoints() > 0, "valid at first");
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(source);
+  capture->Watch(source->GetExecutive());
+  spoil(source);
+  source->Update();
+  CHECK(capture->Errors.size() == 1, part << ": " << capture->Errors.size() << " errors");
+  CHECK(source->GetOutput()->GetNumberOfPoints() == 0, part << ": points");
+  CHECK(!nurbs::HasNURBSFieldData(source->GetOutput()->GetFieldData()), part << ": field data");
+  CHECK(capture->Errors.empty() || capture->Errors[0].find(part) != std::string::npos,
+    "no \"" << part << "\" in " << capture->Errors[0]);
+}
+
+void CheckFileError(const std::string& part, const std::string& text)
+{
+  const std::string path = OutputPath("bad-line.csv");
+  WriteText(path, text);
+  CheckError(part, [path](Source* s) { s->SetFileName(path.c_str()); });
+}
+
+void TestBadInput()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  CheckError("has 1 points", [](Source* s) { s->SetNumberOfPoints(1); });
+  CheckError("has 0 points", [](Source* s) { s->SetNumberOfPoints(-4); });
+  CheckError("at least 3",
+    [](Source* s)
+    {
+      s->SetNumberOfPoints(2);
+      s->SetClosed(1);
+    });
+  CheckError("points 0 and 1 coincide", [](Source* s) { s->SetPoint(1, 0, 1e-12, 0); });
+  CheckError("points 3 and 0 coincide",
+    [](Source* s)
+    {
+      s->SetClosed(1);
+      s->SetPoint(3, 0, 0, 0);
+    });
+  CheckError("point 2 is not finite", [nan](Source* s) { s->SetPoint(2, 0, nan, 0); });
+  CheckError("Direction is zero", [](Source* s) { s->SetDirection(0, 0, 0); });
+  CheckError("not finite", [infinity](Source* s) { s->SetDirection(0, infinity, 0); });
+  CheckError(
+    "along the line from point 0 to point 1", [](Source* s) { s->SetDirection(-3, 0, 0); });
+  CheckError("Length is 0", [](Source* s) { s->SetLength(0); });
+  CheckError("Length is -2", [](Source* s) { s->SetLength(-2); });
+  CheckError("Length is nan", [nan](Source* s) { s->SetLength(nan); });
+  CheckError("encloses no area",
+    [](Source* s) {
+      Give(s, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, true);
+    });
+  CheckError("cannot be read", [](Source* s) { s->SetFileName("/nowhere/line.csv"); });
+  CheckError("cannot be read", [](Source* s) { s->SetFileName("/tmp"); });
+  CheckFileError("IGES or STEP", "ISO-10303-21;\nHEADER;\n");
+  CheckFileError("line 3 is \"1,2\"; expected three", "x,y,z\n0,0,0\n1,2\n");
+  CheckFileError("line 2", "0,0,0\n1,2,3,4\n");
+  CheckFileError("line 2", "0,0,0\nx,y,z\n");
+  CheckFileError("line 1", "0,0,nan\n1,2,3\n");
+  CheckFileError("line 2", "0,0,0\n1,2,3mm\n");
+  CheckFileError("has 0 points", "");
+}
+}
+
+int main()
+{
+  TestCurve();
+  TestUnevenChords();
+  TestSweep();
+  TestOrientation();
+  TestModified();
+  TestFile();
+  TestBadInput();
+  return Failures != 0;
+}
