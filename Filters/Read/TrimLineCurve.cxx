@@ -124,24 +124,32 @@ ConvertedCurve JoinPieces(
   return curve;
 }
 
-/// Area that the closed curve encloses, seen along the unit vector, which it turns round
-/// right-handed. (Simpson's places are enough for a sign.)
-double EnclosedArea(const std::vector<CubicPiece>& pieces, const Vec3& direction)
+/// Area that a closed polygon encloses, seen along the unit vector, which it turns round
+/// right-handed.
+double EnclosedArea(const std::vector<Vec3>& polygon, const Vec3& direction)
 {
-  constexpr int Places = 16;
-  const Vec3 origin = pieces.front().B[0];
-  Vec3 area = Vec3::Zero(), before = Vec3::Zero();
-  for (const CubicPiece& piece : pieces)
+  Vec3 area = Vec3::Zero();
+  for (size_t i = 2; i < polygon.size(); ++i)
   {
-    for (int i = 1; i <= Places; ++i)
-    {
-      const double t = piece.First + piece.Size() * i / Places;
-      const Vec3 here = piece.Blossom(t, t, t) - origin;
-      area += 0.5 * before.cross(here);
-      before = here;
-    }
+    area += 0.5 * (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
   }
   return area.dot(direction);
+}
+
+/// Points along the pieces, close enough for the sense in which they turn.
+std::vector<Vec3> MakePolygon(const std::vector<CubicPiece>& pieces)
+{
+  constexpr int Places = 16;
+  std::vector<Vec3> polygon;
+  for (const CubicPiece& piece : pieces)
+  {
+    for (int i = 0; i < Places; ++i)
+    {
+      const double t = piece.First + piece.Size() * i / Places;
+      polygon.push_back(piece.Blossom(t, t, t));
+    }
+  }
+  return polygon;
 }
 
 std::string FindSweepDefect(const TrimLine& line)
@@ -204,8 +212,7 @@ std::string FindDefect(const TrimLine& line)
       return text.str();
     }
   }
-  const double area =
-    line.Closed ? EnclosedArea(SamplePieces(line, lengths), direction) : lengths.back();
+  const double area = EnclosedArea(line.Points, direction);
   if (line.Closed && std::abs(area) <= Negligible * lengths.back() * lengths.back())
   {
     return "the closed line encloses no area, seen along Direction, or crosses itself; move its "
@@ -223,7 +230,7 @@ NurbsSurface SweepTrimLine(const TrimLine& line)
   const NurbsSurface surface =
     Extrude(JoinPieces(pieces, lengths, line.Closed), direction, -line.Length, line.Length).Surface;
   // C' x direction points out of what a right-handed turn encloses.
-  const bool outwards = line.Closed && EnclosedArea(pieces, direction) > 0.0;
+  const bool outwards = line.Closed && EnclosedArea(MakePolygon(pieces), direction) > 0.0;
   return outwards ? ReverseU(surface) : surface;
 }
 }
