@@ -321,4 +321,17 @@ std::vector<char> FindMovingNodes(
   return moving;
 }
 
+std::vector<char> FindCutNodes(const Band& band, const std::vector<char>& kept)
+{
+  std::vector<char> onCut(band.NumberOfNodes(), 0);
+  for (const auto& face : band.Faces)
+  {
+    for (int i = 0; IsCutFace(face, kept) && i < face.Count; ++i)
+    {
+      onCut[face.Node[i]] = 1;
+    }
+  }
+  return onCut;
+}
+
 }

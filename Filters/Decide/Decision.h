@@ -72,6 +72,9 @@ inline bool IsCutFace(const BandFace& face, const std::vector<char>& kept)
   return face.Element[1] >= 0 && kept[face.Element[0]] != kept[face.Element[1]];
 }
 
+/// The nodes of the faces between kept and eliminated elements.
+std::vector<char> FindCutNodes(const Band& band, const std::vector<char>& kept);
+
 }
 
 #endif

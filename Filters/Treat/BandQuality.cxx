@@ -93,18 +93,7 @@ std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
 /// have both: the parts of the new boundary would touch.
 std::vector<char> BandQuality::FindCoincidentNodes(const TrimmedBand& trimmed) const
 {
-  std::vector<int> users(this->TheBand.NumberOfNodes(), 0);
-  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
-  {
-    if (trimmed.Kept[e])
-    {
-      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-      for (int i = 0; i < final.Count; ++i)
-      {
-        ++users[final.Node[i]];
-      }
-    }
-  }
+  const std::vector<int> users = CountUsers(this->TheBand, trimmed);
   std::vector<char> coincides(this->TheBand.NumberOfNodes(), 0);
   const auto& moves = trimmed.NodeMoves;
   for (const auto& edge : this->TheBand.Edges)

@@ -5,16 +5,38 @@
 namespace trim
 {
 
+const ReplacedElement* FindWedge(const TrimmedBand& trimmed, int element)
+{
+  const auto& wedges = trimmed.Treated.Wedges;
+  const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), element,
+    [](const ReplacedElement& w, int e) { return w.Element < e; });
+  return wedge != wedges.end() && wedge->Element == element ? &*wedge : nullptr;
+}
+
+std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed)
+{
+  std::vector<int> users(band.NumberOfNodes(), 0);
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    if (trimmed.Kept[e])
+    {
+      const FinalElement final = FinalShape(band, trimmed, e);
+      for (int i = 0; i < final.Count; ++i)
+      {
+        ++users[final.Node[i]];
+      }
+    }
+  }
+  return users;
+}
+
 FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element)
 {
   FinalElement final;
   const auto& original = band.Elements[element];
   final.Count = original.Count;
   final.Node = original.Node;
-  const auto& wedges = trimmed.Treated.Wedges;
-  const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), element,
-    [](const ReplacedElement& w, int e) { return w.Element < e; });
-  if (wedge != wedges.end() && wedge->Element == element)
+  if (const ReplacedElement* wedge = FindWedge(trimmed, element))
   {
     final.Count = 6;
     final.Node = wedge->Node;

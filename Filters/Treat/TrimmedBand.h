@@ -48,6 +48,12 @@ struct FinalElement
 };
 FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element);
 
+/// The wedge that an element became, or null.
+const ReplacedElement* FindWedge(const TrimmedBand& trimmed, int element);
+
+/// How many kept elements use each band node, with the nodes that wedges dropped left out.
+std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed);
+
 }
 
 #endif

@@ -124,14 +124,7 @@ private:
         elements[e] = { final.Count, final.Node };
       }
     }
-    std::vector<char> onCut(this->TheBand.NumberOfNodes(), 0);
-    for (const auto& face : this->TheBand.Faces)
-    {
-      for (int i = 0; IsCutFace(face, trimmed.Kept) && i < face.Count; ++i)
-      {
-        onCut[face.Node[i]] = 1;
-      }
-    }
+    std::vector<char> onCut = FindCutNodes(this->TheBand, trimmed.Kept);
     std::vector<char> fixed(this->TheBand.NumberOfNodes(), 0);
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {

@@ -60,22 +60,10 @@ std::vector<int> MovedBandNodes(const TrimResult& result)
     return moved;
   }
   const auto& near = *result.Near;
-  std::vector<char> used(near.Mesh.NumberOfNodes(), 0);
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
-  {
-    if (!near.Trimmed.Kept[e])
-    {
-      continue;
-    }
-    const FinalElement final = FinalShape(near.Mesh, near.Trimmed, e);
-    for (int i = 0; i < final.Count; ++i)
-    {
-      used[final.Node[i]] = 1;
-    }
-  }
+  const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
-    if (used[n] && near.Trimmed.NodeMoves.Applied[n] != Correction::None)
+    if (users[n] > 0 && near.Trimmed.NodeMoves.Applied[n] != Correction::None)
     {
       moved.push_back(n);
     }

@@ -56,10 +56,7 @@ int NodesOfKept(
   if (bandElement >= 0)
   {
     const auto& near = *result.Near;
-    const auto& wedges = near.Trimmed.Treated.Wedges;
-    const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), bandElement,
-      [](const ReplacedElement& w, int e) { return w.Element < e; });
-    if (wedge != wedges.end() && wedge->Element == bandElement)
+    if (const ReplacedElement* wedge = FindWedge(near.Trimmed, bandElement))
     {
       for (int i = 0; i < 6; ++i)
       {
@@ -315,27 +312,12 @@ void SummariseTouched(const TrimResult& result, Summary& summary)
 double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& surface)
 {
   const auto& near = *result.Near;
-  std::vector<char> onCut(near.Mesh.NumberOfNodes(), 0);
-  for (const auto& face : near.Mesh.Faces)
-  {
-    for (int i = 0; IsCutFace(face, near.Trimmed.Kept) && i < face.Count; ++i)
-    {
-      onCut[face.Node[i]] = 1;
-    }
-  }
-  std::vector<char> used(near.Mesh.NumberOfNodes(), 0);
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
-  {
-    const auto final = FinalShape(near.Mesh, near.Trimmed, e);
-    for (int i = 0; near.Trimmed.Kept[e] && i < final.Count; ++i)
-    {
-      used[final.Node[i]] = 1;
-    }
-  }
+  const std::vector<char> onCut = FindCutNodes(near.Mesh, near.Trimmed.Kept);
+  const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
   double largest = 0.0;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
-    if (onCut[n] && used[n])
+    if (onCut[n] && users[n] > 0)
     {
       largest =
         std::max(largest, surface.ClosestPoint(near.Trimmed.NodeMoves.Position[n]).Distance);
