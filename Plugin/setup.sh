@@ -1,9 +1,10 @@
-# Sourced by run-example.sh and Testing/run-tests.sh: installs what is missing and builds.
+# Sourced by run-example.sh, run-tests.sh and run-benchmarks.sh: installs what is missing and builds.
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$project/build"
 
-# Installs the packages of debian-packages.txt that are missing; touches nothing if none is.
+# install_packages [list...]: installs what is missing of the packages of debian-packages.txt and
+# of further lists; touches nothing if nothing is.
 install_packages()
 {
   local package missing=() as_root=()
@@ -11,7 +12,7 @@ install_packages()
     if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
       missing+=("$package")
     fi
-  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$project/Plugin/debian-packages.txt")
+  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$project/Plugin/debian-packages.txt" "$@")
   if [ ${#missing[@]} -eq 0 ]; then
     return
   fi
@@ -28,11 +29,17 @@ install_packages()
     apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "${missing[@]}"
 }
 
-# build_project [cmake argument...]: the Release build in build/.
-build_project()
+# configure_project [cmake argument...]: a Release build in build/.
+configure_project()
 {
   # ParaView's modules are for Debian's Python, whichever else comes first on the PATH.
   cmake -S "$project" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
+}
+
+# build_project [cmake argument...]: configures and builds all of it.
+build_project()
+{
+  configure_project "$@"
   cmake --build "$build"
 }
