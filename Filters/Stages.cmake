@@ -20,11 +20,15 @@ add_library(NURBSTrimStages STATIC
   Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx
+  Write/FindingArrays.cxx
   Write/GatherAttributes.cxx
   Write/StatusArrays.cxx
   Write/Summary.cxx
   Write/TrimmedGrid.cxx
-  Trim/TrimPipeline.cxx)
+  Trim/FeasibilityCheck.cxx
+  Trim/Shortfalls.cxx
+  Trim/TrimPipeline.cxx
+  Trim/TrimWarnings.cxx)
 foreach (stage IN ITEMS Mesh Classify Decide Correct Treat Renumber Write Trim)
   target_include_directories(NURBSTrimStages PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${stage}")
 endforeach ()

@@ -36,7 +36,23 @@ const char* const Colors = R"json({
         "3", "other correction", "4", "other fate", "5", "left off the surface" ],
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.60, 0.31, 0.64,  0.99, 0.72, 0.26,
         0.12, 0.47, 0.71,  0.89, 0.40, 0.10,  0.84, 0.19, 0.15 ],
-      "IndexedOpacities" : [ 1, 1, 1, 1, 1, 1 ] } }
+      "IndexedOpacities" : [ 1, 1, 1, 1, 1, 1 ] } },
+    "Feasibility" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "as assumed", "1", "sharp bend or edge", "2", "inclined",
+        "3", "narrow hole", "4", "edge crossed twice", "5", "cut-out not opened" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.99, 0.72, 0.26,  0.60, 0.31, 0.64,
+        0.12, 0.47, 0.71,  0.89, 0.40, 0.10,  0.84, 0.19, 0.15 ],
+      "IndexedOpacities" : [ 1, 1, 1, 1, 1, 1 ] } },
+    "Shortfall" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "none", "1", "below the quality floor", "2", "left off the surface",
+        "3", "invalid" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.99, 0.72, 0.26,  0.89, 0.40, 0.10,
+        0.84, 0.19, 0.15 ],
+      "IndexedOpacities" : [ 1, 1, 1, 1 ] } }
   }
 })json";
 

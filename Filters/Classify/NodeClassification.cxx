@@ -51,23 +51,10 @@ std::vector<Id> FindCandidateCells(
   return cells;
 }
 
-/// The nodes of the candidate cells with what the projection says of them.
-struct NearNodes
-{
-  std::vector<Id> Ids; ///< ascending
-  std::vector<Foot> Feet;
-
-  int Find(Id node) const
-  {
-    const auto it = std::lower_bound(this->Ids.begin(), this->Ids.end(), node);
-    return static_cast<int>(it - this->Ids.begin());
-  }
-};
-
-NearNodes ProjectNearNodes(const HexMesh& mesh, const std::vector<Id>& cells,
+NodeFeet ProjectNearNodes(const HexMesh& mesh, const std::vector<Id>& cells,
   const nurbs::TrimmingSurface& surface, const std::function<bool()>& aborted)
 {
-  NearNodes near;
+  NodeFeet near;
   std::array<Id, 8> nodes;
   for (const Id c : cells)
   {
@@ -133,7 +120,7 @@ void UniteCells(const HexMesh& mesh, const std::vector<Id>& candidates, Disjoint
  */
 template <typename Index>
 void ResolveBorderNodes(const HexMesh& mesh, const std::vector<Id>& candidates,
-  const nurbs::TrimmingSurface& surface, const NearNodes& near, NodeClassification& result,
+  const nurbs::TrimmingSurface& surface, const NodeFeet& near, NodeClassification& result,
   DisjointSets<Index>& sets)
 {
   std::array<Id, 8> nodes;
@@ -170,7 +157,7 @@ void ResolveBorderNodes(const HexMesh& mesh, const std::vector<Id>& candidates,
 }
 
 /// Where the surface ends inside the grid: the border point nearest to a projected node.
-std::string EndOfSurface(const NearNodes& near, const Vec3& fallback)
+std::string EndOfSurface(const NodeFeet& near, const Vec3& fallback)
 {
   Vec3 place = fallback;
   double best = std::numeric_limits<double>::infinity();
@@ -209,7 +196,7 @@ unsigned char SideOfFarPart(
 }
 
 template <typename Index>
-bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NearNodes& near,
+bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NodeFeet& near,
   NodeClassification& result, DisjointSets<Index>& sets, std::string& error)
 {
   std::vector<unsigned char> ofRoot(mesh.NumberOfPoints, NodeUnknown);
@@ -265,7 +252,7 @@ bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, con
 }
 
 template <typename Index>
-bool Classify(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NearNodes& near,
+bool Classify(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NodeFeet& near,
   NodeClassification& result, std::string& error)
 {
   DisjointSets<Index> sets(static_cast<Index>(mesh.NumberOfPoints));
@@ -293,7 +280,8 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks,
   result.CandidateCells = FindCandidateCells(mesh, blocks, surface);
   result.SurfaceMissesGrid = result.CandidateCells.empty();
 
-  const NearNodes near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
+  result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
+  const NodeFeet& near = result.Near;
   for (std::size_t i = 0; i < near.Ids.size(); ++i)
   {
     const Foot& foot = near.Feet[i];

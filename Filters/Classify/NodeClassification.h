@@ -15,6 +15,7 @@
 #include "MeshBlocks.h"
 #include "Status.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,11 +23,26 @@
 namespace trim
 {
 
+/// The closest points of the surface to the nodes of the candidate cells.
+struct NodeFeet
+{
+  std::vector<Id> Ids; ///< ascending
+  std::vector<nurbs::Foot> Feet;
+
+  /// Position of a node of a candidate cell.
+  int Find(Id node) const
+  {
+    return static_cast<int>(
+      std::lower_bound(this->Ids.begin(), this->Ids.end(), node) - this->Ids.begin());
+  }
+};
+
 struct NodeClassification
 {
   std::vector<unsigned char> Status; ///< of every node
   std::vector<float> SignedDistance; ///< NaN where the node was not projected
   std::vector<Id> CandidateCells;    ///< whose boxes meet the surface, ascending
+  NodeFeet Near;                     ///< of the nodes of CandidateCells
   bool SurfaceMissesGrid = false;
 };
 

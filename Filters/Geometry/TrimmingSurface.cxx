@@ -330,4 +330,26 @@ double TrimmingSurface::RadiusOfCurvature(const Foot& foot) const
   return k > 0 ? 1.0 / k : infinity;
 }
 
+double TrimmingSurface::RadiusOfCurvature(const Foot& foot, const Vec3& direction) const
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (foot.Face < 0 || foot.Face >= this->NumberOfFaces())
+  {
+    return infinity;
+  }
+  const SurfaceJet jet = EvaluateJet(this->Face(foot.Face), foot.U, foot.V);
+  const Vec3 n = jet.Su.cross(jet.Sv);
+  const double area = n.squaredNorm();
+  if (!(area > 0))
+  {
+    return infinity;
+  }
+  // The direction as a Su + b Sv; its curvature is the second over the first fundamental form.
+  const double a = direction.cross(jet.Sv).dot(n) / area;
+  const double b = jet.Su.cross(direction).dot(n) / area;
+  const double bend =
+    std::abs((a * a * jet.Suu + 2 * a * b * jet.Suv + b * b * jet.Svv).dot(n)) / std::sqrt(area);
+  return bend > 0 ? (a * jet.Su + b * jet.Sv).squaredNorm() / bend : infinity;
+}
+
 }

@@ -97,6 +97,10 @@ public:
   /// Smallest radius of curvature at the foot (infinity where flat); for warnings.
   double RadiusOfCurvature(const Foot& foot) const;
 
+  /// Radius of normal curvature at the foot along a direction, of which only the part in the
+  /// tangent plane counts (infinity where flat, or where there is no such part); for warnings.
+  double RadiusOfCurvature(const Foot& foot, const Vec3& direction) const;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> Impl;

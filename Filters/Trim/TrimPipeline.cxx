@@ -1,6 +1,9 @@
 #include "TrimPipeline.h"
 
+#include "FeasibilityCheck.h"
+#include "Shortfalls.h"
 #include "Status.h"
+#include "TrimWarnings.h"
 
 #include <vtkSMPTools.h>
 
@@ -90,6 +93,11 @@ void TurnStatuses(NodeClassification& nodes)
   for (auto& distance : nodes.SignedDistance)
   {
     distance = -distance;
+  }
+  for (auto& foot : nodes.Near.Feet)
+  {
+    foot.Normal = -foot.Normal;
+    foot.SignedDistance = -foot.SignedDistance;
   }
 }
 
@@ -231,6 +239,7 @@ std::unique_ptr<TrimBand> BuildBand(const HexMesh& mesh, const MeshBlocks& block
       break;
     }
   }
+  near->SheetAxis = near->Structure.Axis;
   if (ColumnShift(near->Mesh, near->Structure, surface) > LargestColumnShift ||
     !near->Structure.Complete(near->Mesh, 2))
   {
@@ -282,98 +291,16 @@ void SetFates(const HexMesh& mesh, TrimResult& result)
   }
 }
 
-void WarnIfMissed(const HexMesh& mesh, TrimResult& result)
+void FindAndWarn(
+  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, double precision, TrimResult& result)
 {
+  result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
   if (result.Near)
   {
-    return;
+    result.Found.DistancesLeft = FindNodesLeft(*result.Near, surface, precision);
+    result.Found.Shortfalls = FindShortfalls(*result.Near, result.Found.DistancesLeft);
   }
-  const auto& status = result.ElementStatus;
-  const bool oneSide =
-    std::all_of(status.begin(), status.end(), [&](unsigned char s) { return s == status.front(); });
-  if (mesh.NumberOfCells > 0 && oneSide)
-  {
-    result.Warnings.push_back(std::string("The trimming surface misses the grid, which is ") +
-      (status.front() == ElementKeep ? "kept" : "eliminated") +
-      " whole: move the surface, or turn the side with InvertSide.");
-  }
-}
-
-/// One warning for a list of places, if there are any: their number, what they are, the first.
-void Warn(TrimResult& result, std::size_t count, const std::string& what, const Vec3& first)
-{
-  if (count > 0)
-  {
-    result.Warnings.push_back(std::to_string(count) + what + PlaceText(first) + ".");
-  }
-}
-
-void WarnOfElements(TrimResult& result, const std::vector<int>& elements, const std::string& what)
-{
-  if (!elements.empty())
-  {
-    const auto& band = result.Near->Mesh;
-    const auto& first = band.Elements[elements.front()];
-    Warn(result, elements.size(),
-      what + " The first (cell " + std::to_string(first.Global) + " of the input) is at ",
-      band.Point[first.Node[0]]);
-  }
-}
-
-template <typename Test>
-void WarnOfNodes(TrimResult& result, const Test& test, const std::string& what)
-{
-  const auto& band = result.Near->Mesh;
-  std::vector<int> nodes;
-  for (int n = 0; n < band.NumberOfNodes(); ++n)
-  {
-    if (test(n))
-    {
-      nodes.push_back(n);
-    }
-  }
-  if (!nodes.empty())
-  {
-    Warn(result, nodes.size(), what + " The first is at ", band.Point[nodes.front()]);
-  }
-}
-
-/// True for a node beyond the surface that has only kept elements round it.
-bool IsInsideKept(const TrimBand& near, int n)
-{
-  const auto elements = near.Mesh.ElementsOfNode(n);
-  const auto faces = near.Mesh.FacesOfNode(n);
-  const auto isBorder = [&near](int f)
-  { return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f); };
-  return near.NodeStatus[n] == NodeEliminate && near.Trimmed.Moving[n] &&
-    std::all_of(
-      elements.begin(), elements.end(), [&near](int e) { return near.Trimmed.Kept[e] != 0; }) &&
-    std::none_of(faces.begin(), faces.end(), isBorder);
-}
-
-void WarnOfLeftovers(TrimResult& result)
-{
-  if (!result.Near)
-  {
-    return;
-  }
-  const auto& near = *result.Near;
-  WarnOfElements(result, near.Trimmed.Invalid,
-    " elements at the cut are distorted beyond repair: refine the mesh there, or try the other "
-    "correction type.");
-  WarnOfElements(result, near.Trimmed.BelowFloor,
-    " elements at the cut stay below MinimumScaledJacobian: refine the mesh there or move the "
-    "surface.");
-  WarnOfNodes(
-    result, [&near](int n) { return IsInsideKept(near, n); },
-    " nodes beyond the surface have only kept elements round them: the cut-out there is smaller "
-    "than an element and is not opened. Refine the mesh there.");
-  WarnOfNodes(
-    result,
-    [&near](int n)
-    { return near.Trimmed.Moving[n] && near.Trimmed.NodeMoves.Applied[n] == Correction::None; },
-    " nodes of the new boundary were left off the surface, as no valid element was to be had "
-    "otherwise: refine the mesh there or move the surface.");
+  AddWarnings(mesh, result);
 }
 
 }
@@ -418,8 +345,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, nurbs::TrimmingSu
       precision, options.Ladder, stopped);
   }
   SetFates(mesh, result);
-  WarnIfMissed(mesh, result);
-  WarnOfLeftovers(result);
+  FindAndWarn(mesh, surface, precision, result);
   aborted(0.6);
   return result;
 }

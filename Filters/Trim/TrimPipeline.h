@@ -8,6 +8,7 @@
 #include "Band.h"
 #include "Columns.h"
 #include "Decision.h"
+#include "Findings.h"
 #include "MeshBlocks.h"
 #include "NodeClassification.h"
 #include "TrimmingSurface.h"
@@ -42,6 +43,9 @@ struct TrimBand
   }
   Band Mesh;
   Columns Structure;
+  /// Thickness axis of each element as the mesh has it, -1: none; also where the surface leans so
+  /// far that the sheet is treated as a block.
+  std::vector<signed char> SheetAxis;
   std::vector<unsigned char> NodeStatus;
   VolumeShares Shares;
   TrimmedBand Trimmed;
@@ -53,6 +57,7 @@ struct TrimResult
   std::vector<unsigned char> ElementStatus; ///< of every cell
   std::vector<char> Kept;                   ///< final fate of every cell
   std::unique_ptr<TrimBand> Near;           ///< null if the surface touches nothing
+  Findings Found;
   std::vector<std::string> Warnings;
   std::string Error; ///< not empty: there is no result
   bool Aborted = false;

@@ -20,7 +20,15 @@
  * - EliminatedFraction (float, cells): the share of the element beyond the surface;
  * - Displacement (3 floats, points): how far the correction moved the node;
  * - CorrectionApplied (unsigned char, points): 0 none, 2 type II, 3 type III, 4 relaxed (a node
- *   behind the cut, moved for the quality of the elements there).
+ *   behind the cut, moved for the quality of the elements there);
+ * - Feasibility (unsigned char, cells): where the surface breaks an assumption of the method, 0
+ *   nowhere, 1 sharp bend, 2 inclined to the skin, 3 narrow hole, 4 edge crossed twice, 5 cut-out
+ *   not opened (see Findings.h);
+ * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
+ *   surface, 3 invalid;
+ * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere.
+ *
+ * Each value of the last three comes with one warning: how many, where, and what to do.
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
  * where it was not computed), Rescue (unsigned char, cells: how an element that would have become

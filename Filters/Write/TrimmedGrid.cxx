@@ -1,5 +1,6 @@
 #include "TrimmedGrid.h"
 
+#include "FindingArrays.h"
 #include "GatherAttributes.h"
 #include "NodeOrdering.h"
 #include "Rescue.h"
@@ -399,6 +400,8 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Tri
   GatherAttributes(input->GetCellData(), kept.Cells, output->GetCellData());
   AddPointStatuses(result, kept.Points, output->GetPointData());
   AddCellStatuses(result, kept.Cells, output->GetCellData());
+  AddPointFindings(result.Found, kept.Points, output->GetPointData());
+  AddCellFindings(result.Found, kept.Cells, output->GetCellData());
   ColourByStatus(output);
   AddOriginalIds(kept, output);
 
@@ -418,9 +421,11 @@ void WriteStatusGrid(
   std::vector<Id> ids(input->GetNumberOfPoints());
   std::iota(ids.begin(), ids.end(), Id(0));
   AddPointStatuses(result, ids, output->GetPointData());
+  AddPointFindings(result.Found, ids, output->GetPointData());
   ids.resize(input->GetNumberOfCells());
   std::iota(ids.begin(), ids.end(), Id(0));
   AddCellStatuses(result, ids, output->GetCellData());
+  AddCellFindings(result.Found, ids, output->GetCellData());
   ColourByStatus(output);
 }
 

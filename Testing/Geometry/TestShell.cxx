@@ -310,6 +310,17 @@ void TestCurvature()
     torus.RadiusOfCurvature(torus.ClosestPoint(Vec3(1, 1, 1))), 0.25, 1e-9, "radius of the torus");
   check::That(
     std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)))), "a plane is flat");
+
+  // On the outer equator of the torus: 1.25 along it, 0.25 across.
+  const Foot equator = torus.ClosestPoint(Vec3(1.2, 0.9, 0));
+  const Vec3 along(-0.6, 0.8, 0);
+  check::Near(torus.RadiusOfCurvature(equator, along), 1.25, 1e-9, "radius along the equator");
+  check::Near(torus.RadiusOfCurvature(equator, Vec3::UnitZ()), 0.25, 1e-9, "across the equator");
+  check::Near(torus.RadiusOfCurvature(equator, 3 * along + Vec3(8, 6, 0)), 1.25, 1e-9,
+    "only the part in the tangent plane counts");
+  check::That(
+    std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)), Vec3(1, 2, 0))),
+    "a plane is flat in each direction");
 }
 
 /// Many faces: a strip of planes over a wave, one shell.

@@ -10,6 +10,10 @@ NAMES = {
     "NodeStatus": ["0", "keep", "1", "eliminate", "2", "on surface"],
     "ElementStatus": ["0", "keep", "1", "eliminate", "2", "to treat"],
     "CorrectionApplied": ["0", "none", "2", "type II", "3", "type III", "4", "relaxed"],
+    "Feasibility": ["0", "as assumed", "1", "sharp bend or edge", "2", "inclined",
+                    "3", "narrow hole", "4", "edge crossed twice", "5", "cut-out not opened"],
+    "Shortfall": ["0", "none", "1", "below the quality floor", "2", "left off the surface",
+                  "3", "invalid"],
 }
 
 
@@ -18,8 +22,9 @@ def check_maps():
         colors = GetColorTransferFunction(array)
         check_equal(colors.InterpretValuesAsCategories, 1, array + " by categories")
         check_equal(list(colors.Annotations), names, "names of " + array)
-        triples = [tuple(colors.IndexedColors[i:i + 3]) for i in (0, 3, 6)]
-        check_equal(len(set(triples)), 3, "different colours of " + array)
+        count = len(names) // 2
+        triples = [tuple(colors.IndexedColors[3 * i:3 * i + 3]) for i in range(count)]
+        check_equal(len(set(triples)), count, "different colours of " + array)
 
 
 def colors_in(path):

@@ -1,0 +1,48 @@
+/**
+ * @file Findings.h
+ * @brief What a trim has to say of single elements and nodes: where the surface breaks an
+ * assumption of the method, and where the result is not as asked.
+ */
+#ifndef Findings_h
+#define Findings_h
+
+#include "HexMesh.h"
+
+#include <utility>
+#include <vector>
+
+namespace trim
+{
+
+/// The values of the cell array Feasibility: the gravest for each element.
+enum class Feasibility : unsigned char
+{
+  Fine = 0,
+  Curved = 1,       ///< the surface bends with a radius below two element sizes, or has an edge
+  Inclined = 2,     ///< the surface and the skin meet under less than 45 degrees
+  Narrow = 3,       ///< a hole or slot narrower than three elements
+  CrossedTwice = 4, ///< the surface crosses an edge of the element more than once
+  NotOpened = 5     ///< a cut-out that is too small to be opened: the element stays whole
+};
+
+/// The values of the cell array Shortfall: the gravest for each kept element.
+enum class Shortfall : unsigned char
+{
+  None = 0,
+  BelowFloor = 1, ///< valid, but below MinimumScaledJacobian
+  LeftOff = 2,    ///< has a node that was left off the surface
+  Invalid = 3     ///< distorted beyond repair
+};
+
+/// Lists by ascending id in the input; whoever is not listed has the value zero.
+struct Findings
+{
+  std::vector<std::pair<Id, Feasibility>> Feasibilities;
+  std::vector<std::pair<Id, Shortfall>> Shortfalls;
+  /// Distance to the surface of the nodes that should lie on it and were left off.
+  std::vector<std::pair<Id, float>> DistancesLeft;
+};
+
+}
+
+#endif

@@ -1,0 +1,25 @@
+/**
+ * @file FindingArrays.h
+ * @brief The findings of a trim as arrays, for any selection of the input's points and cells.
+ */
+#ifndef FindingArrays_h
+#define FindingArrays_h
+
+#include "Findings.h"
+
+class vtkCellData;
+class vtkPointData;
+
+namespace trim
+{
+
+/// DistanceLeft (float) of the points `ids`.
+void AddPointFindings(
+  const Findings& findings, const std::vector<Id>& ids, vtkPointData* pointData);
+
+/// Feasibility and Shortfall (unsigned char) of the cells `ids`.
+void AddCellFindings(const Findings& findings, const std::vector<Id>& ids, vtkCellData* cellData);
+
+}
+
+#endif

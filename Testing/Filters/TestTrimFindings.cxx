@@ -1,0 +1,337 @@
+/**
+ * @file TestTrimFindings.cxx
+ * @brief No silence and no false alarms: the arrays Feasibility, Shortfall and DistanceLeft, and
+ * the warnings that tell of them.
+ */
+#include "RunTrim.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTrimHexahedralGrid.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace judge;
+
+namespace
+{
+int Wrong = 0;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::printf("FAIL %s\n", what.c_str());
+    ++Wrong;
+  }
+}
+
+enum Feasibility
+{
+  Curved = 1,
+  Inclined = 2,
+  Narrow = 3,
+  CrossedTwice = 4,
+  NotOpened = 5
+};
+
+// A phrase of each warning, by value.
+const char* const FeasibilityPhrases[] = { "", "bends with a radius", "less than 45 degrees",
+  "narrower than three", "crosses more than once", "not opened" };
+const char* const ShortfallPhrases[] = { "", "below MinimumScaledJacobian", "",
+  "distorted beyond repair" };
+const char* const LeftPhrase = "left off the surface";
+
+std::map<int, int> CountValues(vtkDataArray* array)
+{
+  std::map<int, int> counts;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    ++counts[static_cast<int>(array->GetComponent(i, 0))];
+  }
+  counts.erase(0);
+  return counts;
+}
+
+// The number that the warning with this phrase begins with; 0 without such a warning.
+int CountWarned(const Outcome& outcome, const std::string& phrase)
+{
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::size_t start = warning.find("): ");
+    if (warning.find(phrase) != std::string::npos && start != std::string::npos)
+    {
+      return std::atoi(warning.c_str() + start + 3);
+    }
+  }
+  return 0;
+}
+
+// Port 0 says of each cell and point what port 1 says of it.
+void ExpectSameOnBothPorts(const std::string& name, const Outcome& outcome)
+{
+  vtkUnstructuredGrid* grids[2] = { outcome.Case.Trimmed, outcome.Case.Whole };
+  const auto compare =
+    [&](vtkDataSetAttributes* kept, vtkDataSetAttributes* whole, const char* ids, const char* array)
+  {
+    vtkDataArray* a = kept->GetArray(array);
+    vtkDataArray* b = whole->GetArray(array);
+    vtkDataArray* id = kept->GetArray(ids);
+    Expect(a && b && id, name + ": no " + array);
+    for (vtkIdType i = 0; a && b && id && i < a->GetNumberOfTuples(); ++i)
+    {
+      if (a->GetComponent(i, 0) !=
+        b->GetComponent(static_cast<vtkIdType>(id->GetComponent(i, 0)), 0))
+      {
+        Expect(false, name + ": " + array + " differs between the ports");
+        return;
+      }
+    }
+  };
+  compare(grids[0]->GetCellData(), grids[1]->GetCellData(), "vtkOriginalCellIds", "Feasibility");
+  compare(grids[0]->GetCellData(), grids[1]->GetCellData(), "vtkOriginalCellIds", "Shortfall");
+  compare(
+    grids[0]->GetPointData(), grids[1]->GetPointData(), "vtkOriginalPointIds", "DistanceLeft");
+}
+
+// Whatever is in the arrays is in a warning, with the same number, and the other way round.
+std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
+{
+  Expect(outcome.Clean(), name + ": an error");
+  ExpectSameOnBothPorts(name, outcome);
+  vtkCellData* cells = outcome.Case.Whole->GetCellData();
+  auto feasibility = CountValues(cells->GetArray("Feasibility"));
+  auto shortfall = CountValues(cells->GetArray("Shortfall"));
+  for (int value = 1; value <= 5; ++value)
+  {
+    const int warned = CountWarned(outcome, FeasibilityPhrases[value]);
+    Expect(warned == feasibility[value],
+      name + ": Feasibility " + std::to_string(value) + " in " +
+        std::to_string(feasibility[value]) + " elements, warned of " + std::to_string(warned));
+  }
+  for (const int value : { 1, 3 })
+  {
+    Expect(CountWarned(outcome, ShortfallPhrases[value]) == shortfall[value],
+      name + ": Shortfall " + std::to_string(value));
+  }
+  int left = 0;
+  vtkDataArray* distance = outcome.Case.Whole->GetPointData()->GetArray("DistanceLeft");
+  for (vtkIdType i = 0; i < distance->GetNumberOfTuples(); ++i)
+  {
+    left += distance->GetComponent(i, 0) > 0;
+  }
+  Expect(CountWarned(outcome, LeftPhrase) == left, name + ": nodes left");
+  Expect((left > 0) == (shortfall[2] > 0), name + ": elements with nodes left");
+  for (int value = 1; value <= 5; ++value)
+  {
+    if (feasibility[value] == 0)
+    {
+      feasibility.erase(value);
+    }
+  }
+  return feasibility;
+}
+
+void ExpectNothing(
+  const std::string& name, const Mesh& mesh, const Surface& surface, TrimOptions options)
+{
+  for (const bool invert : { false, true })
+  {
+    options.InvertSide = invert;
+    const Outcome outcome = RunTrim(mesh, surface, options);
+    Expect(ExpectWarned(name, outcome).empty(), name + ": something is found");
+    Expect(outcome.Warnings.empty(),
+      name + ": " + (outcome.Warnings.empty() ? "" : outcome.Warnings.front()));
+  }
+}
+
+// Only the given value, in at least so many elements.
+void ExpectOnly(const std::string& name, const Mesh& mesh, const Surface& surface, int value,
+  int atLeast, const TrimOptions& options = {})
+{
+  auto found = ExpectWarned(name, RunTrim(mesh, surface, options));
+  Expect(found[value] >= atLeast,
+    name + ": in " + std::to_string(found[value]) + " elements, not " + std::to_string(atLeast));
+  found.erase(value);
+  for (const auto& other : found)
+  {
+    Expect(false, name + ": another value, too: " + std::to_string(other.first));
+  }
+}
+
+/// Round the place, in elements of size 1 of a sheet from (0, 0) on; what is inside goes.
+Surface Hole(const Mesh& mesh, double x, double y, double radius, double lean = 0)
+{
+  Placement at;
+  at.X = (x - mesh.Box.Centre[0]) / mesh.Box.HalfX;
+  at.Y = (y - mesh.Box.Centre[1]) / mesh.Box.HalfY;
+  at.Angle = 0;
+  at.Lean = lean;
+  at.Size = radius / mesh.Box.HalfY;
+  at.Reversed = true;
+  return MakeSurface("cylinder", mesh.Box, at);
+}
+
+Vec3 LeaningNormal(double angle, double lean)
+{
+  return Vec3(std::cos(angle) * std::cos(lean), std::sin(angle) * std::cos(lean), std::sin(lean));
+}
+
+constexpr double Degree = 0.017453292519943295;
+
+void TestOrdinary()
+{
+  const Mesh sheet = Sheet(80, 80, 1, Vec3(1, 1, 0.5));
+  const Mesh layers = Sheet(40, 30, 3, Vec3(1, 1, 0.4));
+  const Mesh block = Block(12, 12, 12);
+  TrimOptions options;
+  for (int correction = 1; correction <= 3; ++correction)
+  {
+    options.CorrectionType = correction;
+    for (const double angle : { 0.0, 0.21, 0.785398, 1.3 })
+    {
+      const std::string name = "plane at " + std::to_string(angle);
+      ExpectNothing(name + " upright", layers,
+        PlaneThrough(Vec3(20.3, 14.9, 0), LeaningNormal(angle, 0), 200), options);
+      ExpectNothing(name + " leaning by 40 degrees", layers,
+        PlaneThrough(Vec3(20.3, 14.9, 0), LeaningNormal(angle, 40 * Degree), 200), options);
+    }
+    ExpectNothing(
+      "plane through nodes", layers, PlaneThrough(Vec3(20, 0, 0), Vec3::UnitX(), 200), options);
+    ExpectNothing("plane through a block", block,
+      PlaneThrough(block.Box.Centre + Vec3(0.2, 0.1, 0), Vec3::UnitX(), 200), options);
+  }
+  // Tangent to lines of the mesh from just inside and outside: their edges are crossed twice.
+  options.CorrectionType = 2;
+  for (const double shift : { 0.0, 0.004, -0.004, 0.02, 0.5 })
+  {
+    ExpectNothing("hole of radius 30", sheet, Hole(sheet, 40 + shift, 40 + shift, 30), options);
+  }
+  ExpectNothing("leaning hole", sheet, Hole(sheet, 40.2, 39.9, 30, 15 * Degree), options);
+}
+
+void TestInclined()
+{
+  const Mesh sheet = Sheet(40, 30, 2, Vec3(1, 1, 0.4));
+  const auto plane = [](double lean)
+  { return PlaneThrough(Vec3(20.3, 14.9, 0), LeaningNormal(0.3, lean), 200); };
+  // Every element with nodes on both sides: two layers along 30 rows at least.
+  ExpectOnly("leaning by 50 degrees", sheet, plane(50 * Degree), Inclined, 60);
+  // So far that the sheet is treated as a block.
+  const Outcome flat = RunTrim(sheet, plane(80 * Degree), TrimOptions());
+  Expect(ExpectWarned("leaning by 80 degrees", flat)[Inclined] > 100, "leaning by 80 degrees");
+}
+
+void TestSmallHoles()
+{
+  const Mesh sheet = Sheet(30, 30, 2, Vec3(1, 1, 0.4));
+  ExpectOnly("hole of radius 1.7", sheet, Hole(sheet, 15.2, 15.3, 1.7), Curved, 2 * 4);
+  ExpectOnly("hole of radius 1.3", sheet, Hole(sheet, 15.2, 15.3, 1.3), Narrow, 2 * 4);
+  ExpectNothing("hole of radius 2.2", sheet, Hole(sheet, 15.2, 15.3, 2.2), TrimOptions());
+  // Round a node, with less than half of each element.
+  ExpectOnly("hole round a node", sheet, Hole(sheet, 15, 15, 0.45), NotOpened, 2 * 4);
+  TrimOptions stepped;
+  stepped.CorrectionType = 1;
+  ExpectOnly("hole round a node, type I", sheet, Hole(sheet, 15, 15, 0.45), NotOpened, 8, stepped);
+  // Within one element: no node sees it.
+  ExpectOnly("hole within an element", sheet, Hole(sheet, 15.5, 15.45, 0.3), NotOpened, 2);
+  // Across an edge, between its nodes.
+  ExpectOnly("hole across an edge", sheet, Hole(sheet, 15.1, 15.5, 0.3), NotOpened, 4);
+}
+
+// Through the whole sheet, with straight walls; what is between them goes.
+Surface Slot(const Mesh& sheet, double width)
+{
+  Frame box = sheet.Box;
+  box.ElementSize = width / 3.4;
+  Placement at;
+  at.X = 0.013;
+  at.Angle = 0.02;
+  Surface slot = MakeSurface("slot", box, at);
+  const double inside = slot.Signed(sheet.Box.Centre + Vec3(0.013 * sheet.Box.HalfX, 0, 0));
+  at.Reversed = inside < 0;
+  return MakeSurface("slot", box, at);
+}
+
+void TestSlots()
+{
+  const Mesh sheet = Sheet(30, 30, 1, Vec3(1, 1, 0.4));
+  ExpectNothing("slot of width 3.4", sheet, Slot(sheet, 3.4), TrimOptions());
+  ExpectOnly("slot of width 2", sheet, Slot(sheet, 2), Narrow, 2 * 30);
+  // Between two rows of nodes for most of its way: each edge across is crossed twice.
+  const auto thin = ExpectWarned("thin slot", RunTrim(sheet, Slot(sheet, 0.2), {}));
+  const int lost = thin.count(NotOpened) ? thin.at(NotOpened) : 0;
+  Expect(lost > 10, "thin slot: not opened in " + std::to_string(lost) + " elements");
+}
+
+void TestStretched()
+{
+  // Radius 6 in elements of 1 x 4: a hole of three elements across in one direction.
+  const Mesh sheet = Sheet(60, 20, 1, Vec3(1, 4, 0.4));
+  auto found = ExpectWarned("stretched", RunTrim(sheet, Hole(sheet, 30.2, 41, 6.5), {}));
+  Expect(found[Curved] > 0 && found[Curved] < 20, "stretched: where it bends along the long edges");
+}
+
+void TestShortfalls()
+{
+  const Mesh sheet = Sheet(30, 30, 2, Vec3(1, 1, 0.4));
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  const Surface surface = Hole(sheet, 15.2, 15.3, 5.3);
+  const Listener listener;
+  filter->SetInputDataObject(0, sheet.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  filter->SetMinimumScaledJacobian(0.99);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  vtkDataArray* shortfall = output->GetCellData()->GetArray("Shortfall");
+  vtkDataArray* quality = output->GetCellData()->GetArray("ScaledJacobian");
+  int below = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    const bool low = quality->GetComponent(i, 0) < 0.99;
+    Expect((shortfall->GetComponent(i, 0) == 1) == low, "Shortfall against ScaledJacobian");
+    below += low;
+  }
+  Expect(below > 20, "no element below a floor of 0.99");
+}
+
+// A slot along a hole of the model: nodes with no place to go.
+void TestLeft()
+{
+  const Mesh mesh = MakeMesh("hole");
+  Placement at;
+  at.Seed = 3;
+  at.Size = 0.45;
+  const Surface surface = MakeSurface("roundrect", mesh.Box, at);
+  const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
+  ExpectWarned("left", outcome);
+  Expect(CountWarned(outcome, LeftPhrase) > 0, "left: no node is");
+  vtkUnstructuredGrid* grid = outcome.Case.Trimmed;
+  vtkDataArray* left = grid->GetPointData()->GetArray("DistanceLeft");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const double distance = left->GetComponent(i, 0);
+    double p[3];
+    grid->GetPoint(i, p);
+    const double real = std::abs(surface.Signed(Vec3(p[0], p[1], p[2])));
+    Expect(distance == 0 || std::abs(distance - real) < 1e-5, "left: a wrong distance");
+  }
+}
+}
+
+int main()
+{
+  TestOrdinary();
+  TestInclined();
+  TestSmallHoles();
+  TestSlots();
+  TestStretched();
+  TestShortfalls();
+  TestLeft();
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}
