@@ -1,12 +1,15 @@
 #include "CADChildProcess.h"
 
+#include "ByteStream.h"
+
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <sstream>
-#include <type_traits>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -27,142 +30,92 @@ enum class MessageKind : unsigned char
 };
 constexpr size_t HeaderSize = 1 + sizeof(std::uint64_t);
 
-/// Values one after the other, as they lie in memory: both ends are the same program.
-class Packer
+void PackSurface(Packer& packer, const NamedSurface& named)
 {
-public:
-  template <typename T>
-  void Put(const T& value)
+  const NurbsSurface& surface = named.Surface;
+  packer.PutText(named.Name);
+  for (int value : { surface.DegreeU, surface.DegreeV, surface.CountU, surface.CountV })
   {
-    static_assert(std::is_arithmetic<T>::value, "plain values only");
-    this->PutBytes(&value, sizeof(T));
+    packer.Put(value);
   }
-  void PutText(const std::string& text)
+  packer.PutAll(surface.KnotsU);
+  packer.PutAll(surface.KnotsV);
+  packer.PutAll(surface.ControlPoints);
+  packer.Put<std::uint64_t>(surface.TrimLoops.size());
+  for (const std::vector<Vec2>& loop : surface.TrimLoops)
   {
-    this->Put<std::uint64_t>(text.size());
-    this->PutBytes(text.data(), text.size());
+    packer.PutAll(loop);
   }
-  /// A vector of values or of fixed-size Eigen vectors of doubles.
-  template <typename T>
-  void PutAll(const std::vector<T>& values)
-  {
-    this->Put<std::uint64_t>(values.size());
-    this->PutBytes(values.data(), values.size() * sizeof(T));
-  }
-  std::string Bytes;
+}
 
-private:
-  void PutBytes(const void* data, size_t size)
-  {
-    if (size > 0)
-    {
-      this->Bytes.append(static_cast<const char*>(data), size);
-    }
-  }
-};
-
-/// The reverse of Packer. A child that runs wild may send anything: sizes are checked.
-class Unpacker
+/// False if the bytes make no sense, or the surface is not valid.
+bool UnpackSurface(Unpacker& unpacker, NamedSurface& named)
 {
-public:
-  explicit Unpacker(const std::string& bytes)
-    : Bytes(bytes)
+  NurbsSurface& surface = named.Surface;
+  named.Name = unpacker.TakeText();
+  for (int* value : { &surface.DegreeU, &surface.DegreeV, &surface.CountU, &surface.CountV })
   {
+    *value = unpacker.Take<int>();
   }
-  template <typename T>
-  T Take()
+  unpacker.TakeAll(surface.KnotsU);
+  unpacker.TakeAll(surface.KnotsV);
+  unpacker.TakeAll(surface.ControlPoints);
+  surface.TrimLoops.resize(unpacker.TakeCount(8));
+  for (std::vector<Vec2>& loop : surface.TrimLoops)
   {
-    T value = T();
-    this->TakeBytes(&value, sizeof(T));
-    return value;
+    unpacker.TakeAll(loop);
   }
-  std::string TakeText()
-  {
-    std::string text(this->TakeCount(1), '\0');
-    this->TakeBytes(&text[0], text.size());
-    return text;
-  }
-  template <typename T>
-  void TakeAll(std::vector<T>& values)
-  {
-    values.resize(this->TakeCount(sizeof(T)));
-    this->TakeBytes(values.data(), values.size() * sizeof(T));
-  }
-  /// A number of things of at least `size` bytes each, which have to be there.
-  size_t TakeCount(size_t size)
-  {
-    const std::uint64_t count = this->Take<std::uint64_t>();
-    this->Good = this->Good && count <= (this->Bytes.size() - this->At) / size;
-    return this->Good ? static_cast<size_t>(count) : 0;
-  }
-  bool Good = true;
+  return unpacker.Good && FindDefect(surface).empty();
+}
 
-private:
-  void TakeBytes(void* data, size_t size)
-  {
-    this->Good = this->Good && size <= this->Bytes.size() - this->At;
-    if (this->Good && size > 0)
-    {
-      std::memcpy(data, this->Bytes.data() + this->At, size);
-      this->At += size;
-    }
-  }
-  const std::string& Bytes;
-  size_t At = 0;
-};
+void PackCurve(Packer& packer, const FileCurve& curve)
+{
+  packer.PutText(curve.Name);
+  packer.Put(curve.Tolerance);
+  packer.Put(curve.Curve.Degree);
+  packer.PutAll(curve.Curve.Knots);
+  packer.PutAll(curve.Curve.Points);
+}
 
-std::string PackResult(
-  bool success, const std::string& error, const std::vector<NamedSurface>& surfaces)
+/// False if the bytes make no sense, or the curve is not valid.
+bool UnpackCurve(Unpacker& unpacker, FileCurve& curve)
+{
+  curve.Name = unpacker.TakeText();
+  curve.Tolerance = unpacker.Take<double>();
+  curve.Curve.Degree = unpacker.Take<int>();
+  unpacker.TakeAll(curve.Curve.Knots);
+  unpacker.TakeAll(curve.Curve.Points);
+  return unpacker.Good && std::isfinite(curve.Tolerance) &&
+    FindDefect(Extrude(curve.Curve, Vec3::UnitZ(), 0.0, 1.0).Surface).empty();
+}
+
+/// What a reader of CAD files returns: success, one line of text, and the things read.
+template <typename Thing>
+std::string PackResult(bool success, const std::string& error, const std::vector<Thing>& things,
+  void (*pack)(Packer&, const Thing&))
 {
   Packer packer;
   packer.Put<unsigned char>(success);
   packer.PutText(error);
-  packer.Put<std::uint64_t>(surfaces.size());
-  for (const NamedSurface& named : surfaces)
+  packer.Put<std::uint64_t>(things.size());
+  for (const Thing& thing : things)
   {
-    const NurbsSurface& surface = named.Surface;
-    packer.PutText(named.Name);
-    for (int value : { surface.DegreeU, surface.DegreeV, surface.CountU, surface.CountV })
-    {
-      packer.Put(value);
-    }
-    packer.PutAll(surface.KnotsU);
-    packer.PutAll(surface.KnotsV);
-    packer.PutAll(surface.ControlPoints);
-    packer.Put<std::uint64_t>(surface.TrimLoops.size());
-    for (const std::vector<Vec2>& loop : surface.TrimLoops)
-    {
-      packer.PutAll(loop);
-    }
+    pack(packer, thing);
   }
   return packer.Bytes;
 }
 
-/// False if the bytes make no sense, or a surface is not valid.
-bool UnpackResult(
-  const std::string& bytes, bool& success, std::string& error, std::vector<NamedSurface>& surfaces)
+template <typename Thing>
+bool UnpackResult(const std::string& bytes, bool& success, std::string& error,
+  std::vector<Thing>& things, bool (*unpack)(Unpacker&, Thing&))
 {
   Unpacker unpacker(bytes);
   success = unpacker.Take<unsigned char>() != 0;
   error = unpacker.TakeText();
-  surfaces.resize(unpacker.TakeCount(8));
-  for (NamedSurface& named : surfaces)
+  things.resize(unpacker.TakeCount(8));
+  for (Thing& thing : things)
   {
-    NurbsSurface& surface = named.Surface;
-    named.Name = unpacker.TakeText();
-    for (int* value : { &surface.DegreeU, &surface.DegreeV, &surface.CountU, &surface.CountV })
-    {
-      *value = unpacker.Take<int>();
-    }
-    unpacker.TakeAll(surface.KnotsU);
-    unpacker.TakeAll(surface.KnotsV);
-    unpacker.TakeAll(surface.ControlPoints);
-    surface.TrimLoops.resize(unpacker.TakeCount(8));
-    for (std::vector<Vec2>& loop : surface.TrimLoops)
-    {
-      unpacker.TakeAll(loop);
-    }
-    if (!unpacker.Good || !FindDefect(surface).empty())
+    if (!unpack(unpacker, thing))
     {
       return false;
     }
@@ -202,8 +155,11 @@ rlim_t TimeLimit(const std::string& path)
   return 120 + (known ? static_cast<rlim_t>(60 * (status.st_size / 1000000)) : 0);
 }
 
+/// What the child does, given whom to tell of its progress: reads the file and packs the result.
+using ChildWork = std::function<std::string(const ReadProgress&)>;
+
 /// The child: silent, with the system's own reaction to crashes, never returns.
-[[noreturn]] void RunChild(int file, const std::string& path, double unitInMillimetres)
+[[noreturn]] void RunChild(int file, const std::string& path, const ChildWork& work)
 {
   for (int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGXCPU })
   {
@@ -225,10 +181,7 @@ rlim_t TimeLimit(const std::string& path)
     packer.Put(share);
     return Send(file, MessageKind::Progress, packer.Bytes);
   };
-  std::vector<NamedSurface> surfaces;
-  std::string error;
-  const bool success = ReadCADFile(path, unitInMillimetres, surfaces, error, progress);
-  Send(file, MessageKind::Result, PackResult(success, error, surfaces));
+  Send(file, MessageKind::Result, work(progress));
   // Not exit(): the parent's destructors are not the child's to run.
   _exit(0);
 }
@@ -365,13 +318,13 @@ private:
   int File;
   int Status = 0;
 };
-}
 
-//------------------------------------------------------------------------------
-bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
-  std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
+/// Forks a child for the work and reads what it makes as things.
+template <typename Thing>
+bool ReadInChild(const std::string& path, const ChildWork& work, bool (*unpack)(Unpacker&, Thing&),
+  std::vector<Thing>& things, std::string& error, const ReadProgress& progress)
 {
-  surfaces.clear();
+  things.clear();
   error.clear();
   const std::string file = "CAD file \"" + path + "\" ";
   int ends[2] = { -1, -1 };
@@ -390,19 +343,48 @@ bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
   if (process == 0)
   {
     close(ends[0]);
-    RunChild(ends[1], path, unitInMillimetres);
+    RunChild(ends[1], path, work);
   }
   close(ends[1]);
   Child child(process, ends[0]);
   std::string result;
   bool success = false;
-  if (child.Receive(result, progress) && UnpackResult(result, success, error, surfaces))
+  if (child.Receive(result, progress) && UnpackResult(result, success, error, things, unpack))
   {
     return success;
   }
-  surfaces.clear();
+  things.clear();
   error = child.Stopped ? std::string()
                         : file + child.Describe() + "; export it again from the CAD program";
   return false;
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
+  std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
+{
+  const ChildWork work = [&](const ReadProgress& report)
+  {
+    std::vector<NamedSurface> found;
+    std::string text;
+    const bool success = ReadCADFile(path, unitInMillimetres, found, text, report);
+    return PackResult(success, text, found, PackSurface);
+  };
+  return ReadInChild(path, work, UnpackSurface, surfaces, error, progress);
+}
+
+//------------------------------------------------------------------------------
+bool ReadCADCurvesInChild(const std::string& path, double unitInMillimetres,
+  std::vector<FileCurve>& curves, std::string& error, const ReadProgress& progress)
+{
+  const ChildWork work = [&](const ReadProgress& report)
+  {
+    std::vector<FileCurve> found;
+    std::string text;
+    const bool success = ReadCADCurves(path, unitInMillimetres, found, text, report);
+    return PackResult(success, text, found, PackCurve);
+  };
+  return ReadInChild(path, work, UnpackCurve, curves, error, progress);
 }
 }

@@ -4,11 +4,12 @@
  *
  * OpenCASCADE 7.6 follows null references on many damaged files. Catching the signal in ParaView
  * would leave its memory in an unknown state, so the reading is done by a forked child that
- * sends the surfaces back through a pipe.
+ * sends the surfaces or curves back through a pipe.
  */
 #ifndef CADChildProcess_h
 #define CADChildProcess_h
 
+#include "CADCurveFile.h"
 #include "CADFile.h"
 
 namespace nurbs
@@ -20,6 +21,11 @@ namespace nurbs
  */
 bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
   std::vector<NamedSurface>& surfaces, std::string& error,
+  const ReadProgress& progress = ReadProgress());
+
+/// ReadCADCurves in the same way.
+bool ReadCADCurvesInChild(const std::string& path, double unitInMillimetres,
+  std::vector<FileCurve>& curves, std::string& error,
   const ReadProgress& progress = ReadProgress());
 }
 

@@ -1,15 +1,12 @@
 #include "CADFile.h"
 
 #include "CADFaceConversion.h"
-#include "CADFormat.h"
 #include "CADModel.h"
-#include "IgesWeights.h"
 
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 
-#include <exception>
 #include <map>
 #include <sstream>
 
@@ -131,50 +128,31 @@ bool ReadCADFile(const std::string& path, double unitInMillimetres,
   std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
 {
   surfaces.clear();
-  const CADFormat format = CheckCADFile(path, error);
-  if (format == CADFormat::None)
+  const auto work = [&]
   {
-    return false;
-  }
-  const std::string file = "CAD file \"" + path + "\"";
-  const std::string weight = format == CADFormat::IGES ? FindBadIgesWeight(path) : std::string();
-  if (!weight.empty())
-  {
-    error = file + ": " + weight + "; give every control point a positive weight";
-    return false;
-  }
-  try
-  {
+    CADModel model;
     auto transferProgress = [&progress](double share)
     { return !progress || progress(TransferShare * share); };
-    CADModel model;
-    if (!ReadCADModel(path, format, model, error, transferProgress))
+    if (!ReadCADModel(path, model, error, transferProgress))
     {
-      error = error.empty() ? error : file + " " + error;
       return false;
     }
     if (model.Faces.empty() && model.Untransferred == 0)
     {
-      error = file +
-        (model.HasCurves
+      error = "CAD file \"" + path + "\"" +
+        (!model.Edges.empty()
             ? " holds curves but no surface; sweep the curves to surfaces in the CAD program, or "
               "use them with the trim line source"
             : " holds no surface; export the trimming surfaces into it");
       return false;
     }
     return ConvertFaces(path, model, 1.0 / unitInMillimetres, surfaces, error, progress);
-  }
-  catch (const Standard_Failure& failure)
+  };
+  const bool success = CatchFailures(path, error, work);
+  if (!success)
   {
-    error = file + " could not be read: OpenCASCADE reports " + failure.DynamicType()->Name() +
-      " " + failure.GetMessageString() + "; export it again from the CAD program";
+    surfaces.clear();
   }
-  catch (const std::exception& failure)
-  {
-    error =
-      file + " could not be read: " + failure.what() + "; export it again from the CAD program";
-  }
-  surfaces.clear();
-  return false;
+  return success;
 }
 }

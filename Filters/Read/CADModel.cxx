@@ -1,5 +1,9 @@
 #include "CADModel.h"
 
+#include "CADFormat.h"
+#include "IgesConics.h"
+#include "IgesWeights.h"
+
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
@@ -14,11 +18,14 @@
 #include <Message_ProgressIndicator.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
+#include <Standard_Failure.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepGeom_Curve.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_FaceSurface.hxx>
+#include <StepShape_GeometricSet.hxx>
 #include <TColStd_MapOfTransient.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
@@ -29,6 +36,8 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include <algorithm>
+#include <exception>
 #include <mutex>
 #include <unordered_map>
 
@@ -158,9 +167,34 @@ bool IsSurfaceEntity(const Handle(Standard_Transient) & entity, bool isRoot)
   return !Handle(StepShape_FaceSurface)::DownCast(entity).IsNull();
 }
 
-bool HasFace(const TopoDS_Shape& shape)
+/// Is the entity a curve of an IGES file that stands for itself?
+bool IsCurveEntity(const Handle(Standard_Transient) & entity, bool isRoot)
 {
-  return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_FACE).More();
+  const auto iges = Handle(IGESData_IGESEntity)::DownCast(entity);
+  if (iges.IsNull() || !isRoot)
+  {
+    return false;
+  }
+  switch (iges->TypeNumber())
+  {
+    case 100:
+    case 102:
+    case 104:
+    case 110:
+    case 112:
+    case 126:
+    case 130:
+      return true;
+    case 106: // linear paths, not points, hatches or arrows
+      return (iges->FormNumber() >= 11 && iges->FormNumber() <= 13) || iges->FormNumber() == 63;
+    default:
+      return false;
+  }
+}
+
+bool Has(TopAbs_ShapeEnum type, const TopoDS_Shape& shape)
+{
+  return !shape.IsNull() && TopExp_Explorer(shape, type).More();
 }
 
 /// What the file says of a shape, whatever its location.
@@ -229,7 +263,7 @@ NoteMap CollectNotes(const Handle(Transfer_TransientProcess) & process)
   return notes;
 }
 
-void CollectFaces(const TopoDS_Shape& shape, const NoteMap& notes, const std::string& owner,
+void CollectShapes(const TopoDS_Shape& shape, const NoteMap& notes, const std::string& owner,
   TopTools_MapOfShape& seen, CADModel& model)
 {
   auto found = notes.find(shape.TShape().get());
@@ -242,19 +276,44 @@ void CollectFaces(const TopoDS_Shape& shape, const NoteMap& notes, const std::st
     }
     return;
   }
-  if (shape.ShapeType() > TopAbs_FACE)
+  if (shape.ShapeType() == TopAbs_EDGE)
   {
-    model.HasCurves = model.HasCurves || shape.ShapeType() <= TopAbs_EDGE;
+    if (seen.Add(shape))
+    {
+      model.Edges.push_back(CADEdge{ shape, note.Name.empty() ? owner : note.Name });
+    }
     return;
   }
   // TopoDS_Iterator puts the owner's location and orientation on what it owns.
   for (TopoDS_Iterator it(shape); it.More(); it.Next())
   {
-    CollectFaces(it.Value(), notes, note.Name.empty() ? owner : note.Name, seen, model);
+    CollectShapes(it.Value(), notes, note.Name.empty() ? owner : note.Name, seen, model);
   }
 }
 
-int CountUntransferred(XSControl_Reader& reader, const Handle(Transfer_TransientProcess) & process)
+int CountEdges(const TopoDS_Shape& shape)
+{
+  int count = 0;
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// Curves of a geometric set of a STEP file that gave no edge.
+int CountLost(const Handle(StepShape_GeometricSet) & set, const TopoDS_Shape& shape)
+{
+  int curves = 0;
+  for (int i = 1; i <= set->NbElements(); ++i)
+  {
+    curves += !set->ElementsValue(i).Curve().IsNull();
+  }
+  return std::max(0, curves - CountEdges(shape));
+}
+
+void CountUntransferred(
+  XSControl_Reader& reader, const Handle(Transfer_TransientProcess) & process, CADModel& model)
 {
   TColStd_MapOfTransient roots;
   for (int i = 1; i <= reader.NbRootsForTransfer(); ++i)
@@ -262,17 +321,16 @@ int CountUntransferred(XSControl_Reader& reader, const Handle(Transfer_Transient
     roots.Add(reader.RootForTransfer(i));
   }
   const Handle(Interface_InterfaceModel) entities = reader.Model();
-  int count = 0;
   for (int i = 1; i <= entities->NbEntities(); ++i)
   {
     const Handle(Standard_Transient) entity = entities->Value(i);
-    if (IsSurfaceEntity(entity, roots.Contains(entity)) &&
-      !HasFace(TransferBRep::ShapeResult(process, entity)))
-    {
-      ++count;
-    }
+    const bool isRoot = roots.Contains(entity);
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    model.Untransferred += IsSurfaceEntity(entity, isRoot) && !Has(TopAbs_FACE, shape);
+    model.UntransferredCurves += IsCurveEntity(entity, isRoot) && !Has(TopAbs_EDGE, shape);
+    const auto set = Handle(StepShape_GeometricSet)::DownCast(entity);
+    model.UntransferredCurves += set.IsNull() ? 0 : CountLost(set, shape);
   }
-  return count;
 }
 
 void SetParameters()
@@ -284,10 +342,8 @@ void SetParameters()
   // Splines are not to be broken where they are less than C1.
   Interface_Static::SetIVal("read.iges.bspline.continuity", 0);
 }
-}
-
-//------------------------------------------------------------------------------
-bool ReadCADModel(const std::string& path, CADFormat format, CADModel& model, std::string& error,
+/// `error` comes without the file's name.
+bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::string& error,
   const std::function<bool(double)>& progress)
 {
   // The translators keep their parameters and sessions in global variables.
@@ -307,6 +363,7 @@ bool ReadCADModel(const std::string& path, CADFormat format, CADModel& model, st
       " but its content cannot be read; export it again from the CAD program";
     return false;
   }
+  StraightenIgesConics(reader.Model());
   if (!progress(0.3))
   {
     return false;
@@ -324,9 +381,53 @@ bool ReadCADModel(const std::string& path, CADFormat format, CADModel& model, st
   TopTools_MapOfShape seen;
   for (int i = 1; i <= reader.NbShapes(); ++i)
   {
-    CollectFaces(reader.Shape(i), notes, std::string(), seen, model);
+    CollectShapes(reader.Shape(i), notes, std::string(), seen, model);
   }
-  model.Untransferred = CountUntransferred(reader, process);
+  CountUntransferred(reader, process, model);
   return true;
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadCADModel(const std::string& path, CADModel& model, std::string& error,
+  const std::function<bool(double)>& progress)
+{
+  const CADFormat format = CheckCADFile(path, error);
+  if (format == CADFormat::None)
+  {
+    return false;
+  }
+  const std::string file = "CAD file \"" + path + "\"";
+  const std::string weight = format == CADFormat::IGES ? FindBadIgesWeight(path) : std::string();
+  if (!weight.empty())
+  {
+    error = file + ": " + weight + "; give every control point a positive weight";
+    return false;
+  }
+  const bool success = Transfer(path, format, model, error, progress);
+  error = error.empty() ? error : file + " " + error;
+  return success;
+}
+
+//------------------------------------------------------------------------------
+bool CatchFailures(const std::string& path, std::string& error, const std::function<bool()>& work)
+{
+  std::string reason;
+  try
+  {
+    return work();
+  }
+  catch (const Standard_Failure& failure)
+  {
+    reason = std::string("OpenCASCADE reports ") + failure.DynamicType()->Name() + " " +
+      failure.GetMessageString();
+  }
+  catch (const std::exception& failure)
+  {
+    reason = failure.what();
+  }
+  error = "CAD file \"" + path + "\" could not be read: " + reason +
+    "; export it again from the CAD program";
+  return false;
 }
 }

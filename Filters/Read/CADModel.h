@@ -1,11 +1,10 @@
 /**
  * @file CADModel.h
- * @brief The faces of an IGES or STEP file as OpenCASCADE transfers them, with their names.
+ * @brief The faces and free edges of an IGES or STEP file as OpenCASCADE transfers them, with their
+ * names.
  */
 #ifndef CADModel_h
 #define CADModel_h
-
-#include "CADFormat.h"
 
 #include <TopoDS_Shape.hxx>
 
@@ -25,22 +24,34 @@ struct CADFace
   std::vector<double> Range;
 };
 
+/// An edge that belongs to no face.
+struct CADEdge
+{
+  TopoDS_Shape Shape; ///< in millimetres, with its location and orientation
+  std::string Name;   ///< the file's name for it or for its nearest named owner, or empty
+};
+
 struct CADModel
 {
   std::vector<CADFace> Faces;
-  bool HasCurves = false; ///< there are edges that belong to no face
-  int Untransferred = 0;  ///< surfaces in the file of which OpenCASCADE made no face
+  std::vector<CADEdge> Edges;
+  int Untransferred = 0;       ///< surfaces in the file of which OpenCASCADE made no face
+  int UntransferredCurves = 0; ///< curves in the file that gave no edge
 };
 
 /**
- * Reads and transfers a whole file. OpenCASCADE is kept from printing meanwhile; its exceptions
- * pass through.
+ * Reads and transfers a whole file, its format told by its content. OpenCASCADE is kept from
+ * printing meanwhile; its exceptions pass through.
  *
- * @return false with `error` (without the file's name) if it cannot be read; also when
- * `progress` (0..1) returns false, then with an empty `error`.
+ * @return false with one line in `error` that names the file, what is wrong and what to do; also
+ * when `progress` (0..1) returns false, then with an empty `error`.
  */
-bool ReadCADModel(const std::string& path, CADFormat format, CADModel& model, std::string& error,
+bool ReadCADModel(const std::string& path, CADModel& model, std::string& error,
   const std::function<bool(double)>& progress);
+
+/// Runs `work`; what OpenCASCADE or the standard library throws becomes one line in `error` that
+/// names the file, and false.
+bool CatchFailures(const std::string& path, std::string& error, const std::function<bool()>& work);
 }
 
 #endif

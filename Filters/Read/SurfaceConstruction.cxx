@@ -258,6 +258,54 @@ ConvertedCurve MakeParabola(
 }
 
 //------------------------------------------------------------------------------
+ConvertedCurve ElevateDegree(const ConvertedCurve& curve, int degree)
+{
+  if (degree <= curve.Degree)
+  {
+    return curve;
+  }
+  std::vector<double> knots = curve.Knots;
+  std::vector<std::vector<Vec4>> columns(1);
+  std::transform(
+    curve.Points.begin(), curve.Points.end(), std::back_inserter(columns[0]), Homogeneous);
+  std::vector<double> ends(knots.begin() + curve.Degree, knots.end() - curve.Degree);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (size_t i = 1; i + 1 < ends.size(); ++i)
+  {
+    int multiplicity = static_cast<int>(std::count(knots.begin(), knots.end(), ends[i]));
+    for (; multiplicity < curve.Degree; ++multiplicity)
+    {
+      InsertKnot(knots, curve.Degree, columns, ends[i], multiplicity);
+    }
+  }
+  ConvertedCurve result;
+  result.Degree = degree;
+  result.Map = curve.Map;
+  result.Knots.assign(degree + 1, ends.front());
+  result.Points.push_back(curve.Points.front());
+  for (size_t i = 0; i + 1 < ends.size(); ++i)
+  {
+    const auto first = columns[0].begin() + static_cast<std::ptrdiff_t>(i) * curve.Degree;
+    std::vector<Vec4> piece(first, first + curve.Degree + 1);
+    while (static_cast<int>(piece.size()) <= degree)
+    {
+      const size_t count = piece.size();
+      piece.push_back(piece.back());
+      for (size_t k = count - 1; k > 0; --k)
+      {
+        const double share = static_cast<double>(k) / static_cast<double>(count);
+        piece[k] = share * piece[k - 1] + (1.0 - share) * piece[k];
+      }
+    }
+    std::transform(piece.begin() + 1, piece.end(), std::back_inserter(result.Points), Cartesian);
+    result.Knots.insert(result.Knots.end(), degree, ends[i + 1]);
+  }
+  result.Knots.push_back(ends.back());
+  result.Points.back() = curve.Points.back();
+  return result;
+}
+
+//------------------------------------------------------------------------------
 ConvertedSurface Extrude(
   const ConvertedCurve& curve, const Vec3& direction, double firstV, double lastV)
 {

@@ -66,6 +66,10 @@ ConvertedCurve MakeHyperbola(
 ConvertedCurve MakeParabola(
   const Vec3& vertex, const Vec3& a, const Vec3& b, double first, double last);
 
+/// The same curve over the same parameters in a higher degree: its knots become Bezier knots. (The
+/// NURBS Book, 5.5) The map is kept.
+ConvertedCurve ElevateDegree(const ConvertedCurve& curve, int degree);
+
 /// A surface and the maps of its original's parameters.
 struct ConvertedSurface
 {

@@ -1,12 +1,8 @@
 #include "TrimLineCurve.h"
 
-#include "SurfaceConstruction.h"
-
 #include "vtkNew.h"
 #include "vtkParametricSpline.h"
 #include "vtkPoints.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -48,32 +44,33 @@ struct CubicPiece
 };
 
 /// The parameters of the points, a closed line's first one at the end again.
-std::vector<double> ChordLengths(const TrimLine& line)
+std::vector<double> ChordLengths(const std::vector<Vec3>& points, bool closed)
 {
   std::vector<double> lengths(1, 0.0);
-  for (size_t i = 1; i < line.Points.size(); ++i)
+  for (size_t i = 1; i < points.size(); ++i)
   {
-    lengths.push_back(lengths.back() + (line.Points[i] - line.Points[i - 1]).norm());
+    lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
   }
-  if (line.Closed)
+  if (closed)
   {
-    lengths.push_back(lengths.back() + (line.Points.front() - line.Points.back()).norm());
+    lengths.push_back(lengths.back() + (points.front() - points.back()).norm());
   }
   return lengths;
 }
 
 /// Four places of a cubic determine it; so no spline is solved here that could differ from VTK's.
-std::vector<CubicPiece> SamplePieces(const TrimLine& line, const std::vector<double>& lengths)
+std::vector<CubicPiece> SamplePieces(
+  const std::vector<Vec3>& points, bool closed, const std::vector<double>& lengths)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vec3& point : line.Points)
+  vtkNew<vtkPoints> given;
+  given->SetDataTypeToDouble();
+  for (const Vec3& point : points)
   {
-    points->InsertNextPoint(point.data());
+    given->InsertNextPoint(point.data());
   }
   vtkNew<vtkParametricSpline> spline;
-  spline->SetPoints(points);
-  spline->SetClosed(line.Closed);
+  spline->SetPoints(given);
+  spline->SetClosed(closed);
   const auto at = [&](double length)
   {
     double u[3] = { length / lengths.back(), 0.0, 0.0 };
@@ -86,7 +83,7 @@ std::vector<CubicPiece> SamplePieces(const TrimLine& line, const std::vector<dou
   for (size_t i = 0; i + 1 < lengths.size(); ++i)
   {
     const double first = lengths[i], last = lengths[i + 1], third = (last - first) / 3.0;
-    const Vec3 f0 = line.Points[i], f3 = line.Points[(i + 1) % line.Points.size()];
+    const Vec3 f0 = points[i], f3 = points[(i + 1) % points.size()];
     const Vec3 f1 = at(first + third), f2 = at(last - third);
     pieces.push_back({ first, last,
       { f0, (-5.0 * f0 + 18.0 * f1 - 9.0 * f2 + 2.0 * f3) / 6.0,
@@ -123,114 +120,65 @@ ConvertedCurve JoinPieces(
   }
   return curve;
 }
-
-/// Area that a closed polygon encloses, seen along the unit vector, which it turns round
-/// right-handed.
-double EnclosedArea(const std::vector<Vec3>& polygon, const Vec3& direction)
-{
-  Vec3 area = Vec3::Zero();
-  for (size_t i = 2; i < polygon.size(); ++i)
-  {
-    area += 0.5 * (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
-  }
-  return area.dot(direction);
-}
-
-/// Points along the pieces, close enough for the sense in which they turn.
-std::vector<Vec3> MakePolygon(const std::vector<CubicPiece>& pieces)
-{
-  constexpr int Places = 16;
-  std::vector<Vec3> polygon;
-  for (const CubicPiece& piece : pieces)
-  {
-    for (int i = 0; i < Places; ++i)
-    {
-      const double t = piece.First + piece.Size() * i / Places;
-      polygon.push_back(piece.Blossom(t, t, t));
-    }
-  }
-  return polygon;
-}
-
-std::string FindSweepDefect(const TrimLine& line)
-{
-  if (!line.Direction.allFinite() || line.Direction.norm() == 0.0)
-  {
-    return "Direction is zero or not finite; give the direction in which the line is swept, for "
-           "a sheet its normal";
-  }
-  if (!std::isfinite(line.Length) || line.Length <= 0.0)
-  {
-    std::ostringstream text;
-    text << "Length is " << line.Length
-         << "; it must be positive, and large enough to pass through the part";
-    return text.str();
-  }
-  return {};
-}
 }
 
 //------------------------------------------------------------------------------
-std::string FindDefect(const TrimLine& line)
+std::string FindPointDefect(const std::vector<Vec3>& points, bool closed)
 {
-  const std::string sweep = FindSweepDefect(line);
-  if (!sweep.empty())
-  {
-    return sweep;
-  }
+  const size_t count = points.size();
   std::ostringstream text;
-  const size_t count = line.Points.size(), least = line.Closed ? 3 : 2;
-  if (count < least)
+  if (count < (closed ? 3u : 2u))
   {
-    text << "it has " << count << " points; " << (line.Closed ? "a closed" : "an open")
-         << " line needs at least " << least;
+    text << "it has " << count << " points; give at least " << (closed ? 3 : 2);
     return text.str();
   }
   for (size_t i = 0; i < count; ++i)
   {
-    if (!line.Points[i].allFinite())
+    if (!points[i].allFinite())
     {
-      text << "point " << i << " is not finite; correct or remove it";
+      text << "point " << i << " is not finite; give finite coordinates";
       return text.str();
     }
   }
-  const std::vector<double> lengths = ChordLengths(line);
-  const Vec3 direction = line.Direction.stableNormalized();
+  const std::vector<double> lengths = ChordLengths(points, closed);
   for (size_t i = 0; i + 1 < lengths.size(); ++i)
   {
     const size_t next = (i + 1) % count;
-    const Vec3 chord = line.Points[next] - line.Points[i];
-    if (!(chord.norm() > Negligible * lengths.back()))
+    if (!((points[next] - points[i]).norm() > Negligible * lengths.back()))
     {
       text << "points " << i << " and " << next << " coincide; remove one of them";
       return text.str();
     }
-    if (chord.cross(direction).norm() <= Negligible * chord.norm())
-    {
-      text << "Direction is along the line from point " << i << " to point " << next
-           << "; give a direction across the line";
-      return text.str();
-    }
   }
-  const double area = EnclosedArea(line.Points, direction);
-  if (line.Closed && std::abs(area) <= Negligible * lengths.back() * lengths.back())
+  if (!closed && count > 2 &&
+    !((points.back() - points.front()).norm() > Negligible * lengths.back()))
   {
-    return "the closed line encloses no area, seen along Direction, or crosses itself; move its "
-           "points or change Direction";
+    return "it ends where it begins; set Closed and remove the last point";
   }
   return {};
 }
 
 //------------------------------------------------------------------------------
-NurbsSurface SweepTrimLine(const TrimLine& line)
+TrimLine MakeSpline(const std::vector<Vec3>& points, bool closed)
 {
-  const std::vector<double> lengths = ChordLengths(line);
-  const std::vector<CubicPiece> pieces = SamplePieces(line, lengths);
-  const Vec3 direction = line.Direction.stableNormalized();
-  const NurbsSurface surface =
-    Extrude(JoinPieces(pieces, lengths, line.Closed), direction, -line.Length, line.Length).Surface;
-  // C' x direction points out of what a right-handed turn encloses.
-  const bool outwards = line.Closed && EnclosedArea(MakePolygon(pieces), direction) > 0.0;
-  return outwards ? ReverseU(surface) : surface;
+  const std::vector<double> lengths = ChordLengths(points, closed);
+  const std::vector<CubicPiece> pieces = SamplePieces(points, closed, lengths);
+  return { JoinPieces(pieces, lengths, closed), closed, {} };
+}
+
+//------------------------------------------------------------------------------
+TrimLine MakePolyline(const std::vector<Vec3>& points, bool closed)
+{
+  const std::vector<double> lengths = ChordLengths(points, closed);
+  ConvertedCurve curve;
+  curve.Knots.push_back(lengths.front());
+  curve.Knots.insert(curve.Knots.end(), lengths.begin(), lengths.end());
+  curve.Knots.push_back(lengths.back());
+  for (size_t i = 0; i < lengths.size(); ++i)
+  {
+    const Vec3& p = points[i % points.size()];
+    curve.Points.emplace_back(p.x(), p.y(), p.z(), 1.0);
+  }
+  return { curve, closed, {} };
 }
 }

@@ -1,7 +1,5 @@
 #include "TrimLineFile.h"
 
-#include "CADFormat.h"
-
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
@@ -65,12 +63,7 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
   vtksys::ifstream stream(path.c_str());
   if (!stream || vtksys::SystemTools::FileIsDirectory(path))
   {
-    error = file + " cannot be read; give the path of an existing CSV file.";
-    return false;
-  }
-  if (RecognizeCADFile(path) != CADFormat::None)
-  {
-    error = file + " is an IGES or STEP file; only CSV files with x, y, z in each line are read.";
+    error = file + " cannot be read; give the path of an existing CSV, IGES or STEP file.";
     return false;
   }
   std::string line;

@@ -18,7 +18,7 @@ namespace nurbs
  * other line if none of its values is a number.
  *
  * @return false with one line in `error` that names the file, the line and what is expected, if
- * the file cannot be read, is an IGES or STEP file, or has a line that is not three numbers.
+ * the file cannot be read, or has a line that is not three numbers.
  */
 bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::string& error);
 }

@@ -20,25 +20,6 @@ namespace
 {
 /// Share of the progress that reading takes; the rest is the tessellation.
 constexpr double ReadShare = 0.8;
-
-double InMillimetres(int lengthUnit)
-{
-  switch (lengthUnit)
-  {
-    case vtkCADSurfaceReader::CENTIMETRE:
-      return 10.0;
-    case vtkCADSurfaceReader::METRE:
-      return 1000.0;
-    case vtkCADSurfaceReader::INCH:
-      return 25.4;
-    case vtkCADSurfaceReader::FOOT:
-      return 304.8;
-    case vtkCADSurfaceReader::MICROMETRE:
-      return 1e-3;
-    default:
-      return 1.0;
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -51,6 +32,26 @@ vtkCADSurfaceReader::vtkCADSurfaceReader()
 vtkCADSurfaceReader::~vtkCADSurfaceReader()
 {
   this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+double vtkCADSurfaceReader::InMillimetres(int lengthUnit)
+{
+  switch (lengthUnit)
+  {
+    case CENTIMETRE:
+      return 10.0;
+    case METRE:
+      return 1000.0;
+    case INCH:
+      return 25.4;
+    case FOOT:
+      return 304.8;
+    case MICROMETRE:
+      return 1e-3;
+    default:
+      return 1.0;
+  }
 }
 
 //------------------------------------------------------------------------------

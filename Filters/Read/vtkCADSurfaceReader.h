@@ -24,7 +24,7 @@
  * each megabyte.
  *
  * Not handled: compressed and binary IGES; layers, colours and the structure of assemblies
- * beyond names and placement; curves.
+ * beyond names and placement; curves, which vtkTrimLineSource reads.
  *
  * @sa vtkNURBSSurfaceSource vtkTrimHexahedralGrid
  */
@@ -68,6 +68,9 @@ public:
   vtkSetClampMacro(LengthUnit, int, MILLIMETRE, MICROMETRE);
   vtkGetMacro(LengthUnit, int);
   ///@}
+
+  /// The length of one of LengthUnits.
+  static double InMillimetres(int lengthUnit);
 
   ///@{
   /**

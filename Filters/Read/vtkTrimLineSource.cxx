@@ -1,22 +1,136 @@
 #include "vtkTrimLineSource.h"
 
+#include "CADChildProcess.h"
+#include "CADFormat.h"
+#include "CurveChain.h"
 #include "NURBSTessellation.h"
-#include "TrimLineCurve.h"
+#include "SheetSkin.h"
 #include "TrimLineFile.h"
+#include "TrimLineSweep.h"
+#include "vtkCADSurfaceReader.h"
 
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <system_error>
+#include <tuple>
+
+namespace
+{
+/// What a file may have changed by.
+using FileStamp = std::tuple<std::string, std::filesystem::file_time_type, std::uintmax_t, int>;
+
+FileStamp StampOf(const std::string& path, int lengthUnit)
+{
+  std::error_code unread;
+  return { path, std::filesystem::last_write_time(path, unread),
+    std::filesystem::file_size(path, unread), lengthUnit };
+}
+
+/// The sweep as it was used, for those who want to know.
+void WriteSweep(const nurbs::Sweep& sweep, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> direction;
+  direction->SetName("Direction");
+  direction->SetNumberOfComponents(3);
+  direction->InsertNextTuple(sweep.Direction.data());
+  output->GetFieldData()->AddArray(direction);
+  vtkNew<vtkDoubleArray> length;
+  length->SetName("Length");
+  length->InsertNextValue(sweep.Length);
+  output->GetFieldData()->AddArray(length);
+}
+}
+
+/// What was made of the inputs is kept until they change.
+struct vtkTrimLineSource::Cache
+{
+  std::vector<nurbs::TrimLine> Lines;
+  std::string Error;   ///< not empty: there are no lines
+  std::string Warning; ///< of reading them
+  vtkMTimeType LinesTime = 0;
+
+  FileStamp Stamp;
+  bool HasFile = false;    ///< Curves are those of the file
+  std::string FileMessage; ///< error or warning of reading it
+  std::vector<nurbs::FileCurve> Curves;
+
+  vtkWeakPointer<vtkDataObject> Sheet;
+  vtkMTimeType SheetTime = 0;
+  nurbs::SheetSkin Skin;
+
+  void TakeSheet(vtkDataObject* sheet)
+  {
+    if (this->Sheet != sheet || this->SheetTime != sheet->GetMTime())
+    {
+      this->Skin = nurbs::BuildSheetSkin(sheet);
+      this->Sheet = sheet;
+      this->SheetTime = sheet->GetMTime();
+    }
+  }
+
+  /// Curves from a file, read anew only if it has changed.
+  void TakeCurves(const std::string& path, int lengthUnit, const nurbs::ReadProgress& progress)
+  {
+    const FileStamp stamp = StampOf(path, lengthUnit);
+    if (!this->HasFile || stamp != this->Stamp)
+    {
+      const double unit = vtkCADSurfaceReader::InMillimetres(lengthUnit);
+      this->HasFile =
+        nurbs::ReadCADCurvesInChild(path, unit, this->Curves, this->FileMessage, progress);
+      this->Stamp = stamp;
+    }
+    if (!this->HasFile)
+    {
+      this->Error = this->FileMessage;
+      // Without an error it was stopped: the next update tries again.
+      this->LinesTime = this->Error.empty() ? 0 : this->LinesTime;
+      return;
+    }
+    this->Warning = this->FileMessage;
+    std::string message;
+    if (!nurbs::JoinCurves(this->Curves, this->Lines, message))
+    {
+      this->Error = "CAD file \"" + path + "\": " + message;
+    }
+    else if (!message.empty())
+    {
+      this->Warning += (this->Warning.empty() ? "CAD file \"" + path + "\": " : "; ") + message;
+    }
+  }
+
+  void TakePoints(std::vector<nurbs::Vec3> points, bool closed, int lineType)
+  {
+    const std::string defect = nurbs::FindPointDefect(points, closed);
+    if (!defect.empty())
+    {
+      this->Error = "The trim line is not valid: " + defect;
+      return;
+    }
+    this->Lines = { lineType == POLYLINE ? nurbs::MakePolyline(points, closed)
+                                         : nurbs::MakeSpline(points, closed) };
+  }
+};
 
 vtkStandardNewMacro(vtkTrimLineSource);
 
 //------------------------------------------------------------------------------
 vtkTrimLineSource::vtkTrimLineSource()
+  : Kept(new Cache)
 {
-  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfInputPorts(1);
   this->Points = { -0.5, 0.0, 0.0, -0.25, 0.1, 0.0, 0.0, 0.0, 0.0, 0.25, -0.1, 0.0, 0.5, 0.0, 0.0 };
 }
 
@@ -24,6 +138,12 @@ vtkTrimLineSource::vtkTrimLineSource()
 vtkTrimLineSource::~vtkTrimLineSource()
 {
   this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrimLineSource::SetSheetConnection(int, vtkAlgorithmOutput* mesh)
+{
+  this->SetInputConnection(0, mesh);
 }
 
 //------------------------------------------------------------------------------
@@ -75,43 +195,155 @@ void vtkTrimLineSource::GetPoint(int index, double point[3])
 }
 
 //------------------------------------------------------------------------------
-int vtkTrimLineSource::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkTrimLineSource::FillInputPortInformation(int, vtkInformation* info)
 {
-  nurbs::TrimLine line;
-  line.Closed = this->Closed != 0;
-  line.Direction = nurbs::Vec3(this->Direction);
-  line.Length = this->Length;
-  if (this->FileName && *this->FileName)
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  // This order: with the grid alone the executive would loop over the blocks of a composite.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTrimLineSource::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkTrimLineSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
-    std::string error;
-    if (!nurbs::ReadTrimLineFile(this->FileName, line.Points, error))
+    return this->RequestDataObject(request, inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
+{
+  Cache& kept = *this->Kept;
+  if (kept.LinesTime == this->GetMTime() && kept.LinesTime != 0)
+  {
+    return kept;
+  }
+  kept.LinesTime = this->GetMTime();
+  kept.Lines.clear();
+  kept.Error.clear();
+  kept.Warning.clear();
+  const std::string path = this->FileName ? this->FileName : "";
+  if (!path.empty() && nurbs::RecognizeCADFile(path) != nurbs::CADFormat::None)
+  {
+    auto goOn = [this](double share)
     {
-      vtkErrorMacro(<< error);
-      // Not 0: the executive would add an error of its own, at every update again.
-      return 1;
-    }
-    // Contours in files often end where they began.
-    if (line.Closed && line.Points.size() > 1 && line.Points.front() == line.Points.back())
+      this->UpdateProgress(share);
+      return !this->CheckAbort();
+    };
+    kept.TakeCurves(path, this->LengthUnit, goOn);
+    return kept;
+  }
+  std::vector<nurbs::Vec3> points;
+  bool closed = this->Closed != 0;
+  if (path.empty())
+  {
+    for (size_t i = 0; i + 2 < this->Points.size(); i += 3)
     {
-      line.Points.pop_back();
+      points.emplace_back(this->Points.data() + i);
     }
   }
   else
   {
-    for (size_t i = 0; i + 2 < this->Points.size(); i += 3)
+    if (!nurbs::ReadTrimLineFile(path, points, kept.Error))
     {
-      line.Points.emplace_back(this->Points.data() + i);
+      return kept;
+    }
+    // Contours in files end where they began.
+    if (points.size() > 3 && points.front() == points.back())
+    {
+      closed = true;
+      points.pop_back();
     }
   }
-  const std::string defect = nurbs::FindDefect(line);
+  kept.TakePoints(std::move(points), closed, this->LineType);
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+int vtkTrimLineSource::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // Only the file tells how many lines there are.
+  const bool several = this->TakeLines().Lines.size() > 1;
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
+  if (several && !vtkMultiBlockDataSet::SafeDownCast(output))
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkMultiBlockDataSet>());
+  }
+  else if (!several && !vtkPolyData::SafeDownCast(output))
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTrimLineSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const Cache& kept = this->TakeLines();
+  if (!kept.Error.empty())
+  {
+    vtkErrorMacro(<< kept.Error << ".");
+    // Not 0: the executive would add an error of its own, at every update again.
+    return 1;
+  }
+  if (kept.Lines.empty())
+  {
+    return 1;
+  }
+  if (!kept.Warning.empty())
+  {
+    vtkWarningMacro(<< kept.Warning << ".");
+  }
+  if (vtkDataObject* sheet = vtkDataObject::GetData(inputVector[0]))
+  {
+    this->Kept->TakeSheet(sheet);
+  }
+  else
+  {
+    this->Kept->Sheet = nullptr;
+    this->Kept->Skin = nurbs::SheetSkin();
+  }
+  const nurbs::Sweep wanted{ nurbs::Vec3(this->Direction), this->Length };
+  const nurbs::Sweep sweep = nurbs::CompleteSweep(wanted, kept.Lines, &kept.Skin);
+  const std::string defect = nurbs::FindDefect(kept.Lines, sweep);
   if (!defect.empty())
   {
     vtkErrorMacro(<< "The trim line is not valid: " << defect << ".");
     return 1;
   }
-  nurbs::TessellateNURBS(
-    nurbs::SweepTrimLine(line), this->Resolution, vtkPolyData::GetData(outputVector));
+  const std::vector<nurbs::NurbsSurface> surfaces = nurbs::SweepLines(kept.Lines, sweep);
+  if (vtkPolyData* output = vtkPolyData::GetData(outputVector))
+  {
+    nurbs::TessellateNURBS(surfaces[0], this->Resolution, output);
+    WriteSweep(sweep, output);
+    return 1;
+  }
+  vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputVector);
+  for (unsigned int i = 0; i < surfaces.size(); ++i)
+  {
+    vtkNew<vtkPolyData> block;
+    nurbs::TessellateNURBS(surfaces[i], this->Resolution, block);
+    WriteSweep(sweep, block);
+    blocks->SetBlock(i, block);
+    const std::string& name = kept.Lines[i].Name;
+    blocks->GetMetaData(i)->Set(
+      vtkCompositeDataSet::NAME(), name.empty() ? "Line " + std::to_string(i + 1) : name);
+  }
   return 1;
 }
 
@@ -121,9 +353,11 @@ void vtkTrimLineSource::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPoints: " << this->GetNumberOfPoints() << "\n";
   os << indent << "Closed: " << this->Closed << "\n";
+  os << indent << "LineType: " << this->LineType << "\n";
   os << indent << "Direction: " << this->Direction[0] << " " << this->Direction[1] << " "
      << this->Direction[2] << "\n";
   os << indent << "Length: " << this->Length << "\n";
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
 }

@@ -1,23 +1,41 @@
 /**
  * @class   vtkTrimLineSource
- * @brief   a line of points, open or closed, swept along a direction into a NURBS surface
+ * @brief   lines, open or closed, swept along a direction into NURBS surfaces to trim with
  *
- * The line is the very curve that ParaView's spline widget shows (vtkParametricSpline: a cubic
- * spline over the chord length, its first derivative zero at open ends, periodic if closed), as
- * one cubic B-spline. It is swept along Direction by Length to either side.
+ * A line is given by points: the very curve that ParaView's spline widget shows
+ * (vtkParametricSpline: a cubic spline over the chord length, its first derivative zero at open
+ * ends, periodic if closed), or straight pieces with sharp corners. Or it comes from a file: points
+ * from a CSV file, or the curves of an IGES or STEP file that belong to no face, joined end to end
+ * within the file's tolerance whatever their order and direction, exactly (arcs stay arcs).
  *
- * Output: a vtkPolyData with a tessellation, for the eye, and the exact surface, of degrees
- * 3 x 1, in its field data (NURBSFieldData.h). vtkTrimHexahedralGrid eliminates the side that the
- * normal points to. The normal of a closed line points to what it encloses, whichever way round
- * it was drawn: a hole is cut. That of an open line points to its right, seen with Direction
- * pointing to the viewer.
+ * The line is swept along Direction by Length to either side. Where these are zero, the default,
+ * they are found: with a mesh on the input port, the axis that its skin's normals have on the whole
+ * near the line, and a length that passes through the whole mesh; without, the normal of what a
+ * closed line encloses or else 0 0 1, and the size of the line.
+ *
+ * Input (optional): the mesh to be trimmed, a vtkUnstructuredGrid of hexahedra and wedges or a
+ * composite of such. It is looked at for Direction and Length only.
+ *
+ * Output: a vtkPolyData with a tessellation, for the eye, and the exact surface, of the line's
+ * degree x 1, in its field data (NURBSFieldData.h); if a file holds several lines, a
+ * vtkMultiBlockDataSet of such, together one trimming surface. Field data of each poly data also
+ * has `Direction` and `Length` as they were used.
+ *
+ * vtkTrimHexahedralGrid eliminates the side that the normal points to. The normal of a closed line
+ * points to what it encloses, whichever way round it was drawn: a hole is cut. A closed line
+ * within another one keeps what it encloses (even-odd rule): of an outer contour with holes, the
+ * offcut is what the filter keeps, unless its InvertSide is set. The normal of an open line points
+ * to its right, seen with Direction pointing to the viewer; among several lines of a file open
+ * ones are turned so that they agree on what goes.
  *
  * Fewer than 2 points (3 if closed), values that are not finite, consecutive points that coincide,
- * a Direction that is zero or along the line, a Length that is not positive, a closed line that
- * encloses nothing and a file that cannot be read are one error that says what has to be changed,
- * and the output is empty.
+ * a Direction along the line, a negative Length, a closed line that encloses nothing, lines that
+ * cross or turn back on themselves or cross each other, a file that cannot be read, is damaged or
+ * holds no curve, and curves of which more than two meet are one error that says where and what to
+ * change, and the output is empty. IGES and STEP files are read by a forked process, as in
+ * vtkCADSurfaceReader.
  *
- * @sa vtkNURBSSurfaceSource vtkTrimHexahedralGrid
+ * @sa vtkNURBSSurfaceSource vtkCADSurfaceReader vtkTrimHexahedralGrid
  */
 #ifndef vtkTrimLineSource_h
 #define vtkTrimLineSource_h
@@ -25,6 +43,7 @@
 #include "NURBSTrimReadModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For what is kept between updates
 #include <vector> // For the points
 
 class NURBSTRIMREAD_EXPORT vtkTrimLineSource : public vtkPolyDataAlgorithm
@@ -33,6 +52,13 @@ public:
   static vtkTrimLineSource* New();
   vtkTypeMacro(vtkTrimLineSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Connects the mesh to the input port, whatever `port` says: the same as SetInputConnection, for
+   * proxies. There the mesh must not count as the first input, which pvpython would connect to
+   * whatever source is active.
+   */
+  void SetSheetConnection(int port, vtkAlgorithmOutput* mesh);
 
   ///@{
   /**
@@ -55,9 +81,25 @@ public:
   vtkBooleanMacro(Closed, vtkTypeBool);
   ///@}
 
+  /// How points are joined.
+  enum LineTypes
+  {
+    SPLINE = 0,
+    POLYLINE = 1
+  };
+
   ///@{
   /**
-   * The direction of the sweep, of any length. Default 0 0 1.
+   * A smooth curve through the points, or straight pieces that keep the corners. Default SPLINE.
+   */
+  vtkSetClampMacro(LineType, int, SPLINE, POLYLINE);
+  vtkGetMacro(LineType, int);
+  ///@}
+
+  ///@{
+  /**
+   * The direction of the sweep, of any length. Default 0 0 0: found by the mesh on the input port
+   * or by the line.
    */
   vtkSetVector3Macro(Direction, double);
   vtkGetVector3Macro(Direction, double);
@@ -65,7 +107,8 @@ public:
 
   ///@{
   /**
-   * How far the sweep reaches to either side of the line. Default 1.
+   * How far the sweep reaches to either side of the line. Default 0: found by the mesh on the input
+   * port or by the line.
    */
   vtkSetMacro(Length, double);
   vtkGetMacro(Length, double);
@@ -73,11 +116,21 @@ public:
 
   ///@{
   /**
-   * A CSV file of points, x, y, z in each line, which then take the place of those above. A
-   * closed line may repeat its first point at the end. Default: none.
+   * A file that takes the place of the points above: CSV with x, y, z in each line, where a last
+   * point that repeats the first closes the line, or IGES or STEP, told by the content, whose
+   * curves are open or closed by themselves. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * The unit of what is read from an IGES or STEP file, one of vtkCADSurfaceReader::LengthUnits.
+   * Default: millimetres.
+   */
+  vtkSetClampMacro(LengthUnit, int, 0, 5);
+  vtkGetMacro(LengthUnit, int);
   ///@}
 
   ///@{
@@ -93,17 +146,30 @@ protected:
   vtkTrimLineSource();
   ~vtkTrimLineSource() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   std::vector<double> Points; // three values each
   vtkTypeBool Closed = 0;
-  double Direction[3] = { 0.0, 0.0, 1.0 };
-  double Length = 1.0;
+  int LineType = SPLINE;
+  double Direction[3] = { 0.0, 0.0, 0.0 };
+  double Length = 0.0;
   char* FileName = nullptr;
+  int LengthUnit = 0;
   int Resolution = 64;
 
 private:
+  struct Cache;
+  /// Sees that the lines, and what is wrong with them, are those of the points or the file.
+  const Cache& TakeLines();
+  std::unique_ptr<Cache> Kept;
+
   vtkTrimLineSource(const vtkTrimLineSource&) = delete;
   void operator=(const vtkTrimLineSource&) = delete;
 };

@@ -18,7 +18,8 @@ def check_proxies():
     for group, name, vtk_class, label in [
             ("filters", "TrimHexahedralGrid", "vtkTrimHexahedralGrid", "Trim Hexahedral Grid"),
             ("sources", "CADSurfaceReader", "vtkCADSurfaceReader", "CAD Surface Reader"),
-            ("sources", "NURBSSurfaceSource", "vtkNURBSSurfaceSource", "NURBS Surface Source")]:
+            ("sources", "NURBSSurfaceSource", "vtkNURBSSurfaceSource", "NURBS Surface Source"),
+            ("sources", "TrimLineSource", "vtkTrimLineSource", "Trim Line Source")]:
         prototype = xml_of(group, name)
         check_equal(prototype.GetVTKClassName(), vtk_class, "class of " + name)
         check_equal(prototype.GetXMLLabel(), label, "label of " + name)
@@ -63,6 +64,20 @@ def check_values(trim):
     check_equal(list(trim.KeepPoint), [1, 2, 3], "KeepPoint")
 
 
+def check_trim_line():
+    line = TrimLineSource()
+    check_equal(line.Sheet, None, "default of Sheet, whatever source is active")
+    for name, value in {"Closed": 0, "Length": 0, "FileName": "", "LengthUnit": "Millimetre",
+                        "LineType": "Spline", "Resolution": 64}.items():
+        check_equal(line.GetPropertyValue(name), value, "default of " + name)
+    check_equal(list(line.Direction), [0, 0, 0], "default of Direction")
+    check_equal(len(line.Points), 15, "default of Points")
+    for name in ("Sheet", "Points", "Closed", "LineType", "Direction", "Length", "FileName",
+                 "LengthUnit", "Resolution"):
+        check(len(line.SMProxy.GetProperty(name).GetDocumentation().GetDescription()) > 20,
+              name + " has no help text")
+
+
 def check_ports(trim):
     check_equal(trim.SMProxy.GetNumberOfOutputPorts(), 2, "output ports")
     check_equal(trim.SMProxy.GetOutputPortName(0), "Trimmed Grid", "name of port 0")
@@ -88,4 +103,5 @@ filter_proxy = TrimHexahedralGrid(Input=sheet(), TrimmingSurface=plane_at(10.3))
 check_defaults(filter_proxy)
 check_values(filter_proxy)
 check_ports(filter_proxy)
+check_trim_line()
 check_file_types()

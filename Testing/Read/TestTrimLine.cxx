@@ -6,10 +6,14 @@
 #include "ReadTesting.h"
 #include "vtkTrimLineSource.h"
 
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkParametricSpline.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <Eigen/Geometry>
 
@@ -182,6 +186,170 @@ void TestOrientation()
   CHECK(corner.y() < -0.99, "near the end, too");
 }
 
+/// A polyline is its points, with straight pieces between them.
+void TestPolyline()
+{
+  const Points points{ { 0, 0, 1 }, { 4, 0, 0.5 }, { 4, 3, 0 }, { -1, 3, 0 } };
+  for (bool closed : { false, true })
+  {
+    vtkNew<vtkTrimLineSource> source;
+    Give(source, points, closed);
+    source->SetLineType(vtkTrimLineSource::POLYLINE);
+    source->SetDirection(0, 0, 1);
+    source->SetLength(2.0);
+    const NurbsSurface surface = SurfaceOf(source);
+    CHECK(surface.DegreeU == 1 && surface.CountU == 4 + closed, "degree and count");
+    double u = 0.0;
+    for (size_t i = 0; i + !closed < points.size(); ++i)
+    {
+      const Vec3 a = points[i], b = points[(i + 1) % points.size()];
+      const double at = closed ? surface.LastU() - u : u; // drawn outwards: run backwards
+      const double step = (closed ? -0.25 : 0.25) * (b - a).norm();
+      CHECK((nurbs::Evaluate(surface, at, 0.0) - a).norm() < 1e-14, "corner " << i);
+      CHECK((nurbs::Evaluate(surface, at + step, 0.0) - 0.75 * a - 0.25 * b).norm() < 1e-14,
+        "between " << i);
+      u += (b - a).norm();
+    }
+  }
+}
+
+double FieldValue(vtkTrimLineSource* source, const char* name, int component = 0)
+{
+  source->Update();
+  vtkDataArray* array = source->GetOutput()->GetFieldData()->GetArray(name);
+  return array ? array->GetComponent(0, component) : std::numeric_limits<double>::quiet_NaN();
+}
+
+Vec3 UsedDirection(vtkTrimLineSource* source)
+{
+  return Vec3(FieldValue(source, "Direction", 0), FieldValue(source, "Direction", 1),
+    FieldValue(source, "Direction", 2));
+}
+
+/// Without a mesh: the normal of what a closed line encloses, z for an open one.
+void TestAutomaticByLine()
+{
+  const Vec3 normal = Vec3(-2, 1, -3).normalized();
+  const Vec3 a = normal.unitOrthogonal(), b = normal.cross(a);
+  Points points;
+  for (int i = 0; i < 12; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * i / 12;
+    points.push_back(Vec3(4, 5, 6) + 3.0 * std::cos(angle) * a + 2.0 * std::sin(angle) * b);
+  }
+  vtkNew<vtkTrimLineSource> source;
+  Give(source, points, true);
+  CHECK((UsedDirection(source) + normal).norm() < 1e-12, "its largest coordinate is positive");
+  source->SetClosed(0);
+  CHECK(UsedDirection(source) == Vec3::UnitZ(), "an open line goes along z");
+  Give(source, { { 0, 0, 0 }, { 3, 4, 0 }, { 6, 8, 0 } }, false);
+  CHECK(std::abs(FieldValue(source, "Length") - 10.0) < 1e-12, "as long as the line is large");
+  source->SetDirection(0, 5, 5);
+  source->SetLength(2.5);
+  CHECK((UsedDirection(source) - Vec3(0, 1, 1).normalized()).norm() < 1e-15, "direction as given");
+  CHECK(FieldValue(source, "Length") == 2.5, "length as given");
+}
+
+/// A sheet of 20 x 12 x 2 elements, bent by `shape`. Where i + j is odd elements are two wedges,
+/// one of them with its nodes in the order of vtkWedge, the other in the reverse order.
+vtkSmartPointer<vtkUnstructuredGrid> MakeSheet(const std::function<Vec3(const Vec3&)>& shape)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int k = 0; k <= 2; ++k)
+  {
+    for (int j = 0; j <= 12; ++j)
+    {
+      for (int i = 0; i <= 20; ++i)
+      {
+        points->InsertNextPoint(shape(Vec3(i, j, 0.4 * k)).data());
+      }
+    }
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  const auto id = [](int i, int j, int k) -> vtkIdType { return i + 21 * (j + 13 * k); };
+  for (int k = 0; k < 2; ++k)
+  {
+    for (int j = 0; j < 12; ++j)
+    {
+      for (int i = 0; i < 20; ++i)
+      {
+        const vtkIdType n[8] = { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k),
+          id(i, j, k + 1), id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1) };
+        const vtkIdType up[6] = { n[0], n[1], n[2], n[4], n[5], n[6] };
+        const vtkIdType down[6] = { n[4], n[6], n[7], n[0], n[2], n[3] };
+        if ((i + j) % 2 == 0)
+        {
+          grid->InsertNextCell(VTK_HEXAHEDRON, 8, n);
+        }
+        else
+        {
+          grid->InsertNextCell(VTK_WEDGE, 6, up);
+          grid->InsertNextCell(VTK_WEDGE, 6, down);
+        }
+      }
+    }
+  }
+  return grid;
+}
+
+/// With a mesh: the normal of its skin, and through the whole of it.
+void TestAutomaticBySheet()
+{
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 0.5).normalized());
+  const auto placed = [&turn](const Vec3& p) { return Vec3(turn * p + Vec3(100, 20, 3)); };
+  const auto flat = MakeSheet(placed);
+  const Vec3 normal = turn * Vec3::UnitZ();
+  // Inside, across the rims, and along a rim in the middle plane, where the nearest nodes have
+  // normals that lie in the sheet.
+  for (const Points& points : { Points{ { 5, 5, 0.4 }, { 9, 8, 0.8 }, { 14, 4, 0.2 } },
+         Points{ { 7, -3, 0.8 }, { 9, 5, 0.8 }, { 7, 15, 0.8 } },
+         Points{ { 0, -2, 0.4 }, { 0, 5, 0.4 }, { 0, 14, 0.4 } } })
+  {
+    Points given;
+    for (const Vec3& point : points)
+    {
+      given.push_back(placed(point));
+    }
+    vtkNew<vtkTrimLineSource> source;
+    source->SetInputData(flat);
+    Give(source, given, false);
+    CHECK((UsedDirection(source) - normal).norm() < 1e-9, "normal " << UsedDirection(source));
+    const NurbsSurface surface = SurfaceOf(source);
+    const double length = surface.LastV();
+    double bounds[6];
+    flat->GetBounds(bounds);
+    for (const Vec3& point : given)
+    {
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const Vec3 far(
+          bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)]);
+        CHECK(std::abs((far - point).dot(normal)) < length, "does not pass through the part");
+      }
+    }
+  }
+
+  // An angle profile: a line on one leg goes by that leg.
+  const auto angle = MakeSheet(
+    [](const Vec3& p) { return p.x() <= 10.0 ? p : Vec3(10.0 + p.z(), p.y(), -(p.x() - 10.0)); });
+  vtkNew<vtkTrimLineSource> source;
+  source->SetInputData(angle);
+  Give(source, { { 1, 3, 0.8 }, { 4, 5, 0.8 }, { 3, 8, 0.8 }, { 1, 7, 0.8 } }, true);
+  CHECK((UsedDirection(source) - Vec3::UnitZ()).norm() < 1e-9, "lying leg");
+  Give(source, { { 10.8, 3, -9 }, { 10.8, 7, -9 }, { 10.8, 5, -6 } }, true);
+  CHECK((UsedDirection(source) - Vec3::UnitX()).norm() < 1e-9, "standing leg");
+
+  // A mesh that changes is looked at again; so is one that is taken away.
+  Give(source, { { 1, 3, 0.8 }, { 4, 5, 0.8 }, { 3, 8, 0.8 }, { 1, 7, 0.8 } }, true);
+  CHECK(FieldValue(source, "Length") > 10.0, "through the standing leg");
+  source->SetInputData(MakeSheet([](const Vec3& p) { return p; }));
+  CHECK(FieldValue(source, "Length") < 1.0, "the new mesh is flat");
+  source->SetInputData(nullptr);
+  CHECK(FieldValue(source, "Length") > 4.0, "no mesh any more");
+}
+
 void TestModified()
 {
   const Points points{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 } };
@@ -261,20 +429,39 @@ void TestBadInput()
       s->SetPoint(3, 0, 0, 0);
     });
   CheckError("point 2 is not finite", [nan](Source* s) { s->SetPoint(2, 0, nan, 0); });
-  CheckError("Direction is zero", [](Source* s) { s->SetDirection(0, 0, 0); });
+  CheckError("it ends where it begins; set Closed", [](Source* s) { s->SetPoint(3, 0, 0, 0); });
   CheckError("not finite", [infinity](Source* s) { s->SetDirection(0, infinity, 0); });
-  CheckError(
-    "along the line from point 0 to point 1", [](Source* s) { s->SetDirection(-3, 0, 0); });
-  CheckError("Length is 0", [](Source* s) { s->SetLength(0); });
+  CheckError("Direction is along the line at (0, 0, 0)",
+    [](Source* s) {
+      Give(s, { { 0, 0, 0 }, { 0, 0, 2 } }, false);
+    });
   CheckError("Length is -2", [](Source* s) { s->SetLength(-2); });
   CheckError("Length is nan", [nan](Source* s) { s->SetLength(nan); });
   CheckError("encloses no area",
     [](Source* s) {
       Give(s, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, true);
     });
+  // An eight, whose lobes cross where the chords do by symmetry; a polyline over itself, and one
+  // that goes back the way it came.
+  CheckError("crosses itself at (0, 0, 0)",
+    [](Source* s) {
+      Give(s, { { -2, -1, 0 }, { 2, 1, 0 }, { 2, -1, 0 }, { -2, 1, 0 } }, true);
+    });
+  CheckError("crosses itself at (3, 0, 0)",
+    [](Source* s)
+    {
+      s->SetLineType(vtkTrimLineSource::POLYLINE);
+      Give(s, { { 0, 0, 0 }, { 5, 0, 0 }, { 5, 4, 0 }, { 3, 4, 0 }, { 3, -2, 0 } }, false);
+    });
+  CheckError("turns back on itself at (5, 1, 0)",
+    [](Source* s)
+    {
+      s->SetLineType(vtkTrimLineSource::POLYLINE);
+      Give(s, { { 0, 0, 0 }, { 5, 1, 0 }, { 2.5, 0.5, 0 } }, false);
+    });
   CheckError("cannot be read", [](Source* s) { s->SetFileName("/nowhere/line.csv"); });
   CheckError("cannot be read", [](Source* s) { s->SetFileName("/tmp"); });
-  CheckFileError("IGES or STEP", "ISO-10303-21;\nHEADER;\n");
+  CheckFileError("is cut short", "ISO-10303-21;\nHEADER;\n");
   CheckFileError("line 3 is \"1,2\"; expected three", "x,y,z\n0,0,0\n1,2\n");
   CheckFileError("line 2", "0,0,0\n1,2,3,4\n");
   CheckFileError("line 2", "0,0,0\nx,y,z\n");
@@ -290,6 +477,9 @@ int main()
   TestUnevenChords();
   TestSweep();
   TestOrientation();
+  TestPolyline();
+  TestAutomaticByLine();
+  TestAutomaticBySheet();
   TestModified();
   TestFile();
   TestBadInput();

@@ -1,0 +1,36 @@
+/**
+ * @file CurveEvaluation.h
+ * @brief Points of a NURBS curve, the curve run backwards, and points along it.
+ */
+#ifndef CurveEvaluation_h
+#define CurveEvaluation_h
+
+#include "SurfaceConstruction.h"
+
+#include <string>
+
+namespace nurbs
+{
+/// C(u) and, if `derivative` is given, C'(u); u within the domain. (The NURBS Book, 4.1, by de
+/// Boor's algorithm)
+Vec3 EvaluateCurve(const ConvertedCurve& curve, double u, Vec3* derivative = nullptr);
+
+/// The same curve over the same domain from its end to its beginning. The map is dropped.
+ConvertedCurve ReverseCurve(const ConvertedCurve& curve);
+
+/// A point of a curve and its parameter.
+struct CurveSample
+{
+  double U;
+  Vec3 Point;
+};
+
+/// Points along the curve, both ends among them: at every knot, and between two knots evenly, at
+/// `perSpan` steps where the curve is not straight between them.
+std::vector<CurveSample> SampleCurve(const ConvertedCurve& curve, int perSpan);
+
+/// "(x, y, z)" for messages.
+std::string PlaceText(const Vec3& place);
+}
+
+#endif

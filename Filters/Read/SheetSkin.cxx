@@ -1,0 +1,193 @@
+#include "SheetSkin.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArrayRange.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nurbs
+{
+namespace
+{
+/// Area vectors that cancel each other but for this share belong to inner nodes.
+constexpr double Cancelled = 1e-6;
+
+/// Corners of faces, all seen from outside or all from inside; -1: a triangle.
+constexpr int HexahedronFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
+  { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+constexpr int WedgeFaces[5][4] = { { 0, 2, 1, -1 }, { 3, 4, 5, -1 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 },
+  { 2, 0, 3, 5 } };
+
+struct NodeSums
+{
+  std::vector<Vec3> Points, Areas;
+  std::vector<double> Sizes; ///< sums of the areas' sizes; zero: no element has the node
+};
+
+/// A fourth of a face's area vector: half the cross product of the diagonals makes the whole.
+Vec3 FaceArea(const vtkIdType* ids, const int (&face)[4], const NodeSums& sums)
+{
+  const Vec3& a = sums.Points[ids[face[0]]];
+  const Vec3& b = sums.Points[ids[face[1]]];
+  const Vec3& c = sums.Points[ids[face[2]]];
+  const Vec3& d = face[3] < 0 ? a : sums.Points[ids[face[3]]];
+  return 0.125 * (c - a).cross(d - b);
+}
+
+template <int Faces>
+void AddElement(const vtkIdType* ids, int corners, const int (&faces)[Faces][4], NodeSums& sums)
+{
+  Vec3 centre = Vec3::Zero();
+  for (int i = 0; i < corners; ++i)
+  {
+    centre += sums.Points[ids[i]] / corners;
+  }
+  // Wedges come in either order of their nodes: is the first face seen from outside?
+  const Vec3 outwards = sums.Points[ids[faces[0][0]]] - centre;
+  const double sign = FaceArea(ids, faces[0], sums).dot(outwards) < 0.0 ? -1.0 : 1.0;
+  for (const auto& face : faces)
+  {
+    const Vec3 area = sign * FaceArea(ids, face, sums);
+    const double size = area.norm();
+    for (int i = 0; i < 4 - (face[3] < 0); ++i)
+    {
+      sums.Areas[ids[face[i]]] += area;
+      sums.Sizes[ids[face[i]]] += size;
+    }
+  }
+}
+
+void AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
+{
+  vtkCellArray* cells = grid->GetCells();
+  const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
+  const auto add = [&](auto* offsets, auto* connectivity)
+  {
+    const auto at = vtk::DataArrayValueRange<1>(offsets);
+    const auto nodes = vtk::DataArrayValueRange<1>(connectivity);
+    const vtkIdType count = cells->GetNumberOfCells();
+    vtkIdType ids[8];
+    for (vtkIdType cell = 0; cell < count; ++cell)
+    {
+      const int corners = types[cell] == VTK_HEXAHEDRON ? 8 : types[cell] == VTK_WEDGE ? 6 : 0;
+      for (int i = 0; i < corners; ++i)
+      {
+        ids[i] = static_cast<vtkIdType>(nodes[static_cast<vtkIdType>(at[cell]) + i]);
+      }
+      if (corners == 8)
+      {
+        AddElement(ids, corners, HexahedronFaces, sums);
+      }
+      else if (corners == 6)
+      {
+        AddElement(ids, corners, WedgeFaces, sums);
+      }
+    }
+  };
+  if (cells->IsStorage64Bit())
+  {
+    add(cells->GetOffsetsArray64(), cells->GetConnectivityArray64());
+  }
+  else
+  {
+    add(cells->GetOffsetsArray32(), cells->GetConnectivityArray32());
+  }
+}
+
+void AddGrid(vtkUnstructuredGrid* grid, SheetSkin& skin)
+{
+  if (!grid || grid->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  NodeSums sums;
+  sums.Points.reserve(static_cast<size_t>(grid->GetNumberOfPoints()));
+  for (const auto point : vtk::DataArrayTupleRange<3>(grid->GetPoints()->GetData()))
+  {
+    sums.Points.emplace_back(
+      static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]));
+  }
+  sums.Areas.assign(sums.Points.size(), Vec3::Zero());
+  sums.Sizes.assign(sums.Points.size(), 0.0);
+  AddElements(grid, sums);
+  for (size_t i = 0; i < sums.Points.size(); ++i)
+  {
+    if (sums.Sizes[i] > 0.0 && sums.Points[i].allFinite())
+    {
+      skin.Box.extend(sums.Points[i]);
+    }
+    if (sums.Areas[i].norm() > Cancelled * sums.Sizes[i])
+    {
+      skin.Points.push_back(sums.Points[i]);
+      skin.Areas.push_back(sums.Areas[i]);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
+{
+  // The nearest nodes alone might be those of a rim, whose normals lie in the sheet.
+  std::vector<double> limits;
+  for (const Vec3& place : places)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3& point : this->Points)
+    {
+      nearest = std::min(nearest, (point - place).squaredNorm());
+    }
+    const double limit = std::sqrt(nearest) + reach;
+    limits.push_back(limit * limit);
+  }
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (size_t i = 0; i < this->Points.size(); ++i)
+  {
+    for (size_t k = 0; k < places.size(); ++k)
+    {
+      if ((this->Points[i] - places[k]).squaredNorm() <= limits[k])
+      {
+        sum += this->Areas[i] * this->Areas[i].transpose() / this->Areas[i].norm();
+        break;
+      }
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  // Rounding must not tilt a normal that is along an axis.
+  Vec3 normal = solver.eigenvectors().col(2);
+  normal = (normal.array().abs() < 1e-12).select(0.0, normal).normalized();
+  Eigen::Index largest = 0;
+  normal.cwiseAbs().maxCoeff(&largest);
+  return normal[largest] < 0.0 ? Vec3(-normal) : normal;
+}
+
+//------------------------------------------------------------------------------
+SheetSkin BuildSheetSkin(vtkDataObject* data)
+{
+  SheetSkin skin;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      AddGrid(vtkUnstructuredGrid::SafeDownCast(it->GetCurrentDataObject()), skin);
+    }
+  }
+  else
+  {
+    AddGrid(vtkUnstructuredGrid::SafeDownCast(data), skin);
+  }
+  return skin;
+}
+}
