@@ -9,7 +9,7 @@ directory=$(mktemp -d)
 mkfifo "$directory/number"
 # -noreset: ParaView opens a connection to probe OpenGL and closes it again; a server that resets
 # itself after its last client may refuse the next one.
-Xvfb -displayfd 3 -noreset -screen 0 1600x1200x24 -nolisten tcp \
+Xvfb -displayfd 3 -fbdir "$directory" -noreset -screen 0 1600x1200x24 -nolisten tcp \
   3>"$directory/number" >"$directory/log" 2>&1 &
 server=$!
 trap 'kill $server 2>/dev/null; rm -rf "$directory"' EXIT
@@ -19,4 +19,4 @@ if ! read -r number <"$directory/number"; then
   cat "$directory/log" >&2
   exit 1
 fi
-DISPLAY=":$number" LIBGL_ALWAYS_SOFTWARE=1 "$@"
+DISPLAY=":$number" NURBSTRIM_FRAMEBUFFER="$directory/Xvfb_screen0" LIBGL_ALWAYS_SOFTWARE=1 "$@"

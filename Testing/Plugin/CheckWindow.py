@@ -1,4 +1,4 @@
-"""Loads the state that TrimInWindow.xml saved: what was set in the panel is there, with its
+"""Loads the state that TrimInWindow.py saved: what was set in the panel is there, with its
 result and representation."""
 import os
 
@@ -6,7 +6,7 @@ from paraview.simple import FindSource, GetActiveViewOrCreate, GetDisplayPropert
 
 from Checks import OUTPUT_DIRECTORY, check, check_close, check_equal, summary
 
-check(os.path.getsize(os.path.join(OUTPUT_DIRECTORY, "window.png")) > 10000, "no screenshot")
+check(os.path.getsize(os.path.join(OUTPUT_DIRECTORY, "window-trimmed.png")) > 10000, "no screenshot")
 LoadState(os.path.join(OUTPUT_DIRECTORY, "window.pvsm"))
 trim = FindSource("TrimHexahedralGrid1")
 check(trim is not None, "no trim in the state")

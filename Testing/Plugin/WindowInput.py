@@ -1,4 +1,4 @@
-"""Writes what TrimInWindow.xml opens: a sheet of 20 x 12 x 2 elements, and the plane x = 8.3 as
+"""Writes what the tests of the window open: a sheet of 20 x 12 x 2 elements, and the plane x = 8.3 as
 an IGES file."""
 import os
 import sys

@@ -1,0 +1,100 @@
+#include "TrimActions.h"
+
+#include "CorrectionComparison.h"
+#include "TrimSelection.h"
+#include "TrimSummary.h"
+
+#include "pqActiveObjects.h"
+#include "pqPipelineSource.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+
+#include "vtkNew.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMViewProxy.h"
+
+#include <QAction>
+#include <QIcon>
+
+namespace
+{
+QAction* AddAction(QActionGroup* group, const char* name, const QString& text)
+{
+  auto* action = new QAction(QIcon(QString(":/NURBSTrim/Icons/%1.svg").arg(name)), text, group);
+  action->setObjectName(name);
+  return action;
+}
+
+/// Enables the action or says what is missing.
+void Enable(QAction* action, bool enabled, const QString& help, const QString& missing)
+{
+  action->setEnabled(enabled);
+  action->setToolTip(
+    QString("<p><b>%1</b></p><p>%2</p>%3")
+      .arg(action->text(), help, enabled ? QString() : QString("<p><i>%1</i></p>").arg(missing)));
+}
+}
+
+TrimActions::TrimActions(QObject* parent)
+  : QActionGroup(parent)
+{
+  this->setExclusive(false);
+
+  QAction* summary = AddAction(this, "ShowSummary", "Show Summary");
+  Enable(summary, true,
+    "The numbers of every trim in a table: elements kept and gone, quality, volume.", {});
+  this->Statuses = AddAction(this, "ShowStatuses", "Show Statuses");
+  this->Comparison = AddAction(this, "CompareCorrectionTypes", "Compare Correction Types");
+
+  QObject::connect(summary, &QAction::triggered, this, &TrimActions::ShowSummary);
+  QObject::connect(this->Statuses, &QAction::triggered, this, &TrimActions::ToggleStatuses);
+  QObject::connect(
+    this->Comparison, &QAction::triggered, this, &TrimActions::CompareCorrectionTypes);
+
+  const auto* active = &pqActiveObjects::instance();
+  QObject::connect(active, &pqActiveObjects::selectionChanged, this, &TrimActions::UpdateEnabled);
+  QObject::connect(active, &pqActiveObjects::dataUpdated, this, &TrimActions::UpdateEnabled);
+  QObject::connect(active, QOverload<pqView*>::of(&pqActiveObjects::viewChanged), this,
+    &TrimActions::UpdateEnabled);
+  this->UpdateEnabled();
+}
+
+void TrimActions::UpdateEnabled()
+{
+  const TrimSelection selection = FindTrimSelection();
+  const bool rendering = pqActiveObjects::instance().activeView() &&
+    pqActiveObjects::instance().activeView()->getViewProxy()->IsA("vtkSMRenderViewProxy");
+  Enable(this->Statuses, selection.Trim && rendering,
+    "The whole mesh with the statuses keep, eliminate, to treat, in place of the trimmed one; "
+    "once more to return.",
+    "Select a Trim Hexahedral Grid in the Pipeline Browser, and a 3D view.");
+  Enable(this->Comparison, selection.IsComplete(),
+    "The mesh before the trim and after it with the correction types I, II and III, in four "
+    "views that turn together.",
+    "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.");
+}
+
+void TrimActions::ShowSummary()
+{
+  TrimSummary::ShowInMainWindow();
+}
+
+void TrimActions::ToggleStatuses()
+{
+  vtkSMSourceProxy* trim = FindTrimSelection().Trim;
+  vtkSMViewProxy* view = pqActiveObjects::instance().activeView()->getViewProxy();
+  SCOPED_UNDO_SET("Show Statuses");
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  const int shown = controller->GetVisibility(trim, 1, view) ? 0 : 1;
+  controller->Hide(trim, 1 - shown, view);
+  vtkSMProxy* representation = controller->Show(trim, shown, view);
+  CorrectionComparison::ShowLegend(representation, view);
+  pqActiveObjects::instance().activeView()->render();
+}
+
+void TrimActions::CompareCorrectionTypes()
+{
+  SCOPED_UNDO_SET("Compare Correction Types");
+  CorrectionComparison::Show(FindTrimSelection());
+}

@@ -1,0 +1,36 @@
+/**
+ * @file TrimActions.h
+ * @brief The menu "NURBSTrim" of ParaView's window.
+ */
+#ifndef TrimActions_h
+#define TrimActions_h
+
+#include <QActionGroup>
+
+class QAction;
+
+/**
+ * What the menu NURBSTrim offers for the trim that is selected in the Pipeline Browser:
+ * - Show Summary: the numbers of all trims, see TrimSummary;
+ * - Show Statuses: the whole mesh with its statuses in place of the trimmed one, and back;
+ * - Compare Correction Types: four linked views, see CorrectionComparison.
+ * An action that has nothing to work on is greyed out, and its tooltip says what to select.
+ */
+class TrimActions : public QActionGroup
+{
+  Q_OBJECT
+
+public:
+  explicit TrimActions(QObject* parent);
+
+private:
+  void UpdateEnabled();
+  void ShowSummary();
+  void ToggleStatuses();
+  void CompareCorrectionTypes();
+
+  QAction* Statuses;
+  QAction* Comparison;
+};
+
+#endif

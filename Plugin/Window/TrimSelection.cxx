@@ -1,0 +1,75 @@
+#include "TrimSelection.h"
+
+#include "pqActiveObjects.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+
+#include "vtkPVDataInformation.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+
+#include <cstring>
+
+namespace
+{
+SelectedOutput InputOf(vtkSMSourceProxy* trim, const char* name)
+{
+  const vtkSMPropertyHelper input(trim, name);
+  return { vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()),
+    static_cast<int>(input.GetOutputPort()) };
+}
+
+SelectedOutput OutputOf(pqServerManagerModelItem* item)
+{
+  if (auto* port = qobject_cast<pqOutputPort*>(item))
+  {
+    return { port->getSourceProxy(), port->getPortNumber() };
+  }
+  if (auto* source = qobject_cast<pqPipelineSource*>(item))
+  {
+    return { source->getSourceProxy(), 0 };
+  }
+  return {};
+}
+}
+
+bool IsTrim(vtkSMProxy* proxy)
+{
+  return proxy && std::strcmp(proxy->GetXMLName(), "TrimHexahedralGrid") == 0;
+}
+
+TrimSelection FindTrimSelection()
+{
+  TrimSelection found;
+  for (pqServerManagerModelItem* item : pqActiveObjects::instance().selection())
+  {
+    const SelectedOutput output = OutputOf(item);
+    if (!output.Source)
+    {
+      continue;
+    }
+    vtkPVDataInformation* information = output.Source->GetDataInformation(output.Port);
+    if (IsTrim(output.Source))
+    {
+      found.Trim = output.Source;
+    }
+    else if (information->DataSetTypeIsA("vtkUnstructuredGrid"))
+    {
+      found.Mesh = output;
+    }
+    else if (information->DataSetTypeIsA("vtkPolyData") || information->IsCompositeDataSet())
+    {
+      found.Surface = output;
+    }
+  }
+  if (found.Trim && !found.Surface.Source)
+  {
+    found.Mesh = InputOf(found.Trim, "Input");
+    found.Surface = InputOf(found.Trim, "TrimmingSurface");
+  }
+  else if (found.Trim && !found.Mesh.Source)
+  {
+    found.Mesh = { found.Trim, 0 };
+  }
+  return found;
+}

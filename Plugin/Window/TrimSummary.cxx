@@ -1,0 +1,199 @@
+#include "TrimSummary.h"
+
+#include "TrimSelection.h"
+
+#include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
+
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMSourceProxy.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QMainWindow>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+struct Entry
+{
+  const char* Array;
+  const char* Meaning;
+};
+
+const std::vector<Entry> Entries = {
+  { "Kept", "elements that stayed" },
+  { "Eliminated", "elements that went" },
+  { "Treated", "elements crossed by the surface" },
+  { "MovedNodes", "nodes that were moved" },
+  { "TouchedElements", "elements at moved nodes" },
+  { "CertifiedElements", "touched elements proved valid everywhere" },
+  { "Pentahedra", "elements pressed to five sides" },
+  { "Wedges", "of these, now six-node wedges" },
+  { "MinimumScaledJacobian", "worst touched element, at its corners" },
+  { "MinimumIntegrationPointJacobian", "worst touched element, at integration points" },
+  { "MaximumDistanceToSurface", "of the nodes of the new border" },
+  { "Volume", "of what is left" },
+  { "NodeBandwidth", "largest difference of node numbers in an element" },
+  { "RescuedByRelaxation", "elements saved by moving nodes round them" },
+  { "RescuedByTreatment", "columns saved by the other treatment" },
+  { "RescuedByCorrection", "columns saved by the other correction type" },
+  { "RescuedByFate", "columns kept or eliminated against their volume" },
+  { "RescuedByLeaving", "columns with nodes left off the surface" },
+};
+
+std::vector<pqPipelineSource*> AllTrims()
+{
+  std::vector<pqPipelineSource*> trims;
+  const auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
+  {
+    if (IsTrim(source->getProxy()) && source->modifiedState() != pqProxy::UNINITIALIZED)
+    {
+      trims.push_back(source);
+    }
+  }
+  return trims;
+}
+
+/// The entries of one trim; none if it failed.
+std::map<std::string, QString> ValuesOf(pqPipelineSource* trim)
+{
+  std::map<std::string, QString> values;
+  auto* arrays =
+    trim->getSourceProxy()->GetDataInformation(0)->GetAttributeInformation(vtkDataObject::FIELD);
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
+    double range[2];
+    array->GetComponentRange(0, range);
+    // A range that is upside down: NaN, there was nothing to measure.
+    values[array->GetName()] =
+      range[0] > range[1] ? QString("-") : QString::number(range[0], 'g', 6);
+  }
+  return values;
+}
+
+QTableWidgetItem* Cell(const QString& text, bool number)
+{
+  auto* cell = new QTableWidgetItem(text);
+  cell->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  return cell;
+}
+}
+
+TrimSummary::TrimSummary(QWidget* parent)
+  : QDockWidget("Trim Summary", parent)
+  , Table(new QTableWidget(this))
+{
+  this->setObjectName("TrimSummary");
+  this->Table->setObjectName("Table");
+  this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  this->Table->setAlternatingRowColors(true);
+  auto* copy = new QPushButton("Copy", this);
+  copy->setObjectName("Copy");
+  copy->setToolTip("Copy the table, to be pasted into a spreadsheet.");
+  auto* content = new QWidget(this);
+  content->setObjectName("Content");
+  auto* layout = new QVBoxLayout(content);
+  layout->addWidget(this->Table);
+  layout->addWidget(copy, 0, Qt::AlignLeft);
+  this->setWidget(content);
+  QObject::connect(copy, &QPushButton::clicked, this, &TrimSummary::Copy);
+
+  this->Delay.setSingleShot(true);
+  QObject::connect(&this->Delay, &QTimer::timeout, this, &TrimSummary::Fill);
+  const auto refresh = [this] { this->Delay.start(0); };
+  const auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  QObject::connect(model, &pqServerManagerModel::dataUpdated, this, refresh);
+  QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, refresh);
+  QObject::connect(model, &pqServerManagerModel::nameChanged, this, refresh);
+  QObject::connect(model, &pqServerManagerModel::sourceRemoved, this, refresh);
+  this->Fill();
+}
+
+void TrimSummary::Fill()
+{
+  const std::vector<pqPipelineSource*> trims = AllTrims();
+  this->Table->clear();
+  this->Table->setRowCount(static_cast<int>(Entries.size()));
+  this->Table->setColumnCount(static_cast<int>(trims.size()) + 1);
+  QStringList rows;
+  for (const Entry& entry : Entries)
+  {
+    const int row = rows.size();
+    rows << entry.Array;
+    this->Table->setItem(row, static_cast<int>(trims.size()), Cell(entry.Meaning, false));
+  }
+  QStringList columns;
+  for (pqPipelineSource* trim : trims)
+  {
+    auto values = ValuesOf(trim);
+    for (int row = 0; row < rows.size(); ++row)
+    {
+      this->Table->setItem(row, columns.size(), Cell(values[Entries[row].Array], true));
+    }
+    columns << trim->getSMName();
+  }
+  columns << (trims.empty() ? "Meaning (no trim was applied yet)" : "Meaning");
+  this->Table->setHorizontalHeaderLabels(columns);
+  this->Table->setVerticalHeaderLabels(rows);
+  this->Table->resizeColumnsToContents();
+  this->Table->resizeRowsToContents();
+}
+
+QSize TrimSummary::SizeOfAll() const
+{
+  const QTableWidget& table = *this->Table;
+  const int margin = 40;
+  return { table.verticalHeader()->sizeHint().width() + table.horizontalHeader()->length() + margin,
+    table.verticalHeader()->length() + table.horizontalHeader()->height() + 3 * margin };
+}
+
+void TrimSummary::Copy() const
+{
+  QString text;
+  const int columns = this->Table->columnCount();
+  for (int column = 0; column < columns; ++column)
+  {
+    text += "\t" + this->Table->horizontalHeaderItem(column)->text();
+  }
+  for (int row = 0; row < this->Table->rowCount(); ++row)
+  {
+    text += "\n" + this->Table->verticalHeaderItem(row)->text();
+    for (int column = 0; column < columns; ++column)
+    {
+      text += "\t" + this->Table->item(row, column)->text();
+    }
+  }
+  QApplication::clipboard()->setText(text + "\n");
+}
+
+void TrimSummary::ShowInMainWindow()
+{
+  auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+  auto* summary = window->findChild<TrimSummary*>();
+  if (!summary)
+  {
+    // Beside the window's own panels at first: it can be docked by its title bar.
+    summary = new TrimSummary(window);
+    window->addDockWidget(Qt::BottomDockWidgetArea, summary);
+    summary->setFloating(true);
+    summary->show();
+    summary->resize(summary->SizeOfAll());
+    summary->move(window->geometry().center() - summary->rect().center());
+  }
+  summary->show();
+  summary->raise();
+}

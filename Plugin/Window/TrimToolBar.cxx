@@ -1,0 +1,23 @@
+#include "TrimToolBar.h"
+
+#include "TrimActions.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+TrimToolBar::TrimToolBar(QWidget* parent)
+  : QToolBar("NURBSTrim", parent)
+{
+  this->setObjectName("NURBSTrimToolbar");
+  this->addActions((new TrimActions(this))->actions());
+  QTimer::singleShot(0, this, &TrimToolBar::FindRoom);
+}
+
+void TrimToolBar::FindRoom()
+{
+  auto* window = qobject_cast<QMainWindow*>(this->parentWidget());
+  if (window && this->isVisible() && this->width() < this->sizeHint().width())
+  {
+    window->addToolBar(this);
+  }
+}

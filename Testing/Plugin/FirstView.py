@@ -1,0 +1,112 @@
+"""The first look at a trim: coloured by status whatever the input carries, and on a fine mesh the
+colours are not hidden by the edges of the elements."""
+import os
+
+import numpy
+from paraview import smstate
+from paraview.simple import (ColorBy, CreateRenderView, Elevation, FindSource, FindViewOrCreate,
+                             GetActiveView, GetColorTransferFunction, GetDisplayProperties,
+                             LoadState, OutputPort, PassArrays, ResetCamera, ResetSession,
+                             SaveScreenshot, SaveState, Show, Transform, UnstructuredCellTypes)
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+from Checks import LENGTHS, OUTPUT_DIRECTORY, check, check_equal, plane_at, sheet, trim
+
+
+def fine_sheet():
+    """The sheet with elements that are less than two pixels wide in the picture."""
+    counts = (400, 240, 1)
+    blocks = UnstructuredCellTypes(CellType=12, BlocksDimensions=counts, OutputPrecision=1)
+    scaled = Transform(Input=blocks)
+    scaled.Transform.Scale = [length / count for length, count in zip(LENGTHS, counts)]
+    return PassArrays(Input=scaled)
+
+
+def pixels(view, name):
+    path = os.path.join(OUTPUT_DIRECTORY, name)
+    SaveScreenshot(path, view)
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+
+
+def share(image, value):
+    """The share of the picture in the colour of a status."""
+    colors = GetColorTransferFunction("ElementStatus").IndexedColors
+    wanted = [round(255 * c) for c in colors[3 * value:3 * value + 3]]
+    return numpy.mean(numpy.abs(image - wanted).max(axis=1) <= 2)
+
+
+def unlit(display):
+    display.Ambient, display.Diffuse = 1, 0
+
+
+def check_active_scalars():
+    """Scalars that the input is coloured by do not hide the statuses."""
+    mesh = Elevation(Input=sheet())
+    view = CreateRenderView(ViewSize=[400, 300])
+    ColorBy(Show(mesh, view), ("POINTS", "Elevation"))
+    result = trim(mesh, plane_at(8.3))
+    for port in (0, 1):
+        display = Show(OutputPort(result, port), view)
+        check_equal(list(display.ColorArrayName), ["CELLS", "ElementStatus"], "coloured by")
+        check_equal(display.Representation, "Surface With Edges", "representation")
+        check(display.LookupTable is not None, "no color map")
+
+
+def check_edges():
+    """Edges are drawn where there is room for them, and only there."""
+    for mesh, fine in ((sheet(), False), (fine_sheet(), True)):
+        view = CreateRenderView(ViewSize=[800, 500])
+        display = Show(OutputPort(trim(mesh, plane_at(8.3)), 1), view)
+        unlit(display)
+        ResetCamera(view)
+        with_edges = share(pixels(view, "first-view-%d.png" % fine), 0)
+        display.SetRepresentationType("Surface")
+        without = share(pixels(view, "first-view-surface.png"), 0)
+        check(without > 0.1, "no kept elements in the picture")
+        if fine:
+            check(with_edges > 0.99 * without, "the edges hide the colours of a fine mesh: %g of %g"
+                  % (with_edges, without))
+        else:
+            check(with_edges < 0.95 * without, "no edges on a coarse mesh")
+
+
+def check_representations():
+    """The fading edges are in nobody's way: ParaView reports no error with any representation."""
+    view = CreateRenderView(ViewSize=[400, 300])
+    display = Show(trim(sheet(), plane_at(8.3)), view)
+    for name in display.GetProperty("RepresentationTypesInfo").GetData():
+        display.SetRepresentationType(name)
+        pixels(view, "first-view-representation.png")
+
+
+def check_state():
+    """What was changed by hand stays as it was set when a state is loaded."""
+    ResetSession()
+    view = CreateRenderView(ViewSize=[400, 300])
+    result = trim(sheet(), plane_at(8.3), registrationName="TheTrim")
+    display = Show(result, view)
+    ColorBy(display, ("POINTS", "NodeStatus"))
+    display.UseShaderReplacements = 0
+    path = os.path.join(OUTPUT_DIRECTORY, "first-view.pvsm")
+    SaveState(path)
+    script = smstate.get_state()
+    ResetSession()
+    LoadState(path)
+    view = FindViewOrCreate("RenderView1", "RenderView")
+    display = GetDisplayProperties(FindSource("TheTrim"), view)
+    check_equal(list(display.ColorArrayName), ["POINTS", "NodeStatus"], "coloured by, from state")
+    check_equal(display.UseShaderReplacements, 0, "fading edges turned off, from state")
+    ResetSession()
+    exec(compile(script, "state", "exec"), {"__name__": "state"})
+    display = GetDisplayProperties(FindSource("TheTrim"), GetActiveView())
+    check_equal(list(display.ColorArrayName), ["POINTS", "NodeStatus"], "coloured by, from script")
+
+
+check_active_scalars()
+check_edges()
+check_representations()
+check_state()

@@ -1,0 +1,64 @@
+"""A trim by hand in the real window, with the numbers that come out.
+
+Of the sheet's 20 rows of 24 elements the plane x = 8.3 leaves 8 on its near side, the ninth going
+with the rest as only 30 % of it are there, and 12 beyond, where the keep point is. At the end the
+state is saved for CheckWindow.py.
+"""
+from Window import MAIN, PANEL, VIEWS, Window
+
+SUMMARY = MAIN + "/TrimSummary/Content/Table"
+
+window = Window(size=(1400, 900))
+
+# Both files, the filter with both inputs, Apply.
+window.open("sheet.vtu")
+window.apply()
+window.open("plane.igs")
+window.apply()
+window.select("0:0/0:0")
+window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
+window.choose_inputs(TrimmingSurface="0:0/1:0")
+window.apply()
+window.python("found = summary(active())\n"
+              "check_equal(found['Kept'], 8 * 24, 'Kept')\n"
+              "check_close(found['Volume'], 8.3 * 12 * 0.5, 'Volume', 1e-6)\n"
+              "check_first_view()")
+window.picture("window-trimmed.png")
+
+# What does not matter is not shown: the optimization with type I, the keep point unless used.
+window.expect_visible("Optimization/ComboBox", True)
+window.set_choice("CorrectionType", "Type I: eliminate elements")
+window.expect_visible("Optimization/ComboBox", False)
+window.expect_visible("InteractiveHandle/worldPositionX", False)
+window.set_check("UseKeepPoint", True)
+window.expect_visible("InteractiveHandle/worldPositionX", True)
+
+# Properties by the panel, Apply.
+for axis, value in zip("XYZ", ("19", "6", "0.5")):
+    window.set_text("InteractiveHandle/worldPosition" + axis, value)
+window.set_choice("CorrectionType", "Type III: slide along edges")
+window.apply()
+window.python("found = summary(active())\n"
+              "check_equal(found['Kept'], 12 * 24, 'Kept')\n"
+              "check_close(found['Volume'], 11.7 * 12 * 0.5, 'Volume', 1e-6)\n"
+              "check_equal(active().CorrectionType, 'Type III: slide along edges', 'type')")
+
+# The menu NURBSTrim: the statuses in place of the trimmed grid, and the table of the summary.
+window.action("ShowStatuses")
+window.python("check_equal(shown_elements(), 20 * 12 * 2, 'elements in the view')")
+window.picture("window-statuses.png")
+window.action("ShowStatuses")
+window.python("check_equal(shown_elements(), 12 * 24, 'elements in the view')")
+window.action("ShowSummary")
+window.expect(SUMMARY, "columnCount", "2")
+window.expect(SUMMARY, "modelItemData", "0.0,288")
+window.expect(SUMMARY, "modelItemData", "11.0,70.2")
+window.picture("window-summary.png")
+window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
+
+# The state, before anything else is added to it.
+window.menu("menu_File", "actionFileSaveServerState")
+window.event(MAIN + "/FileSaveServerStateDialog", "filesSelected",
+             "$PARAVIEW_TEST_ROOT/window.pvsm")
+
+window.run("trim-in-window")

@@ -1,0 +1,109 @@
+"""What a GUI test's Python steps have at hand inside the window's own process."""
+import os
+import struct
+import sys
+import traceback
+
+import numpy
+from paraview.simple import *  # noqa: F401,F403: for the steps
+from paraview.simple import (FindSource, GetActiveSource, GetActiveView, GetColorTransferFunction,
+                             GetLayoutByName, GetScalarBar, GetViewsInLayout, Render)
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+from Checks import OUTPUT_DIRECTORY, check, check_close, check_equal, summary  # noqa: F401
+
+
+def run(code):
+    """Runs a step; what goes wrong is told on the process' standard error, not in the shell."""
+    try:
+        exec(code, globals())
+    except BaseException:
+        os.write(2, traceback.format_exc().encode())
+
+
+def tell(text):
+    os.write(1, (text + "\n").encode())
+
+
+def active():
+    return GetActiveSource()
+
+
+def screen():
+    """The pixels of the screen, rows x columns x RGB, from the display's frame buffer file."""
+    with open(os.environ["NURBSTRIM_FRAMEBUFFER"], "rb") as file:
+        data = file.read()
+    # The X window dump format: a header of big-endian 32 bit words, the colour map, the pixels.
+    header = struct.unpack(">25I", data[:100])
+    size, width, height, stride, colors = header[0], header[4], header[5], header[12], header[19]
+    pixels = numpy.frombuffer(data, numpy.uint8, stride * height, size + 12 * colors)
+    return pixels.reshape(height, stride // 4, 4)[:, :width, 2::-1]
+
+
+def save_screen(name, width, height):
+    """A picture of the window, which stands in the screen's upper left corner."""
+    pixels = numpy.ascontiguousarray(screen()[:height, :width][::-1])
+    image = vtkImageData()
+    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, 3), deep=True))
+    writer = vtkPNGWriter()
+    writer.SetFileName(os.path.join(OUTPUT_DIRECTORY, name))
+    writer.SetInputData(image)
+    writer.Write()
+
+
+def representation():
+    """The one visible representation of the active view."""
+    shown = [r for r in GetActiveView().Representations
+             if r.Visibility and hasattr(r, "ColorArrayName")]
+    check_equal(len(shown), 1, "visible representations")
+    return shown[0]
+
+
+def shown_elements():
+    port = representation().Input
+    return port.GetDataInformation().GetNumberOfCells()
+
+
+def check_first_view():
+    """What Apply shows at once: the status of the elements, with a legend that names it."""
+    shown = representation()
+    check_equal(shown.Representation, "Surface With Edges", "representation")
+    check_equal(list(shown.ColorArrayName), ["CELLS", "ElementStatus"], "coloured by")
+    colors = GetColorTransferFunction("ElementStatus")
+    check_equal(list(colors.Annotations), ["0", "keep", "1", "eliminate", "2", "to treat"],
+                "names")
+    check(GetScalarBar(colors, GetActiveView()).Visibility, "no legend")
+
+
+def check_comparison(kept, volumes):
+    """Three trims of the three types, each in a view with a title and a legend, linked cameras."""
+    selected = GetActiveSource()
+    trims = [FindSource("Type" + number) for number in ("I", "II", "III")]
+    for index, (trim, volume) in enumerate(zip(trims, volumes)):
+        check(trim is not None, "no trim of type %d" % (index + 1))
+        check_equal(trim.GetProperty("CorrectionType").SMProperty.GetElement(0), index + 1, "type")
+        check_equal(trim.InvertSide, selected.InvertSide, "InvertSide, of the selected trim")
+        found = summary(trim)
+        check_equal(found["Kept"], kept, "Kept")
+        check_close(found["Volume"], volume, "Volume", 1e-6)
+    layout = GetLayoutByName("Correction Types")
+    views = GetViewsInLayout(layout)
+    check_equal(len(views), 4, "views")
+    colors = GetColorTransferFunction("ElementStatus")
+    titles = set()
+    for view in views:
+        check(GetScalarBar(colors, view).Visibility, "a view without legend")
+        titles |= {shown.Input.Text for shown in view.Representations
+                   if hasattr(shown, "Input") and shown.Input.GetXMLName() == "TextSource"}
+    check_equal(len(titles), 4, "titles")
+    views[2].ResetActiveCameraToPositiveX()
+    views[2].ResetCamera()
+    Render(views[2])
+    for view in views:
+        check_equal([round(c, 6) for c in view.CameraPosition],
+                    [round(c, 6) for c in views[2].CameraPosition], "camera of a linked view")
+    views[2].ResetActiveCameraToNegativeZ()
+    views[2].ResetCamera()
