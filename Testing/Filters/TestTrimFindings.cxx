@@ -210,6 +210,7 @@ void TestOrdinary()
   for (const double shift : { 0.0, 0.002, -0.002, 0.5 })
   {
     ExpectNothing("hole of radius 30", sheet, Hole(sheet, 40.5, 40 + shift, 30), options);
+    ExpectNothing("hole of radius 10", sheet, Hole(sheet, 40.5, 40.01 + shift, 10), options);
   }
   ExpectNothing("leaning hole", sheet, Hole(sheet, 40.2, 39.9, 30, 15 * Degree), options);
 }
