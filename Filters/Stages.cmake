@@ -1,9 +1,16 @@
 # The stages of the paper's Fig. 8, from classify to write, as one static library.
 add_library(NURBSTrimStages STATIC
   Mesh/Band.cxx
+  Mesh/BandCells.cxx
   Mesh/Columns.cxx
   Mesh/HexMesh.cxx
   Mesh/MeshBlocks.cxx
+  Ranks/ControllerRanks.cxx
+  Ranks/GatherBand.cxx
+  Ranks/GhostCells.cxx
+  Ranks/PieceSides.cxx
+  Ranks/SharedNodes.cxx
+  Ranks/SurfacePrint.cxx
   Classify/EdgeCrossing.cxx
   Classify/NodeClassification.cxx
   Decide/Decision.cxx
@@ -22,6 +29,7 @@ add_library(NURBSTrimStages STATIC
   Renumber/NodeOrdering.cxx
   Write/FindingArrays.cxx
   Write/GatherAttributes.cxx
+  Write/OrderlessSum.cxx
   Write/StatusArrays.cxx
   Write/Summary.cxx
   Write/TrimmedGrid.cxx
@@ -29,10 +37,10 @@ add_library(NURBSTrimStages STATIC
   Trim/Shortfalls.cxx
   Trim/TrimPipeline.cxx
   Trim/TrimWarnings.cxx)
-foreach (stage IN ITEMS Mesh Classify Decide Correct Treat Renumber Write Trim)
+foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Renumber Write Trim)
   target_include_directories(NURBSTrimStages PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${stage}")
 endforeach ()
 target_link_libraries(NURBSTrimStages
   PUBLIC NURBSTrimGeometry Eigen3::Eigen VTK::CommonCore VTK::CommonDataModel
-  PRIVATE Boost::headers)
+  PRIVATE Boost::headers VTK::ParallelCore)
 target_compile_features(NURBSTrimStages PUBLIC cxx_std_17)

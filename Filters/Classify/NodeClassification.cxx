@@ -2,6 +2,7 @@
 
 #include "DisjointSets.h"
 #include "ElementTopology.h"
+#include "PieceSides.h"
 
 #include <vtkSMPTools.h>
 
@@ -113,16 +114,34 @@ void UniteCells(const HexMesh& mesh, const std::vector<Id>& candidates, Disjoint
   }
 }
 
+/// A vote for x by its edge to y, if the surface crosses it; else the two share a side.
+template <typename Index>
+void AskEdge(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, Id x, Id y,
+  std::vector<NodeVote>& votes, DisjointSets<Index>& sets)
+{
+  const Vec3 a = mesh.Point(x);
+  const Vec3 b = mesh.Point(y);
+  const auto hits = surface.Intersect(a, b);
+  if (hits.empty())
+  {
+    sets.Unite(static_cast<Index>(x), static_cast<Index>(y));
+    return;
+  }
+  const unsigned char side = hits.front().Normal.dot(b - a) > 0.0 ? NodeKeep : NodeEliminate;
+  votes.push_back({ x, { (hits.front().Point - a).norm(), ToPlace(b), side } });
+}
+
 /**
  * Nodes whose closest point lies on the border of the surface have no side of their own: they
  * take it from the edges of their cells. An edge that the surface does not meet joins its ends;
  * on one that it does, the first hit's normal tells the side.
  */
 template <typename Index>
-void ResolveBorderNodes(const HexMesh& mesh, const std::vector<Id>& candidates,
+void ResolveBorderNodes(const HexMesh& mesh, const Piece& piece, const std::vector<Id>& candidates,
   const nurbs::TrimmingSurface& surface, const NodeFeet& near, NodeClassification& result,
   DisjointSets<Index>& sets)
 {
+  std::vector<NodeVote> votes;
   std::array<Id, 8> nodes;
   for (const Id c : candidates)
   {
@@ -135,71 +154,80 @@ void ResolveBorderNodes(const HexMesh& mesh, const std::vector<Id>& candidates,
       {
         const Id x = ends[side];
         const Id y = ends[1 - side];
-        if (near.Feet[near.Find(x)].Kind == FootKind::Interior ||
-          result.Status[x] == NodeOnSurface || result.Status[y] == NodeOnSurface)
+        if (near.Feet[near.Find(x)].Kind != FootKind::Interior &&
+          result.Status[x] != NodeOnSurface && result.Status[y] != NodeOnSurface)
         {
-          continue;
-        }
-        const Vec3 a = mesh.Point(x);
-        const Vec3 b = mesh.Point(y);
-        const auto hits = surface.Intersect(a, b);
-        if (hits.empty())
-        {
-          sets.Unite(static_cast<Index>(x), static_cast<Index>(y));
-        }
-        else if (result.Status[x] == NodeUnknown)
-        {
-          result.Status[x] = hits.front().Normal.dot(b - a) > 0.0 ? NodeKeep : NodeEliminate;
+          AskEdge(mesh, surface, x, y, votes, sets);
         }
       }
     }
   }
-}
-
-/// Where the surface ends inside the grid: the border point nearest to a projected node.
-std::string EndOfSurface(const NodeFeet& near, const Vec3& fallback)
-{
-  Vec3 place = fallback;
-  double best = std::numeric_limits<double>::infinity();
-  for (const auto& foot : near.Feet)
+  ShareVotes(piece, votes);
+  std::unordered_map<Id, SideVote> decisive;
+  for (const auto& vote : votes)
   {
-    if (foot.Kind == FootKind::Border && foot.Distance < best)
+    auto& best = decisive[vote.Node];
+    if (vote.Vote.Outvotes(best))
     {
-      best = foot.Distance;
-      place = foot.Point;
+      best = vote.Vote;
+      result.Status[vote.Node] = vote.Vote.Side;
     }
   }
-  return "The trimming surface ends inside the grid, at " + PlaceText(place) +
+}
+
+/// A place where the surface ends inside the grid, and how near a node is to it.
+struct SurfaceEnd
+{
+  double Distance = std::numeric_limits<double>::infinity();
+  Place At{};
+};
+
+/// The border point nearest to a projected node.
+std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const SurfaceEnd& fallback)
+{
+  std::vector<SurfaceEnd> ends{ fallback };
+  for (const auto& foot : near.Feet)
+  {
+    if (foot.Kind == FootKind::Border && foot.Distance < ends.front().Distance)
+    {
+      ends.front() = { foot.Distance, ToPlace(foot.Point) };
+    }
+  }
+  ends = piece.All.Gather(ends);
+  const auto nearest = std::min_element(ends.begin(), ends.end(),
+    [](const SurfaceEnd& a, const SurfaceEnd& b) { return a.Distance < b.Distance; });
+  return "The trimming surface ends inside the grid, at " + PlaceText(ToVec3(nearest->At)) +
     ", and so does not part it: extend the surface beyond the grid or close it.";
 }
 
-/// Side of a part that the surface does not meet, by the most decisive of some of its nodes.
-unsigned char SideOfFarPart(
-  const HexMesh& mesh, const std::vector<Id>& samples, const nurbs::TrimmingSurface& surface)
+/// Side of a part that the surface does not meet, by the most decisive of its outermost nodes.
+unsigned char SideOfFarPart(const OutermostNodes& nodes, const nurbs::TrimmingSurface& surface)
 {
   double best = -1.0;
   unsigned char status = NodeKeep;
-  for (const Id node : samples)
+  for (const Place& place : nodes.Places())
   {
-    const Foot foot = surface.ClosestPoint(mesh.Point(node));
+    const Vec3 node = ToVec3(place);
+    const Foot foot = surface.ClosestPoint(node);
     const double cosine = foot.Distance > 0.0 ? std::abs(foot.SignedDistance) / foot.Distance : 0.0;
     const double weight = cosine + (foot.Kind == FootKind::Interior ? 1.0 : 0.0);
     if (weight > best)
     {
       best = weight;
       // On the border the signed distance may be zero: the normal decides what it can.
-      const double side = (mesh.Point(node) - foot.Point).dot(foot.Normal);
+      const double side = (node - foot.Point).dot(foot.Normal);
       status = side > 0.0 ? NodeEliminate : NodeKeep;
     }
   }
   return status;
 }
 
+/// Sides by the root of each set of nodes, from those that were projected or voted for. False
+/// where a set has both; `place` is then one of its nodes.
 template <typename Index>
-bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NodeFeet& near,
-  NodeClassification& result, DisjointSets<Index>& sets, std::string& error)
+bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassification& result,
+  DisjointSets<Index>& sets, std::vector<unsigned char>& ofRoot, SurfaceEnd& place)
 {
-  std::vector<unsigned char> ofRoot(mesh.NumberOfPoints, NodeUnknown);
   for (const Id node : near.Ids)
   {
     const unsigned char status = result.Status[node];
@@ -210,13 +238,22 @@ bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, con
     unsigned char& root = ofRoot[sets.Find(static_cast<Index>(node))];
     if (root != NodeUnknown && root != status)
     {
-      error = EndOfSurface(near, mesh.Point(node));
+      place = { std::numeric_limits<double>::max(), ToPlace(mesh.Point(node)) };
       return false;
     }
     root = status;
   }
-  std::unordered_map<Index, std::vector<Id>> farParts;
-  constexpr std::size_t samplesPerPart = 16;
+  return true;
+}
+
+/// Gives nodes the side of their set. Returns, by root, the sets that have none: parts of the mesh
+/// that the surface does not meet.
+template <typename Index>
+std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
+  const std::vector<unsigned char>& ofRoot, DisjointSets<Index>& sets, NodeClassification& result)
+{
+  std::vector<std::pair<Id, OutermostNodes>> farParts;
+  std::unordered_map<Index, std::size_t> partOfRoot;
   for (Id i = 0; i < mesh.NumberOfPoints; ++i)
   {
     if (result.Status[i] != NodeUnknown)
@@ -227,38 +264,53 @@ bool CarryStatus(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, con
     result.Status[i] = ofRoot[root];
     if (ofRoot[root] == NodeUnknown)
     {
-      auto& samples = farParts[root];
-      if (samples.size() < samplesPerPart)
+      const auto part = partOfRoot.emplace(root, farParts.size());
+      if (part.second)
       {
-        samples.push_back(i);
+        farParts.emplace_back(root, OutermostNodes());
       }
+      farParts[part.first->second].second.Add(ToPlace(mesh.Point(i)));
     }
   }
+  return farParts;
+}
+
+template <typename Index>
+bool CarryStatus(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
+  const NodeFeet& near, NodeClassification& result, DisjointSets<Index>& sets, std::string& error)
+{
+  std::vector<unsigned char> ofRoot(mesh.NumberOfPoints, NodeUnknown);
+  SurfaceEnd place;
+  const bool parted = FindSidesOfSets(mesh, near, result, sets, ofRoot, place);
+  JoinedSets joined;
+  const bool partedAll = joined.Join(
+    piece, [&sets](Id node) { return sets.Find(static_cast<Index>(node)); }, ofRoot);
+  if (piece.All.Any(!parted || !partedAll))
+  {
+    error = EndOfSurface(piece, near, place);
+    return false;
+  }
+  auto farParts = AssignSides(mesh, ofRoot, sets, result);
+  joined.ShareOutermost(piece, farParts);
   if (!farParts.empty())
   {
     for (const auto& part : farParts)
     {
-      ofRoot[part.first] = SideOfFarPart(mesh, part.second, surface);
+      ofRoot[part.first] = SideOfFarPart(part.second, surface);
     }
-    for (Id i = 0; i < mesh.NumberOfPoints; ++i)
-    {
-      if (result.Status[i] == NodeUnknown)
-      {
-        result.Status[i] = ofRoot[sets.Find(static_cast<Index>(i))];
-      }
-    }
+    AssignSides(mesh, ofRoot, sets, result);
   }
   return true;
 }
 
 template <typename Index>
-bool Classify(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NodeFeet& near,
-  NodeClassification& result, std::string& error)
+bool Classify(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
+  const NodeFeet& near, NodeClassification& result, std::string& error)
 {
   DisjointSets<Index> sets(static_cast<Index>(mesh.NumberOfPoints));
   UniteCells(mesh, result.CandidateCells, sets);
-  ResolveBorderNodes(mesh, result.CandidateCells, surface, near, result, sets);
-  return CarryStatus(mesh, surface, near, result, sets, error);
+  ResolveBorderNodes(mesh, piece, result.CandidateCells, surface, near, result, sets);
+  return CarryStatus(mesh, piece, surface, near, result, sets, error);
 }
 
 }
@@ -270,7 +322,7 @@ std::string PlaceText(const Vec3& p)
   return text;
 }
 
-bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks,
+bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   const nurbs::TrimmingSurface& surface, double tolerance, const std::function<bool()>& aborted,
   NodeClassification& result, std::string& error)
 {
@@ -278,7 +330,6 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks,
   result.Status.assign(mesh.NumberOfPoints, NodeUnknown);
   result.SignedDistance.assign(mesh.NumberOfPoints, std::numeric_limits<float>::quiet_NaN());
   result.CandidateCells = FindCandidateCells(mesh, blocks, surface);
-  result.SurfaceMissesGrid = result.CandidateCells.empty();
 
   result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
   const NodeFeet& near = result.Near;
@@ -291,9 +342,10 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks,
       result.SignedDistance[near.Ids[i]] = static_cast<float>(foot.SignedDistance);
     }
   }
+  ShareProjections(piece, result);
   return mesh.NumberOfPoints < std::numeric_limits<vtkTypeInt32>::max()
-    ? Classify<vtkTypeInt32>(mesh, surface, near, result, error)
-    : Classify<vtkTypeInt64>(mesh, surface, near, result, error);
+    ? Classify<vtkTypeInt32>(mesh, piece, surface, near, result, error)
+    : Classify<vtkTypeInt64>(mesh, piece, surface, near, result, error);
 }
 
 }

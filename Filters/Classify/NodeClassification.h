@@ -37,22 +37,26 @@ struct NodeFeet
   }
 };
 
+struct Piece;
+
 struct NodeClassification
 {
   std::vector<unsigned char> Status; ///< of every node
   std::vector<float> SignedDistance; ///< NaN where the node was not projected
   std::vector<Id> CandidateCells;    ///< whose boxes meet the surface, ascending
   NodeFeet Near;                     ///< of the nodes of CandidateCells
-  bool SurfaceMissesGrid = false;
 };
 
 /**
+ * @param piece the mesh among those of other ranks, whose nodes it may share.
  * @param tolerance absolute distance under which a node is on the surface.
  * @param aborted asked now and then by one thread; true ends the work at once.
+ * Collective.
+ *
  * @return false with an error that gives a point where the surface ends, if it does not part
  * the mesh.
  */
-bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks,
+bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   const nurbs::TrimmingSurface& surface, double tolerance, const std::function<bool()>& aborted,
   NodeClassification& result, std::string& error);
 

@@ -1,5 +1,6 @@
 #include "Facet.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 
 #include "Status.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

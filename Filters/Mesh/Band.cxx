@@ -1,5 +1,7 @@
 #include "Band.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 
@@ -8,27 +10,11 @@ namespace trim
 namespace
 {
 
-/// Position of a value in an ascending list, or -1.
-template <typename T>
-int Locate(const std::vector<T>& sorted, T value)
+/// The index that belongs to an id in an ascending list, or -1.
+int Locate(const std::vector<std::pair<Id, int>>& indices, Id id)
 {
-  const auto it = std::lower_bound(sorted.begin(), sorted.end(), value);
-  return it != sorted.end() && *it == value ? static_cast<int>(it - sorted.begin()) : -1;
-}
-
-std::vector<Id> NodesOfCells(const HexMesh& mesh, const std::vector<Id>& cells)
-{
-  std::vector<Id> all;
-  all.reserve(cells.size() * 8);
-  std::array<Id, 8> nodes;
-  for (const Id c : cells)
-  {
-    const int count = mesh.Cell(c, nodes);
-    all.insert(all.end(), nodes.begin(), nodes.begin() + count);
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
+  const auto it = std::lower_bound(indices.begin(), indices.end(), std::make_pair(id, 0));
+  return it != indices.end() && it->first == id ? it->second : -1;
 }
 
 /// The nodes of a face in ascending order: the same from both its elements.
@@ -45,65 +31,14 @@ std::array<int, 4> FaceKey(const BandElement& element, int slot)
   return key;
 }
 
-/// Breadth-first rings over cells that share a node; -1 outside.
-std::vector<int> GrowRings(const std::vector<int>& seeds,
-  const std::vector<std::array<int, 8>>& cells, const std::vector<int>& counts, int numberOfNodes,
-  int rings)
-{
-  const auto links = BuildLists(numberOfNodes,
-    [&](auto&& add)
-    {
-      for (std::size_t c = 0; c < cells.size(); ++c)
-      {
-        for (int i = 0; i < counts[c]; ++i)
-        {
-          add(cells[c][i], static_cast<int>(c));
-        }
-      }
-    });
-  std::vector<int> ring(cells.size(), -1);
-  std::vector<char> nodeSeen(numberOfNodes, 0);
-  std::vector<int> front = seeds;
-  for (const int c : front)
-  {
-    ring[c] = 0;
-  }
-  for (int r = 1; r <= rings && !front.empty(); ++r)
-  {
-    std::vector<int> next;
-    for (const int c : front)
-    {
-      for (int i = 0; i < counts[c]; ++i)
-      {
-        const int node = cells[c][i];
-        if (nodeSeen[node])
-        {
-          continue;
-        }
-        nodeSeen[node] = 1;
-        for (const int* other = links.begin(node); other != links.end(node); ++other)
-        {
-          if (ring[*other] < 0)
-          {
-            ring[*other] = r;
-            next.push_back(*other);
-          }
-        }
-      }
-    }
-    front = std::move(next);
-  }
-  return ring;
 }
 
-}
-
-Band::Band(
-  const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings)
-  : SinglePrecision(mesh.PointsFloat != nullptr)
+Band::Band(BandCells cells, int rings, bool singlePrecision)
+  : SinglePrecision(singlePrecision)
   , Halo(rings)
 {
-  this->TakeElements(mesh, seeds, near, rings);
+  SortByPlace(cells);
+  this->TakeElements(cells);
   this->OrientWedges();
   this->ElementLists = BuildLists(this->NumberOfNodes(),
     [this](auto&& add)
@@ -120,63 +55,36 @@ Band::Band(
   this->BuildEdges();
 }
 
-void Band::TakeElements(
-  const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings)
+void Band::TakeElements(const BandCells& cells)
 {
-  const std::vector<Id> nearNodes = NodesOfCells(mesh, near);
-  std::vector<std::array<int, 8>> cells(near.size());
-  std::vector<int> counts(near.size());
-  std::array<Id, 8> nodes;
-  for (std::size_t c = 0; c < near.size(); ++c)
+  for (const auto& node : cells.Nodes)
   {
-    counts[c] = mesh.Cell(near[c], nodes);
-    for (int i = 0; i < counts[c]; ++i)
+    if (node.Global >= 0)
     {
-      cells[c][i] = Locate(nearNodes, nodes[i]);
+      this->NodeByPoint.emplace_back(node.Global, this->NumberOfNodes());
     }
+    this->GlobalNode.push_back(node.Global);
+    this->Point.push_back(node.Point);
+    this->NodeStatus.push_back(node.Status);
   }
-  std::vector<int> seedCells;
-  for (const Id seed : seeds)
+  for (const auto& cell : cells.Cells)
   {
-    seedCells.push_back(Locate(near, seed));
-  }
-  const auto ring = GrowRings(seedCells, cells, counts, static_cast<int>(nearNodes.size()), rings);
-
-  std::vector<int> local(nearNodes.size(), -1);
-  for (std::size_t c = 0; c < near.size(); ++c)
-  {
-    for (int i = 0; ring[c] >= 0 && i < counts[c]; ++i)
-    {
-      local[cells[c][i]] = 0;
-    }
-  }
-  for (std::size_t n = 0; n < nearNodes.size(); ++n)
-  {
-    if (local[n] == 0)
-    {
-      local[n] = this->NumberOfNodes();
-      this->GlobalNode.push_back(nearNodes[n]);
-      this->Point.push_back(mesh.Point(nearNodes[n]));
-    }
-  }
-  for (std::size_t c = 0; c < near.size(); ++c)
-  {
-    if (ring[c] < 0)
-    {
-      continue;
-    }
     BandElement element;
-    element.Global = near[c];
-    element.Count = counts[c];
-    element.Ring = ring[c];
+    element.Global = cell.Global;
+    element.Count = cell.Count;
+    element.Ring = cell.Ring;
     element.Face.fill(-1);
     element.Node.fill(-1);
-    for (int i = 0; i < counts[c]; ++i)
+    if (cell.Global >= 0)
     {
-      element.Node[i] = local[cells[c][i]];
+      this->ElementByCell.emplace_back(cell.Global, this->NumberOfElements());
     }
+    std::copy_n(cell.Node.begin(), cell.Count, element.Node.begin());
     this->Elements.push_back(element);
+    this->ElementStatus.push_back(cell.Status);
   }
+  std::sort(this->NodeByPoint.begin(), this->NodeByPoint.end());
+  std::sort(this->ElementByCell.begin(), this->ElementByCell.end());
 }
 
 void Band::OrientWedges()
@@ -319,7 +227,22 @@ int Band::FindEdge(int a, int b) const
 
 int Band::FindNode(Id global) const
 {
-  return Locate(this->GlobalNode, global);
+  return Locate(this->NodeByPoint, global);
+}
+
+int Band::FindElement(Id cell) const
+{
+  return Locate(this->ElementByCell, cell);
+}
+
+std::vector<int> Band::ElementsByCell() const
+{
+  std::vector<int> elements;
+  for (const auto& cell : this->ElementByCell)
+  {
+    elements.push_back(cell.second);
+  }
+  return elements;
 }
 
 }

@@ -9,11 +9,11 @@
 #ifndef Band_h
 #define Band_h
 
+#include "BandCells.h"
 #include "ElementTopology.h"
-#include "HexMesh.h"
-#include "MeshBlocks.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -21,7 +21,7 @@ namespace trim
 
 struct BandElement
 {
-  Id Global = -1;
+  Id Global = -1;          ///< cell of the mesh; -1: of another rank's
   int Count = 0;           ///< 8 or 6
   std::array<int, 8> Node; ///< band nodes, in an order with positive Jacobian
   std::array<int, 6> Face; ///< band faces, by the slots of ElementTopology
@@ -46,18 +46,19 @@ class Band
 {
 public:
   /**
-   * @param seeds cells of ring 0, ascending.
-   * @param near cells among which all rings are found, ascending (a superset of the band).
-   * @param rings how many rings of cells, joined by nodes, to take round the seeds, the halo
-   * included.
+   * @param cells in any order: the band has its own, see SortByPlace.
+   * @param rings how many rings of cells were taken round ring 0, the halo included.
+   * @param singlePrecision positions are stored as float.
    */
-  Band(const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings);
+  Band(BandCells cells, int rings, bool singlePrecision);
 
-  std::vector<BandElement> Elements; ///< by ascending global id
+  std::vector<BandElement> Elements;
   std::vector<BandFace> Faces;
-  std::vector<BandEdge> Edges;  ///< First < Second, ascending
-  std::vector<Id> GlobalNode;   ///< ascending
-  std::vector<Vec3> Point;      ///< original positions
+  std::vector<BandEdge> Edges; ///< First < Second, ascending
+  std::vector<Id> GlobalNode;  ///< point of the mesh; -1: only other ranks have it
+  std::vector<Vec3> Point;     ///< original positions
+  std::vector<unsigned char> NodeStatus;
+  std::vector<unsigned char> ElementStatus;
   bool SinglePrecision = false; ///< positions are stored as float
 
   int NumberOfNodes() const { return static_cast<int>(this->GlobalNode.size()); }
@@ -95,11 +96,13 @@ public:
     return this->Edges[edge].First == node ? this->Edges[edge].Second : this->Edges[edge].First;
   }
   int FindEdge(int a, int b) const; ///< -1 if there is none
-  int FindNode(Id global) const;    ///< -1 if it is not in the band
+  int FindNode(Id global) const;    ///< of a point of the mesh; -1 if it is not in the band
+  int FindElement(Id cell) const;   ///< of a cell of the mesh; -1 if it is not in the band
+  /// The elements that are cells of the mesh, by ascending cell.
+  std::vector<int> ElementsByCell() const;
 
 private:
-  void TakeElements(
-    const HexMesh& mesh, const std::vector<Id>& seeds, const std::vector<Id>& near, int rings);
+  void TakeElements(const BandCells& cells);
   void OrientWedges();
   /// The later element with a face of the same nodes, and its slot there; -1 if there is none.
   int FindTwin(int element, const std::array<int, 4>& key, int& slot) const;
@@ -107,6 +110,7 @@ private:
   void BuildEdges();
 
   int Halo = 0;
+  std::vector<std::pair<Id, int>> NodeByPoint, ElementByCell; ///< ascending
   Lists ElementLists, FaceLists, EdgeLists;
 };
 

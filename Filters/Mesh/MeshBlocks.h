@@ -8,6 +8,7 @@
 #define MeshBlocks_h
 
 #include "HexMesh.h"
+#include "Ranks.h"
 #include "TrimmingSurface.h"
 
 #include <vector>
@@ -33,6 +34,9 @@ struct MeshBlocks
 };
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh);
+
+/// Widens Bounds and LargestDiagonal to those of all ranks' pieces; collective.
+void ShareBounds(const Ranks& ranks, MeshBlocks& blocks);
 
 /// The box of one cell.
 Box3 CellBox(const HexMesh& mesh, Id cell);

@@ -118,15 +118,7 @@ private:
   /// The element of the band, or -1.
   int ElementOf(Id cell) const
   {
-    if (!this->Result.Near)
-    {
-      return -1;
-    }
-    const auto& elements = this->Result.Near->Mesh.Elements;
-    const auto at = std::lower_bound(elements.begin(), elements.end(), cell,
-      [](const BandElement& element, Id c) { return element.Global < c; });
-    return at != elements.end() && at->Global == cell ? static_cast<int>(at - elements.begin())
-                                                      : -1;
+    return this->Result.Near ? this->Result.Near->Mesh.FindElement(cell) : -1;
   }
 
   /// False for an element that has no volume to measure by.
@@ -416,6 +408,14 @@ private:
     return edges;
   }
 
+  /// From the end that comes first by its place, so that the numbering has no say.
+  std::vector<nurbs::LineHit> Crossings(const Edge& edge) const
+  {
+    const Vec3 a = this->Mesh.Point(edge[0]);
+    const Vec3 b = this->Mesh.Point(edge[1]);
+    return LiesBefore(a, b) ? this->Surface.Intersect(a, b) : this->Surface.Intersect(b, a);
+  }
+
   void FindCrossedTwice()
   {
     const std::vector<Edge> edges = this->FindNearEdges();
@@ -425,8 +425,7 @@ private:
       {
         for (Id i = begin; i < end; ++i)
         {
-          const auto hits =
-            this->Surface.Intersect(this->Mesh.Point(edges[i][0]), this->Mesh.Point(edges[i][1]));
+          const auto hits = this->Crossings(edges[i]);
           for (std::size_t k = 1; k < hits.size(); ++k)
           {
             twice[i] |= hits[k].Normal.dot(hits[k - 1].Normal) < CrossingCosine;

@@ -19,10 +19,10 @@ double StoredPrecision(const Band& band, int node, double precision)
 
 }
 
-std::vector<std::pair<Id, float>> FindNodesLeft(
+std::vector<std::pair<int, float>> FindNodesLeft(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, double precision)
 {
-  std::vector<std::pair<Id, float>> left;
+  std::vector<std::pair<int, float>> left;
   const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
   const auto& moves = near.Trimmed.NodeMoves;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
@@ -34,14 +34,14 @@ std::vector<std::pair<Id, float>> FindNodesLeft(
     const double distance = surface.ClosestPoint(moves.Position[n]).Distance;
     if (distance > StoredPrecision(near.Mesh, n, precision))
     {
-      left.emplace_back(near.Mesh.GlobalNode[n], static_cast<float>(distance));
+      left.emplace_back(n, static_cast<float>(distance));
     }
   }
   return left;
 }
 
-std::vector<std::pair<Id, Shortfall>> FindShortfalls(
-  const TrimBand& near, const std::vector<std::pair<Id, float>>& left)
+std::vector<std::pair<int, Shortfall>> FindShortfalls(
+  const TrimBand& near, const std::vector<std::pair<int, float>>& left)
 {
   std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
   for (const int e : near.Trimmed.BelowFloor)
@@ -50,7 +50,7 @@ std::vector<std::pair<Id, Shortfall>> FindShortfalls(
   }
   for (const auto& node : left)
   {
-    for (const int e : near.Mesh.ElementsOfNode(near.Mesh.FindNode(node.first)))
+    for (const int e : near.Mesh.ElementsOfNode(node.first))
     {
       values[e] = near.Trimmed.Kept[e] ? Shortfall::LeftOff : values[e];
     }
@@ -59,12 +59,12 @@ std::vector<std::pair<Id, Shortfall>> FindShortfalls(
   {
     values[e] = Shortfall::Invalid;
   }
-  std::vector<std::pair<Id, Shortfall>> found;
+  std::vector<std::pair<int, Shortfall>> found;
   for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
   {
     if (values[e] != Shortfall::None)
     {
-      found.emplace_back(near.Mesh.Elements[e].Global, values[e]);
+      found.emplace_back(e, values[e]);
     }
   }
   return found;

@@ -12,13 +12,13 @@
 namespace trim
 {
 
-/// Nodes that should lie on the surface and do not, with their distance; ascending.
-std::vector<std::pair<Id, float>> FindNodesLeft(
+/// Band nodes that should lie on the surface and do not, with their distance; ascending.
+std::vector<std::pair<int, float>> FindNodesLeft(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, double precision);
 
-/// By ascending cell. @param left the nodes found before.
-std::vector<std::pair<Id, Shortfall>> FindShortfalls(
-  const TrimBand& near, const std::vector<std::pair<Id, float>>& left);
+/// By ascending band element. @param left the nodes found before.
+std::vector<std::pair<int, Shortfall>> FindShortfalls(
+  const TrimBand& near, const std::vector<std::pair<int, float>>& left);
 
 }
 

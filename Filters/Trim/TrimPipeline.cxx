@@ -1,6 +1,7 @@
 #include "TrimPipeline.h"
 
 #include "FeasibilityCheck.h"
+#include "GatherBand.h"
 #include "Shortfalls.h"
 #include "Status.h"
 #include "TrimWarnings.h"
@@ -50,35 +51,53 @@ private:
   bool Turn;
 };
 
-Id NearestNode(const HexMesh& mesh, const Vec3& point)
+/// A node nearest to some point.
+struct NearestNode
 {
-  Id nearest = 0;
-  double best = std::numeric_limits<double>::infinity();
+  double Distance = std::numeric_limits<double>::infinity(); ///< squared
+  Place At{};
+  unsigned char Status = NodeUnknown;
+
+  bool IsNearer(const NearestNode& other) const
+  {
+    return this->Distance != other.Distance ? this->Distance < other.Distance : this->At < other.At;
+  }
+};
+
+NearestNode FindNearestNode(
+  const HexMesh& mesh, const Piece& piece, const NodeClassification& nodes, const Vec3& point)
+{
+  NearestNode nearest;
   for (Id i = 0; i < mesh.NumberOfPoints; ++i)
   {
-    const double d = (mesh.Point(i) - point).squaredNorm();
-    if (d < best)
+    const Vec3 p = mesh.Point(i);
+    const double distance = (p - point).squaredNorm();
+    if (distance <= nearest.Distance)
     {
-      best = d;
-      nearest = i;
+      const NearestNode node{ distance, ToPlace(p), nodes.Status[i] };
+      nearest = node.IsNearer(nearest) ? node : nearest;
     }
+  }
+  for (const auto& node : piece.All.Gather(std::vector<NearestNode>{ nearest }))
+  {
+    nearest = node.IsNearer(nearest) ? node : nearest;
   }
   return nearest;
 }
 
 /// Whether a point lies beyond the surface: by projection near it, where the sign is certain,
 /// else as the nearest node, whose status was carried along the mesh.
-bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks,
+bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   const nurbs::TrimmingSurface& surface, const NodeClassification& nodes, const Vec3& point)
 {
   const auto foot = surface.ClosestPoint(point);
-  const Id node = NearestNode(mesh, point);
+  const NearestNode node = FindNearestNode(mesh, piece, nodes, point);
   const bool near = foot.Distance < blocks.LargestDiagonal;
-  if ((near && foot.Kind == nurbs::FootKind::Interior) || nodes.Status[node] == NodeOnSurface)
+  if ((near && foot.Kind == nurbs::FootKind::Interior) || node.Status == NodeOnSurface)
   {
     return foot.SignedDistance > 0.0;
   }
-  return nodes.Status[node] == NodeEliminate;
+  return node.Status == NodeEliminate;
 }
 
 void TurnStatuses(NodeClassification& nodes)
@@ -223,18 +242,25 @@ double ColumnShift(const Band& band, const Columns& columns, const nurbs::Trimmi
   return count > 0 ? shift / count : 0.0;
 }
 
-std::unique_ptr<TrimBand> BuildBand(const HexMesh& mesh, const MeshBlocks& blocks,
-  const nurbs::TrimmingSurface& surface, const std::vector<Id>& seeds)
+/// The same band on all ranks; false with an error if there can be none.
+bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  const nurbs::TrimmingSurface& surface, const std::vector<Id>& seeds, TrimResult& result)
 {
-  std::unique_ptr<TrimBand> near;
+  const bool singlePrecision = piece.All.Any(mesh.PointsFloat != nullptr);
+  auto& near = result.Near;
   for (const int rings : { BandRings, DeepBandRings })
   {
-    near = std::make_unique<TrimBand>(
-      Band(mesh, seeds, FindNearCells(mesh, blocks, surface, rings), rings));
+    auto cells = CollectBandCells(mesh, seeds, FindNearCells(mesh, blocks, surface, rings), rings,
+      result.Nodes.Status, result.ElementStatus, SpreadAcrossPieces(piece));
+    if (!GatherBandCells(mesh, piece, cells, result.Error))
+    {
+      return false;
+    }
+    near = std::make_unique<TrimBand>(Band(std::move(cells), rings, singlePrecision));
     near->Structure = FindColumns(near->Mesh);
     const bool all = std::all_of(near->Structure.Axis.begin(), near->Structure.Axis.end(),
       [](signed char axis) { return axis >= 0; });
-    if (all && near->Structure.Complete(near->Mesh, 2))
+    if (!piece.All.Any(!all || !near->Structure.Complete(near->Mesh, 2)))
     {
       break;
     }
@@ -245,33 +271,22 @@ std::unique_ptr<TrimBand> BuildBand(const HexMesh& mesh, const MeshBlocks& block
   {
     near->Structure = NoColumns(near->Mesh);
   }
-  return near;
+  return true;
 }
 
-bool MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface, std::string& error)
+/// Leaves an error if the surface ends in the band.
+void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
 {
   auto& near = *result.Near;
   const double gap = GapShare * surface.Bounds().diagonal().norm();
-  near.NodeStatus.resize(near.Mesh.NumberOfNodes());
-  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
-  {
-    near.NodeStatus[n] = result.Nodes.Status[near.Mesh.GlobalNode[n]];
-  }
-  std::vector<unsigned char> elementStatus(near.Mesh.NumberOfElements());
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
-  {
-    elementStatus[e] = result.ElementStatus[near.Mesh.Elements[e].Global];
-  }
   std::array<int, 2> missed{ -1, -1 };
-  if (!MeasureShares(near.Mesh, near.Structure, near.NodeStatus, elementStatus, surface, gap,
-        near.Shares, missed))
+  if (!MeasureShares(near.Mesh, near.Structure, near.Mesh.NodeStatus, near.Mesh.ElementStatus,
+        surface, gap, near.Shares, missed))
   {
     const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
-    error = "The trimming surface ends inside the grid, near " + PlaceText(place) +
+    result.Error = "The trimming surface ends inside the grid, near " + PlaceText(place) +
       ", and so does not part it: extend the surface beyond the grid or close it.";
-    return false;
   }
-  return true;
 }
 
 void SetFates(const HexMesh& mesh, TrimResult& result)
@@ -284,43 +299,68 @@ void SetFates(const HexMesh& mesh, TrimResult& result)
   if (result.Near)
   {
     const auto& near = *result.Near;
-    for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+    for (const int e : near.Mesh.ElementsByCell())
     {
       result.Kept[near.Mesh.Elements[e].Global] = near.Trimmed.Kept[e];
     }
   }
 }
 
-void FindAndWarn(
-  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, double precision, TrimResult& result)
+/// A list by indices of the band as one by ids of this rank's mesh, ascending.
+template <typename Value, typename ToId>
+std::vector<std::pair<Id, Value>> ById(
+  const std::vector<std::pair<int, Value>>& list, const ToId& toId)
+{
+  std::vector<std::pair<Id, Value>> byId;
+  for (const auto& item : list)
+  {
+    if (toId(item.first) >= 0)
+    {
+      byId.emplace_back(toId(item.first), item.second);
+    }
+  }
+  std::sort(byId.begin(), byId.end());
+  return byId;
+}
+
+void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
+  double precision, TrimResult& result)
 {
   result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
   if (result.Near)
   {
-    result.Found.DistancesLeft = FindNodesLeft(*result.Near, surface, precision);
-    result.Found.Shortfalls = FindShortfalls(*result.Near, result.Found.DistancesLeft);
+    auto& near = *result.Near;
+    near.NodesLeft = FindNodesLeft(near, surface, precision);
+    near.Shortfalls = FindShortfalls(near, near.NodesLeft);
+    result.Found.DistancesLeft =
+      ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
+    result.Found.Shortfalls =
+      ById(near.Shortfalls, [&near](int e) { return near.Mesh.Elements[e].Global; });
   }
-  AddWarnings(mesh, result);
+  AddWarnings(mesh, piece, result);
 }
 
 }
 
-TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, nurbs::TrimmingSurface& surface,
-  const TrimOptions& options, const Progress& progress)
+TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  nurbs::TrimmingSurface& surface, const TrimOptions& options, const Progress& progress)
 {
   TrimResult result;
-  const auto aborted = [&](double done) { return result.Aborted = progress(done); };
-  const auto stopped = [&result, &progress] { return progress(-1.0); };
+  // If one rank stops, all do: the others would wait for it.
+  const auto aborted = [&](double done) { return result.Aborted = piece.All.Any(progress(done)); };
+  const auto stopped = [&progress] { return progress(-1.0); };
   const double precision = options.Tolerance * blocks.Bounds.diagonal().norm();
 
   // Classify.
-  if (!ClassifyNodes(mesh, blocks, surface, precision, stopped, result.Nodes, result.Error) ||
+  if (!ClassifyNodes(
+        mesh, blocks, piece, surface, precision, stopped, result.Nodes, result.Error) ||
     aborted(0.3))
   {
     return result;
   }
   bool turn = options.InvertSide;
-  if (options.UseKeepPoint && LiesBeyond(mesh, blocks, surface, result.Nodes, options.KeepPoint))
+  if (options.UseKeepPoint &&
+    LiesBeyond(mesh, blocks, piece, surface, result.Nodes, options.KeepPoint))
   {
     turn = !turn;
   }
@@ -333,19 +373,24 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, nurbs::TrimmingSu
 
   // Decide, correct and treat, near the cut.
   const auto seeds = FindSeeds(mesh, result);
-  if (!seeds.empty())
+  if (piece.All.Any(!seeds.empty()))
   {
-    result.Near = BuildBand(mesh, blocks, surface, seeds);
-    if (aborted(0.4) || !MeasureBand(result, surface, result.Error) || aborted(0.5))
+    if (!BuildBand(mesh, blocks, piece, surface, seeds, result) || aborted(0.4))
+    {
+      return result;
+    }
+    MeasureBand(result, surface);
+    result.Error = piece.All.FirstText(result.Error);
+    if (!result.Error.empty() || aborted(0.5))
     {
       return result;
     }
     auto& near = *result.Near;
-    near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.NodeStatus, surface,
-      precision, options.Ladder, stopped);
+    near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
+      surface, precision, options.Ladder, stopped);
   }
   SetFates(mesh, result);
-  FindAndWarn(mesh, surface, precision, result);
+  FindAndWarn(mesh, piece, surface, precision, result);
   aborted(0.6);
   return result;
 }

@@ -11,6 +11,7 @@
 #include "Findings.h"
 #include "MeshBlocks.h"
 #include "NodeClassification.h"
+#include "SharedNodes.h"
 #include "TrimmingSurface.h"
 #include "ValidityLadder.h"
 
@@ -46,9 +47,10 @@ struct TrimBand
   /// Thickness axis of each element as the mesh has it, -1: none; also where the surface leans so
   /// far that the sheet is treated as a block.
   std::vector<signed char> SheetAxis;
-  std::vector<unsigned char> NodeStatus;
   VolumeShares Shares;
   TrimmedBand Trimmed;
+  std::vector<std::pair<int, Shortfall>> Shortfalls; ///< by ascending element
+  std::vector<std::pair<int, float>> NodesLeft;      ///< by ascending node, see DistancesLeft
 };
 
 struct TrimResult
@@ -69,9 +71,13 @@ using Progress = std::function<bool(double)>;
 /**
  * Trims. Neither mesh nor surface is changed, but the surface is turned round for the time of
  * the call where InvertSide or KeepPoint ask for it.
+ *
+ * Collective: with several ranks each calls it with its own piece of the mesh, the whole surface
+ * and the bounds and largest diagonal of all pieces. Error, Aborted, Warnings and Near are the
+ * same on all; the rest is of the piece.
  */
-TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, nurbs::TrimmingSurface& surface,
-  const TrimOptions& options, const Progress& progress);
+TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  nurbs::TrimmingSurface& surface, const TrimOptions& options, const Progress& progress);
 
 }
 

@@ -49,33 +49,74 @@ constexpr ShortfallText ShortfallTexts[] = {
     "surface." },
 };
 
-std::string FirstCell(const HexMesh& mesh, Id cell)
+/// How many there are of a kind, and the first of them.
+struct Count
 {
-  std::array<Id, 8> nodes;
-  mesh.Cell(cell, nodes);
-  return " The first (cell " + std::to_string(cell) + " of the input) is at " +
-    PlaceText(mesh.Point(nodes[0])) + ".";
-}
+  Id Number = 0;
+  Id Cell = -1; ///< in the input; not said of one piece among several
+  Place At{};
+};
 
-template <typename List, typename Texts>
-void WarnOfCells(
-  const HexMesh& mesh, const List& list, const Texts& texts, std::vector<std::string>& warnings)
+void Warn(const Count& count, const std::string& what, std::vector<std::string>& warnings)
 {
-  for (const auto& text : texts)
+  if (count.Number > 0)
   {
-    const auto is = [&text](const auto& item) { return item.second == text.Value; };
-    const auto first = std::find_if(list.begin(), list.end(), is);
-    if (first != list.end())
-    {
-      warnings.push_back(std::to_string(std::count_if(first, list.end(), is)) + text.What +
-        FirstCell(mesh, first->first));
-    }
+    const std::string cell =
+      count.Cell < 0 ? "" : "(cell " + std::to_string(count.Cell) + " of the input) ";
+    warnings.push_back(std::to_string(count.Number) + what + " The first " + cell + "is at " +
+      PlaceText(ToVec3(count.At)) + ".");
   }
 }
 
-void WarnOfNodesLeft(const HexMesh& mesh, TrimResult& result)
+/// Of the elements of all pieces.
+void WarnOfFeasibilities(const HexMesh& mesh, const Piece& piece, TrimResult& result)
 {
-  const auto& left = result.Found.DistancesLeft;
+  for (const auto& text : FeasibilityTexts)
+  {
+    Count own;
+    for (const auto& item : result.Found.Feasibilities)
+    {
+      if (item.second == text.Value && own.Number++ == 0)
+      {
+        std::array<Id, 8> nodes;
+        mesh.Cell(item.first, nodes);
+        own.Cell = piece.All.Alone() ? item.first : Id(-1);
+        own.At = ToPlace(mesh.Point(nodes[0]));
+      }
+    }
+    Count all;
+    for (const Count& count : piece.All.Gather(std::vector<Count>{ own }))
+    {
+      const Id before = all.Number;
+      all = before == 0 ? count : all;
+      all.Number = before + count.Number;
+    }
+    Warn(all, text.What, result.Warnings);
+  }
+}
+
+/// Of the elements of the band, which all ranks have.
+void WarnOfShortfalls(const Piece& piece, TrimResult& result)
+{
+  for (const auto& text : ShortfallTexts)
+  {
+    Count count;
+    for (const auto& item : result.Near->Shortfalls)
+    {
+      if (item.second == text.Value && count.Number++ == 0)
+      {
+        const auto& element = result.Near->Mesh.Elements[item.first];
+        count.Cell = piece.All.Alone() ? element.Global : Id(-1);
+        count.At = ToPlace(result.Near->Mesh.Point[element.Node[0]]);
+      }
+    }
+    Warn(count, text.What, result.Warnings);
+  }
+}
+
+void WarnOfNodesLeft(TrimResult& result)
+{
+  const auto& left = result.Near->NodesLeft;
   if (left.empty())
   {
     return;
@@ -85,36 +126,43 @@ void WarnOfNodesLeft(const HexMesh& mesh, TrimResult& result)
   result.Warnings.push_back(std::to_string(left.size()) +
     " nodes of the new boundary were left off the surface, as no valid element was to be had "
     "otherwise: refine the mesh there or move the surface. The farthest, " +
-    std::to_string(farthest->second) + " away, is at " + PlaceText(mesh.Point(farthest->first)) +
-    ".");
+    std::to_string(farthest->second) + " away, is at " +
+    PlaceText(result.Near->Mesh.Point[farthest->first]) + ".");
 }
 
 /// A surface that touches no element, and is not hidden within one either.
-void WarnIfMissed(const HexMesh& mesh, TrimResult& result)
+void WarnIfMissed(const Piece& piece, TrimResult& result)
 {
-  const auto& status = result.ElementStatus;
-  if (result.Near || mesh.NumberOfCells == 0 || !result.Found.Feasibilities.empty())
+  std::array<bool, 3> found{};
+  for (const unsigned char status : result.ElementStatus)
   {
-    return;
+    found[status] = true;
   }
-  const bool oneSide =
-    std::all_of(status.begin(), status.end(), [&](unsigned char s) { return s == status.front(); });
-  if (oneSide)
+  const bool keep = piece.All.Any(found[ElementKeep]);
+  const bool eliminate = piece.All.Any(found[ElementEliminate]);
+  const bool hidden = piece.All.Any(!result.Found.Feasibilities.empty());
+  if (keep != eliminate && !hidden)
   {
     result.Warnings.push_back(std::string("The trimming surface misses the grid, which is ") +
-      (status.front() == ElementKeep ? "kept" : "eliminated") +
+      (keep ? "kept" : "eliminated") +
       " whole: move the surface, or turn the side with InvertSide.");
   }
 }
 
 }
 
-void AddWarnings(const HexMesh& mesh, TrimResult& result)
+void AddWarnings(const HexMesh& mesh, const Piece& piece, TrimResult& result)
 {
-  WarnIfMissed(mesh, result);
-  WarnOfCells(mesh, result.Found.Feasibilities, FeasibilityTexts, result.Warnings);
-  WarnOfCells(mesh, result.Found.Shortfalls, ShortfallTexts, result.Warnings);
-  WarnOfNodesLeft(mesh, result);
+  if (!result.Near)
+  {
+    WarnIfMissed(piece, result);
+  }
+  WarnOfFeasibilities(mesh, piece, result);
+  if (result.Near)
+  {
+    WarnOfShortfalls(piece, result);
+    WarnOfNodesLeft(result);
+  }
 }
 
 }

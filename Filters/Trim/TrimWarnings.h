@@ -10,8 +10,8 @@
 namespace trim
 {
 
-/// Appends to result.Warnings what its findings call for.
-void AddWarnings(const HexMesh& mesh, TrimResult& result);
+/// Appends to result.Warnings what the findings of all ranks call for; collective.
+void AddWarnings(const HexMesh& mesh, const Piece& piece, TrimResult& result);
 
 }
 

@@ -1,18 +1,26 @@
 #include "vtkTrimHexahedralGrid.h"
 
+#include "ControllerRanks.h"
+#include "GhostCells.h"
 #include "MeshBlocks.h"
 #include "NURBSFieldData.h"
+#include "SharedNodes.h"
+#include "SurfacePrint.h"
 #include "TrimPipeline.h"
 #include "TrimmedGrid.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWeakPointer.h"
 
@@ -57,12 +65,16 @@ struct vtkTrimHexahedralGrid::Cache
 {
   vtkWeakPointer<vtkUnstructuredGrid> Grid;
   vtkMTimeType GridTime = 0;
+  trim::OwnCells Own;
   trim::HexMesh Mesh;
   trim::MeshBlocks Blocks;
+  bool Joined = false; ///< Blocks and Shared know of the other ranks' pieces
+  trim::SharedNodes Shared;
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;
   std::unique_ptr<nurbs::TrimmingSurface> Surface;
+  std::uint64_t SurfacePrint = 0;
 
   bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   {
@@ -71,18 +83,45 @@ struct vtkTrimHexahedralGrid::Cache
       return true;
     }
     this->Grid = nullptr;
-    if (grid->GetNumberOfCells() == 0)
-    {
-      error = "The input grid has no cells: connect a grid of hexahedra.";
-      return false;
-    }
+    this->Joined = false;
     if (!trim::ViewGrid(grid, this->Mesh, error))
     {
       return false;
     }
-    this->Blocks = trim::BuildMeshBlocks(this->Mesh);
+    this->Own = trim::TakeOwnCells(grid, this->Mesh);
+    if (this->Own.Selected && !trim::ViewGrid(this->Own.Grid, this->Mesh, error))
+    {
+      return false;
+    }
     this->Grid = grid;
     this->GridTime = grid->GetMTime();
+    return true;
+  }
+
+  /// Collective: what the pieces have in common.
+  bool JoinPieces(const trim::Ranks& ranks, std::string& error)
+  {
+    if (!ranks.Any(!this->Joined))
+    {
+      return true;
+    }
+    this->Joined = false;
+    if (ranks.Sum(this->Mesh.NumberOfCells) == 0)
+    {
+      error = "The input grid has no cells: connect a grid of hexahedra.";
+      return false;
+    }
+    auto* ids = vtkIdTypeArray::SafeDownCast(this->Own.Grid->GetPointData()->GetGlobalIds());
+    const bool lacksIds = this->Mesh.NumberOfPoints > 0 && !ids;
+    const bool useIds = !ranks.Any(lacksIds) && ids;
+    if (!trim::FindSharedNodes(
+          this->Mesh, useIds ? ids->GetPointer(0) : nullptr, ranks, this->Shared, error))
+    {
+      return false;
+    }
+    this->Blocks = trim::BuildMeshBlocks(this->Mesh);
+    trim::ShareBounds(ranks, this->Blocks);
+    this->Joined = true;
     return true;
   }
 
@@ -98,6 +137,7 @@ struct vtkTrimHexahedralGrid::Cache
     {
       return false;
     }
+    this->SurfacePrint = trim::PrintOf(faces);
     this->Surface = MakeSurface(std::move(faces));
     this->SurfaceData = data;
     this->SurfaceTime = TimeOf(data);
@@ -113,10 +153,24 @@ vtkTrimHexahedralGrid::vtkTrimHexahedralGrid()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 //------------------------------------------------------------------------------
-vtkTrimHexahedralGrid::~vtkTrimHexahedralGrid() = default;
+vtkTrimHexahedralGrid::~vtkTrimHexahedralGrid()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrimHexahedralGrid::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Kept->Joined = false;
+  }
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
+}
 
 //------------------------------------------------------------------------------
 int vtkTrimHexahedralGrid::FillInputPortInformation(int port, vtkInformation* info)
@@ -135,9 +189,12 @@ int vtkTrimHexahedralGrid::FillInputPortInformation(int port, vtkInformation* in
 }
 
 //------------------------------------------------------------------------------
-int vtkTrimHexahedralGrid::Refuse(const std::string& error)
+int vtkTrimHexahedralGrid::Refuse(const trim::Ranks& ranks, const std::string& error)
 {
-  vtkErrorMacro(<< error);
+  if (ranks.Rank() == 0)
+  {
+    vtkErrorMacro(<< error);
+  }
   return 1;
 }
 
@@ -157,24 +214,77 @@ trim::TrimOptions vtkTrimHexahedralGrid::Options() const
 }
 
 //------------------------------------------------------------------------------
+int vtkTrimHexahedralGrid::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!this->Superclass::RequestUpdateExtent(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  if (vtkInformation* grid = inputVector[0]->GetInformationObject(0))
+  {
+    grid->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  // Every rank needs the whole surface; a source that knows no pieces gives it anyway.
+  vtkInformation* surface = inputVector[1]->GetInformationObject(0);
+  const bool several = !trim::ControllerRanks(this->Controller).Alone();
+  if (several && surface && surface->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()))
+  {
+    surface->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    surface->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    surface->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrimHexahedralGrid::TakeInputs(
+  vtkUnstructuredGrid* grid, vtkDataObject* surface, const trim::Ranks& ranks, std::string& error)
+{
+  if (!grid)
+  {
+    error = "No grid is connected to the first input: connect a grid of hexahedra.";
+  }
+  else if (!surface)
+  {
+    error = "No trimming surface is connected to the second input: connect a CAD Surface Reader or "
+            "a NURBS Surface Source.";
+  }
+  else if (this->Kept->TakeGrid(grid, error) && this->Kept->TakeSurface(surface, error))
+  {
+    error.clear();
+  }
+  if (!ranks.Alone() && !error.empty())
+  {
+    error = "Rank " + std::to_string(ranks.Rank()) + ": " + error;
+  }
+  error = ranks.FirstText(error);
+  if (!error.empty())
+  {
+    return false;
+  }
+  const auto prints = ranks.Gather(std::vector<std::uint64_t>{ this->Kept->SurfacePrint });
+  if (std::count(prints.begin(), prints.end(), prints.front()) !=
+    static_cast<std::ptrdiff_t>(prints.size()))
+  {
+    error = "The ranks have different trimming surfaces, but each needs the whole one: connect the "
+            "reader or source itself, with nothing between that distributes its data.";
+    return false;
+  }
+  return this->Kept->JoinPieces(ranks, error);
+}
+
+//------------------------------------------------------------------------------
 int vtkTrimHexahedralGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkDataObject* surfaceData = vtkDataObject::GetData(inputVector[1]);
-  if (!input)
-  {
-    return this->Refuse("No grid is connected to the first input: connect a grid of hexahedra.");
-  }
-  if (!surfaceData)
-  {
-    return this->Refuse("No trimming surface is connected to the second input: connect a CAD "
-                        "Surface Reader or a NURBS Surface Source.");
-  }
+  const trim::ControllerRanks ranks(this->Controller);
   std::string error;
-  if (!this->Kept->TakeGrid(input, error) || !this->Kept->TakeSurface(surfaceData, error))
+  if (!this->TakeInputs(vtkUnstructuredGrid::GetData(inputVector[0]),
+        vtkDataObject::GetData(inputVector[1]), ranks, error))
   {
-    return this->Refuse(error);
+    return this->Refuse(ranks, error);
   }
 
   // Asked from every thread, but only one of them looks; negative: no news of the progress.
@@ -190,17 +300,18 @@ int vtkTrimHexahedralGrid::RequestData(
     }
     return this->GetAbortOutput() || this->GetAbortExecute();
   };
-  if (progress(0.05))
+  if (ranks.Any(progress(0.05)))
   {
     return 1;
   }
   const trim::HexMesh& mesh = this->Kept->Mesh;
+  vtkUnstructuredGrid* own = this->Kept->Own.Grid;
   nurbs::TrimmingSurface& surface = *this->Kept->Surface;
-  const trim::TrimResult result =
-    trim::Trim(mesh, this->Kept->Blocks, surface, this->Options(), progress);
+  const trim::TrimResult result = trim::Trim(
+    mesh, this->Kept->Blocks, { ranks, this->Kept->Shared }, surface, this->Options(), progress);
   if (!result.Error.empty())
   {
-    return this->Refuse(result.Error);
+    return this->Refuse(ranks, result.Error);
   }
   if (result.Aborted)
   {
@@ -211,17 +322,18 @@ int vtkTrimHexahedralGrid::RequestData(
   trim::WriteOptions write;
   write.RenumberNodes = this->RenumberNodes;
   write.QualityOfAllElements = this->QualityOfAllElements;
-  trim::WriteTrimmedGrid(input, mesh, result, surface, write, progress, trimmed);
-  trim::WriteStatusGrid(input, result, statuses);
-  if (progress(1.0))
+  trim::WriteTrimmedGrid(own, mesh, ranks, result, surface, write, progress, trimmed);
+  trim::RestoreOriginalIds(this->Kept->Own, trimmed);
+  trim::WriteStatusGrid(own, result, statuses);
+  if (ranks.Any(progress(1.0)))
   {
     trimmed->Initialize();
     statuses->Initialize();
     return 1;
   }
-  for (const auto& warning : result.Warnings)
+  for (std::size_t i = 0; ranks.Rank() == 0 && i < result.Warnings.size(); ++i)
   {
-    vtkWarningMacro(<< warning);
+    vtkWarningMacro(<< result.Warnings[i]);
   }
   return 1;
 }
@@ -241,4 +353,5 @@ void vtkTrimHexahedralGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RenumberNodes: " << this->RenumberNodes << endl;
   os << indent << "QualityOfAllElements: " << this->QualityOfAllElements << endl;
   os << indent << "Tolerance: " << this->Tolerance << endl;
+  os << indent << "Controller: " << this->Controller << endl;
 }

@@ -35,6 +35,12 @@
  * invalid was saved, 0 not needed, 1 relaxation, 2 other treatment, 3 other correction, 4 other
  * fate, 5 nodes left off the surface), every array of the input, and a summary in its field data.
  *
+ * On several ranks each gives its piece of the grid, and the whole surface. The result, as a mesh,
+ * is that of the whole grid on one rank; only the numbering differs. Nodes that pieces share are
+ * known by their global ids, or without these by their places, bit for bit. Ghost cells are left
+ * out of both outputs. Nodes are renumbered within the piece and vtkOriginal...Ids are those of
+ * the piece; the summary is that of the whole grid, on every rank.
+ *
  * @warning Wedges that the trim makes have their nodes 0-1-2 oriented so that their normal
  * points to nodes 3-4-5: the Jacobian of vtkWedge's shape functions is positive, as
  * vtkMeshQuality and the solver codes expect; vtkCellSizeFilter reports a negative volume.
@@ -50,8 +56,13 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkDataObject;
+class vtkUnstructuredGrid;
+class vtkMultiProcessController;
+
 namespace trim
 {
+class Ranks;
 struct TrimOptions;
 }
 
@@ -167,11 +178,21 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * The ranks whose pieces make up the grid; null: this process alone. Default: the global
+   * controller.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
 protected:
   vtkTrimHexahedralGrid();
   ~vtkTrimHexahedralGrid() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -188,13 +209,17 @@ private:
   bool RenumberNodes = true;
   bool QualityOfAllElements = false;
   double Tolerance = 1e-9;
+  vtkMultiProcessController* Controller = nullptr;
 
   struct Cache;
   std::unique_ptr<Cache> Kept;
 
-  /// One error; the outputs stay empty, and the executive is not told, or it would add a line of
-  /// its own to the one that says what to do.
-  int Refuse(const std::string& error);
+  /// Takes what has changed of the inputs; false, on all ranks, with an error.
+  bool TakeInputs(vtkUnstructuredGrid* grid, vtkDataObject* surface, const trim::Ranks& ranks,
+    std::string& error);
+  /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
+  /// a line of its own to the one that says what to do.
+  int Refuse(const trim::Ranks& ranks, const std::string& error);
   trim::TrimOptions Options() const;
 };
 

@@ -39,7 +39,10 @@ void ForMovedPoints(const TrimResult& result, const std::vector<Id>& ids, const 
   std::vector<int> bandNode(result.Nodes.Status.size(), -1);
   for (const int n : moved)
   {
-    bandNode[band.GlobalNode[n]] = n;
+    if (band.GlobalNode[n] >= 0)
+    {
+      bandNode[band.GlobalNode[n]] = n;
+    }
   }
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
@@ -122,7 +125,7 @@ void AddCellStatuses(const TrimResult& result, const std::vector<Id>& ids, vtkCe
   {
     const auto& near = *result.Near;
     std::vector<std::pair<Id, float>> treated;
-    for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+    for (const int e : near.Mesh.ElementsByCell())
     {
       const Id cell = near.Mesh.Elements[e].Global;
       if (result.ElementStatus[cell] == ElementToTreat)

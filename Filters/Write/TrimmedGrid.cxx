@@ -3,6 +3,7 @@
 #include "FindingArrays.h"
 #include "GatherAttributes.h"
 #include "NodeOrdering.h"
+#include "OrderlessSum.h"
 #include "Rescue.h"
 #include "Status.h"
 #include "StatusArrays.h"
@@ -71,20 +72,18 @@ int NodesOfKept(
 
 void CollectCells(const HexMesh& mesh, const TrimResult& result, KeptMesh& kept)
 {
-  std::size_t next = 0;
-  const std::size_t bandSize = result.Near ? result.Near->Mesh.Elements.size() : 0;
+  const std::vector<int> band =
+    result.Near ? result.Near->Mesh.ElementsByCell() : std::vector<int>();
+  auto next = band.begin();
   for (Id c = 0; c < mesh.NumberOfCells; ++c)
   {
-    while (next < bandSize && result.Near->Mesh.Elements[next].Global < c)
-    {
-      ++next;
-    }
+    const bool inBand = next != band.end() && result.Near->Mesh.Elements[*next].Global == c;
     if (result.Kept[c])
     {
       kept.Cells.push_back(c);
-      const bool inBand = next < bandSize && result.Near->Mesh.Elements[next].Global == c;
-      kept.BandElement.push_back(inBand ? static_cast<int>(next) : -1);
+      kept.BandElement.push_back(inBand ? *next : -1);
     }
+    next += inBand;
   }
 }
 
@@ -186,6 +185,7 @@ void WritePoints(
     {
       byGlobal.emplace_back(result.Near->Mesh.GlobalNode[n], n);
     }
+    std::sort(byGlobal.begin(), byGlobal.end());
     for (std::size_t i = 0; i < kept.Points.size(); ++i)
     {
       const auto it =
@@ -239,8 +239,8 @@ ElementPoints PointsOfKept(
 }
 
 /// ScaledJacobian of touched elements, and what the summary says of quality and volume.
-void AddQuality(const HexMesh& mesh, const TrimResult& result, const KeptMesh& kept,
-  bool allElements, Summary& summary, vtkUnstructuredGrid* output)
+void AddQuality(const HexMesh& mesh, const Ranks& ranks, const TrimResult& result,
+  const KeptMesh& kept, bool allElements, Summary& summary, vtkUnstructuredGrid* output)
 {
   const Id count = static_cast<Id>(kept.Cells.size());
   vtkNew<vtkFloatArray> scaled;
@@ -262,7 +262,7 @@ void AddQuality(const HexMesh& mesh, const TrimResult& result, const KeptMesh& k
         volume[i] = std::abs(VolumeOf(points, nodes));
       }
     });
-  summary.Volume = std::accumulate(volume.begin(), volume.end(), 0.0);
+  summary.Volume = OrderlessSum(volume, ranks);
   output->GetCellData()->AddArray(scaled);
 }
 
@@ -342,16 +342,18 @@ void CountRescues(const TrimResult& result, Summary& summary)
   }
 }
 
-void Summarise(const TrimResult& result, const KeptMesh& kept,
+void Summarise(const Ranks& ranks, const TrimResult& result, const KeptMesh& kept,
   const nurbs::TrimmingSurface& surface, Summary& summary)
 {
-  summary.Kept = static_cast<Id>(kept.Cells.size());
-  summary.Eliminated = static_cast<Id>(result.Kept.size()) - summary.Kept;
-  summary.Treated =
+  summary.Kept = ranks.Sum(static_cast<Id>(kept.Cells.size()));
+  summary.Eliminated = ranks.Sum(static_cast<Id>(result.Kept.size())) - summary.Kept;
+  const Id treated =
     std::count(result.ElementStatus.begin(), result.ElementStatus.end(), ElementToTreat);
+  summary.Treated = ranks.Sum(treated);
   std::vector<int> identity(kept.Points.size());
   std::iota(identity.begin(), identity.end(), 0);
-  summary.NodeBandwidth = NodeBandwidth(kept.Graph, identity);
+  summary.NodeBandwidth = ranks.Largest(NodeBandwidth(kept.Graph, identity));
+  // The band, and all that is counted in it, is the same on every rank.
   if (result.Near)
   {
     summary.MovedNodes = static_cast<Id>(MovedBandNodes(result).size());
@@ -365,9 +367,9 @@ void Summarise(const TrimResult& result, const KeptMesh& kept,
 
 }
 
-void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const TrimResult& result,
-  const nurbs::TrimmingSurface& surface, const WriteOptions& options, const Progress& progress,
-  vtkUnstructuredGrid* output)
+void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Ranks& ranks,
+  const TrimResult& result, const nurbs::TrimmingSurface& surface, const WriteOptions& options,
+  const Progress& progress, vtkUnstructuredGrid* output)
 {
   KeptMesh kept;
   CollectCells(mesh, result, kept);
@@ -376,7 +378,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Tri
   {
     Renumber(mesh, progress, kept);
   }
-  if (progress(0.85))
+  if (ranks.Any(progress(0.85)))
   {
     return;
   }
@@ -407,8 +409,8 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Tri
 
   AddRescue(result, kept, output);
   Summary summary;
-  AddQuality(mesh, result, kept, options.QualityOfAllElements, summary, output);
-  Summarise(result, kept, surface, summary);
+  AddQuality(mesh, ranks, result, kept, options.QualityOfAllElements, summary, output);
+  Summarise(ranks, result, kept, surface, summary);
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
   summary.AddTo(output->GetFieldData());
   progress(0.95);

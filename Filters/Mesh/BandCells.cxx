@@ -1,0 +1,257 @@
+#include "BandCells.h"
+
+#include "Band.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace trim
+{
+namespace
+{
+
+std::vector<Id> NodesOfCells(const HexMesh& mesh, const std::vector<Id>& cells)
+{
+  std::vector<Id> all;
+  all.reserve(cells.size() * 8);
+  std::array<Id, 8> nodes;
+  for (const Id c : cells)
+  {
+    const int count = mesh.Cell(c, nodes);
+    all.insert(all.end(), nodes.begin(), nodes.begin() + count);
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// Position of a value in an ascending list, or -1.
+int Locate(const std::vector<Id>& sorted, Id value)
+{
+  const auto it = std::lower_bound(sorted.begin(), sorted.end(), value);
+  return it != sorted.end() && *it == value ? static_cast<int>(it - sorted.begin()) : -1;
+}
+
+/// The cells among which the rings grow, in numbers of their own.
+struct NearMesh
+{
+  std::vector<Id> Nodes; ///< ascending
+  std::vector<std::array<int, 8>> Cells;
+  std::vector<int> Counts;
+};
+
+NearMesh TakeNearMesh(const HexMesh& mesh, const std::vector<Id>& near)
+{
+  NearMesh taken;
+  taken.Nodes = NodesOfCells(mesh, near);
+  taken.Cells.resize(near.size());
+  taken.Counts.resize(near.size());
+  std::array<Id, 8> nodes;
+  for (std::size_t c = 0; c < near.size(); ++c)
+  {
+    taken.Counts[c] = mesh.Cell(near[c], nodes);
+    for (int i = 0; i < taken.Counts[c]; ++i)
+    {
+      taken.Cells[c][i] = Locate(taken.Nodes, nodes[i]);
+    }
+  }
+  return taken;
+}
+
+/// Nodes of the front cells that no ring has reached yet, with what was reached elsewhere.
+std::vector<int> ReachNodes(const NearMesh& mesh, const std::vector<int>& front,
+  const SpreadRing& spread, std::vector<char>& seen)
+{
+  std::vector<int> reached;
+  for (const int c : front)
+  {
+    for (int i = 0; i < mesh.Counts[c]; ++i)
+    {
+      const int node = mesh.Cells[c][i];
+      if (!seen[node])
+      {
+        seen[node] = 1;
+        reached.push_back(node);
+      }
+    }
+  }
+  if (!spread)
+  {
+    return reached;
+  }
+  std::vector<Id> ids(reached.size());
+  std::transform(
+    reached.begin(), reached.end(), ids.begin(), [&](int node) { return mesh.Nodes[node]; });
+  spread(ids);
+  for (std::size_t i = reached.size(); i < ids.size(); ++i)
+  {
+    const int node = Locate(mesh.Nodes, ids[i]);
+    if (node >= 0 && !seen[node])
+    {
+      seen[node] = 1;
+      reached.push_back(node);
+    }
+  }
+  return reached;
+}
+
+/// Breadth-first rings over cells that share a node; -1 outside.
+std::vector<int> GrowRings(
+  const NearMesh& mesh, const std::vector<int>& seeds, int rings, const SpreadRing& spread)
+{
+  const int numberOfNodes = static_cast<int>(mesh.Nodes.size());
+  const auto links = BuildLists(numberOfNodes,
+    [&](auto&& add)
+    {
+      for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+      {
+        for (int i = 0; i < mesh.Counts[c]; ++i)
+        {
+          add(mesh.Cells[c][i], static_cast<int>(c));
+        }
+      }
+    });
+  std::vector<int> ring(mesh.Cells.size(), -1);
+  std::vector<char> seen(numberOfNodes, 0);
+  std::vector<int> front = seeds;
+  for (const int c : front)
+  {
+    ring[c] = 0;
+  }
+  for (int r = 1; r <= rings; ++r)
+  {
+    const std::vector<int> reached = ReachNodes(mesh, front, spread, seen);
+    front.clear();
+    for (const int node : reached)
+    {
+      for (const int* other = links.begin(node); other != links.end(node); ++other)
+      {
+        if (ring[*other] < 0)
+        {
+          ring[*other] = r;
+          front.push_back(*other);
+        }
+      }
+    }
+  }
+  return ring;
+}
+
+/// Node places (equal where the coordinates are) that a cell joins, ascending.
+std::array<int, 8> CellKey(const BandCells::Cell& cell, const std::vector<int>& place)
+{
+  std::array<int, 8> key;
+  key.fill(std::numeric_limits<int>::max());
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    key[i] = place[cell.Node[i]];
+  }
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+/// Orders runs of nodes at one place by the cells round them.
+void SplitTies(const BandCells& band, std::vector<int>& order)
+{
+  const auto same = [&](int a, int b) { return band.Nodes[a].Point == band.Nodes[b].Point; };
+  if (std::adjacent_find(order.begin(), order.end(), same) == order.end())
+  {
+    return;
+  }
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool tied = i > 0 && same(order[i - 1], order[i]);
+    place[order[i]] = tied ? place[order[i - 1]] : static_cast<int>(i);
+  }
+  std::vector<std::vector<std::array<int, 8>>> keys(order.size());
+  for (const auto& cell : band.Cells)
+  {
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      keys[cell.Node[i]].push_back(CellKey(cell, place));
+    }
+  }
+  for (auto& list : keys)
+  {
+    std::sort(list.begin(), list.end());
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&](int a, int b) { return place[a] != place[b] ? place[a] < place[b] : keys[a] < keys[b]; });
+}
+
+}
+
+BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
+  const std::vector<Id>& near, int rings, const std::vector<unsigned char>& nodeStatus,
+  const std::vector<unsigned char>& elementStatus, const SpreadRing& spread)
+{
+  const NearMesh nearMesh = TakeNearMesh(mesh, near);
+  std::vector<int> seedCells;
+  for (const Id seed : seeds)
+  {
+    seedCells.push_back(Locate(near, seed));
+  }
+  const auto ring = GrowRings(nearMesh, seedCells, rings, spread);
+  BandCells band;
+  std::vector<int> local(nearMesh.Nodes.size(), -1);
+  for (std::size_t c = 0; c < near.size(); ++c)
+  {
+    if (ring[c] < 0)
+    {
+      continue;
+    }
+    BandCells::Cell cell{ near[c], nearMesh.Counts[c], ring[c], elementStatus[near[c]], {} };
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      int& at = local[nearMesh.Cells[c][i]];
+      if (at < 0)
+      {
+        const Id node = nearMesh.Nodes[nearMesh.Cells[c][i]];
+        at = static_cast<int>(band.Nodes.size());
+        band.Nodes.push_back({ node, mesh.Point(node), nodeStatus[node] });
+      }
+      cell.Node[i] = at;
+    }
+    band.Cells.push_back(cell);
+  }
+  return band;
+}
+
+void SortByPlace(BandCells& band)
+{
+  std::vector<int> order(band.Nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](int a, int b) { return LiesBefore(band.Nodes[a].Point, band.Nodes[b].Point); });
+  SplitTies(band, order);
+
+  std::vector<int> number(order.size());
+  std::vector<BandCells::Node> nodes(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    number[order[i]] = static_cast<int>(i);
+    nodes[i] = band.Nodes[order[i]];
+  }
+  band.Nodes = std::move(nodes);
+
+  std::vector<std::pair<std::array<int, 8>, int>> cells(band.Cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    cells[c] = { CellKey(band.Cells[c], number), static_cast<int>(c) };
+  }
+  std::sort(cells.begin(), cells.end());
+  std::vector<BandCells::Cell> sorted(cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    sorted[c] = band.Cells[cells[c].second];
+    for (int i = 0; i < sorted[c].Count; ++i)
+    {
+      sorted[c].Node[i] = number[sorted[c].Node[i]];
+    }
+  }
+  band.Cells = std::move(sorted);
+}
+
+}

@@ -1,0 +1,40 @@
+/**
+ * @file GhostCells.h
+ * @brief A rank's own cells: ghost cells are copies of other ranks' cells, and are not trimmed
+ * twice.
+ */
+#ifndef GhostCells_h
+#define GhostCells_h
+
+#include "HexMesh.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <vector>
+
+namespace trim
+{
+
+struct OwnCells
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< the input itself if it has no ghosts
+  bool Selected = false;                     ///< some cells or ghost arrays were left out
+  std::vector<Id> Points, Cells;             ///< ids in the input, where Selected
+};
+
+/**
+ * The cells of `input` that are no ghosts (copies of other ranks' cells, hidden or refined ones),
+ * with their points and arrays; the ghost arrays are left out, as a trim would make them wrong.
+ *
+ * @param mesh the view of the input; it was found free of defects.
+ */
+OwnCells TakeOwnCells(vtkUnstructuredGrid* input, const HexMesh& mesh);
+
+/// Turns vtkOriginalPointIds and vtkOriginalCellIds of a grid that was made from own cells into
+/// ids of the input.
+void RestoreOriginalIds(const OwnCells& own, vtkUnstructuredGrid* grid);
+
+}
+
+#endif

@@ -1,0 +1,110 @@
+/**
+ * @file Ranks.h
+ * @brief What the stages need of the other processes when the grid lies in pieces, one a rank.
+ *
+ * Every function here but the first three is collective: all ranks call it, in the same order.
+ * All ranks get the same answer. This class alone is the one rank of a run without others.
+ */
+#ifndef Ranks_h
+#define Ranks_h
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace trim
+{
+
+class Ranks
+{
+public:
+  Ranks() = default;
+  virtual ~Ranks() = default;
+  Ranks(const Ranks&) = delete;
+  void operator=(const Ranks&) = delete;
+
+  virtual int Count() const { return 1; }
+  virtual int Rank() const { return 0; }
+  bool Alone() const { return this->Count() == 1; }
+
+  /// The lists of all ranks, rank by rank.
+  template <typename T>
+  std::vector<T> Gather(const std::vector<T>& mine) const
+  {
+    std::vector<std::size_t> ends;
+    return this->Gather(mine, ends);
+  }
+
+  /// @param[out] ends one past the last item of each rank.
+  template <typename T>
+  std::vector<T> Gather(const std::vector<T>& mine, std::vector<std::size_t>& ends) const
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
+    if (this->Alone())
+    {
+      ends.assign(1, mine.size());
+      return mine;
+    }
+    std::vector<char> bytes(mine.size() * sizeof(T));
+    if (!mine.empty())
+    {
+      std::memcpy(bytes.data(), mine.data(), bytes.size());
+    }
+    const std::vector<char> all = this->GatherBytes(bytes, ends);
+    for (auto& end : ends)
+    {
+      end /= sizeof(T);
+    }
+    std::vector<T> items(all.size() / sizeof(T));
+    if (!items.empty())
+    {
+      std::memcpy(items.data(), all.data(), all.size());
+    }
+    return items;
+  }
+
+  template <typename T>
+  T Largest(T mine) const
+  {
+    const auto all = this->Gather(std::vector<T>{ mine });
+    return *std::max_element(all.begin(), all.end());
+  }
+
+  template <typename T>
+  T Sum(T mine) const
+  {
+    T sum = T(0);
+    for (const T value : this->Gather(std::vector<T>{ mine }))
+    {
+      sum += value;
+    }
+    return sum;
+  }
+
+  bool Any(bool mine) const { return this->Largest<char>(mine ? 1 : 0) != 0; }
+
+  /// The text of the first rank that has one; empty if none has.
+  std::string FirstText(const std::string& mine) const
+  {
+    std::vector<std::size_t> ends;
+    const auto all = this->Gather(std::vector<char>(mine.begin(), mine.end()), ends);
+    const auto first =
+      std::find_if(ends.begin(), ends.end(), [](std::size_t end) { return end > 0; });
+    return first == ends.end() ? std::string() : std::string(all.data(), *first);
+  }
+
+protected:
+  /// The bytes of all ranks, rank by rank, and where those of each end.
+  virtual std::vector<char> GatherBytes(
+    const std::vector<char>& mine, std::vector<std::size_t>& ends) const
+  {
+    ends.assign(1, mine.size());
+    return mine;
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,66 @@
+/**
+ * @file SharedNodes.h
+ * @brief Which nodes of a piece of the mesh belong to other ranks' pieces as well.
+ *
+ * Nodes are one node if they have the same global id, or, where the input has none, if they lie
+ * at the same place, bit for bit. Only nodes on the border of a piece are asked, and of these
+ * only those in a part of space that another piece has a border in too.
+ */
+#ifndef SharedNodes_h
+#define SharedNodes_h
+
+#include "HexMesh.h"
+#include "Ranks.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace trim
+{
+
+using Place = std::array<double, 3>; ///< a position that can be sent
+
+inline Place ToPlace(const Vec3& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+inline Vec3 ToVec3(const Place& p)
+{
+  return Vec3(p[0], p[1], p[2]);
+}
+
+struct SharedNodes
+{
+  std::vector<Id> Local;         ///< nodes of this piece that others have too, ascending
+  std::vector<Id> Number;        ///< of each of them, the same on all ranks: 0 .. Total()-1
+  std::vector<Id> LocalByNumber; ///< of every shared number; -1: not in this piece
+
+  /// Shared nodes of all ranks.
+  Id Total() const { return static_cast<Id>(this->LocalByNumber.size()); }
+  /// Shared number of a node of this piece, or -1.
+  Id NumberOf(Id local) const;
+};
+
+/**
+ * Finds the shared nodes; collective.
+ *
+ * @param globalIds of each point of the piece; null: told apart by their places. The same
+ * on all ranks that have points.
+ * @return false with an error, the same on all ranks, where nodes of one piece lie at one place
+ * or one global id stands for two places.
+ */
+bool FindSharedNodes(const HexMesh& mesh, const Id* globalIds, const Ranks& ranks,
+  SharedNodes& shared, std::string& error);
+
+/// The piece of the mesh that this rank has among those of the others.
+struct Piece
+{
+  const Ranks& All;
+  const SharedNodes& Shared;
+};
+
+}
+
+#endif

@@ -1,0 +1,445 @@
+#include "Pieces.h"
+
+#include "ThreadRanks.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkExtractCells.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTrimHexahedralGrid.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+namespace judge
+{
+namespace
+{
+constexpr const char* WholeCell = "WholeCell";
+constexpr const char* WholePoint = "WholePoint";
+
+vtkSmartPointer<vtkIdTypeArray> Count(const char* name, vtkIdType count)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ids->SetValue(i, i);
+  }
+  return ids;
+}
+
+Vec3 CentreOf(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkNew<vtkIdList> nodes;
+  grid->GetCellPoints(cell, nodes);
+  Vec3 sum = Vec3::Zero();
+  for (vtkIdType i = 0; i < nodes->GetNumberOfIds(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(nodes->GetId(i), p);
+    sum += Vec3(p[0], p[1], p[2]);
+  }
+  return sum / nodes->GetNumberOfIds();
+}
+
+/// Rank of each cell by its place along an axis of the mesh, in slabs of equal numbers.
+std::vector<int> Slabs(vtkUnstructuredGrid* whole, const Vec3& axis, int first, int ranks)
+{
+  const vtkIdType count = whole->GetNumberOfCells();
+  std::vector<std::pair<double, vtkIdType>> places;
+  for (vtkIdType c = 0; c < count; ++c)
+  {
+    places.emplace_back(std::round(1e6 * CentreOf(whole, c).dot(axis)), c);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<int> rank(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    rank[places[i].second] = first + static_cast<int>(i * (ranks - first) / count);
+  }
+  return rank;
+}
+
+std::vector<int> RankOfCells(
+  const Mesh& mesh, vtkUnstructuredGrid* whole, const std::string& partition, int ranks)
+{
+  if (partition == "slabs" || partition == "ghosts")
+  {
+    return Slabs(whole, mesh.Box.Axes.col(0), 0, ranks);
+  }
+  if (partition == "empty")
+  {
+    return Slabs(whole, mesh.Box.Axes.col(0), ranks > 1 ? 1 : 0, ranks);
+  }
+  if (partition == "layers")
+  {
+    return Slabs(whole, mesh.Box.Axes.col(2), 0, ranks);
+  }
+  if (partition != "scattered" && partition != "ids")
+  {
+    throw std::invalid_argument("no partition " + partition);
+  }
+  std::mt19937 random(7);
+  std::vector<int> rank(whole->GetNumberOfCells());
+  for (int& r : rank)
+  {
+    r = static_cast<int>(random() % ranks);
+  }
+  return rank;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Extract(
+  vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cells)
+{
+  if (cells.empty())
+  {
+    return vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType c : cells)
+  {
+    ids->InsertNextId(c);
+  }
+  vtkNew<vtkExtractCells> extract;
+  extract->SetInputData(whole);
+  extract->SetCellList(ids);
+  extract->Update();
+  vtkSmartPointer<vtkUnstructuredGrid> piece = extract->GetOutput();
+  piece->GetCellData()->RemoveArray("vtkOriginalCellIds");
+  return piece;
+}
+
+/// The cells of one rank and, as ghosts, those of others that share a node with them.
+vtkSmartPointer<vtkUnstructuredGrid> ExtractWithGhosts(
+  vtkUnstructuredGrid* whole, const std::vector<int>& rankOf, int rank)
+{
+  std::set<vtkIdType> nodes;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    whole->GetCellPoints(c, ids);
+    for (vtkIdType i = 0; rankOf[c] == rank && i < ids->GetNumberOfIds(); ++i)
+    {
+      nodes.insert(ids->GetId(i));
+    }
+  }
+  std::vector<vtkIdType> cells;
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    whole->GetCellPoints(c, ids);
+    bool near = false;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      near |= nodes.count(ids->GetId(i)) > 0;
+    }
+    if (near)
+    {
+      cells.push_back(c);
+      ghosts->InsertNextValue(rankOf[c] == rank ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    }
+  }
+  auto piece = Extract(whole, cells);
+  piece->GetCellData()->AddArray(ghosts);
+  return piece;
+}
+
+/// Where each item of the whole is found in it, by its id.
+std::vector<vtkIdType> PlacesOf(vtkDataSetAttributes* data, const char* name)
+{
+  std::vector<vtkIdType> places;
+  auto* ids = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfValues(); ++i)
+  {
+    const vtkIdType id = ids->GetValue(i);
+    places.resize(std::max<std::size_t>(places.size(), id + 1), -1);
+    places[id] = i;
+  }
+  return places;
+}
+
+bool SameTuple(vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdType j)
+{
+  const int components = a->GetNumberOfComponents();
+  auto* x = vtkDataArray::SafeDownCast(a);
+  auto* y = vtkDataArray::SafeDownCast(b);
+  for (int k = 0; k < components; ++k)
+  {
+    if (x && y)
+    {
+      const double u = x->GetComponent(i, k);
+      const double v = y->GetComponent(j, k);
+      if (std::memcmp(&u, &v, sizeof(double)) != 0)
+      {
+        return false;
+      }
+    }
+    else if (a->GetVariantValue(i * components + k) != b->GetVariantValue(j * components + k))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsLocal(const std::string& name)
+{
+  return name == "vtkOriginalPointIds" || name == "vtkOriginalCellIds";
+}
+
+std::string CompareTuples(
+  vtkDataSetAttributes* whole, vtkIdType i, vtkDataSetAttributes* piece, vtkIdType j)
+{
+  for (int k = 0; k < whole->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* expected = whole->GetAbstractArray(k);
+    const std::string name = expected->GetName();
+    vtkAbstractArray* found = piece->GetAbstractArray(name.c_str());
+    if (!found)
+    {
+      return "no array " + name;
+    }
+    if (!IsLocal(name) && !SameTuple(expected, i, found, j))
+    {
+      return name + " differs";
+    }
+  }
+  return {};
+}
+
+/// One piece against the whole; counts its cells and collects its points.
+class PieceComparison
+{
+public:
+  PieceComparison(vtkUnstructuredGrid* whole)
+    : Whole(whole)
+    , Cells(PlacesOf(whole->GetCellData(), WholeCell))
+    , Points(PlacesOf(whole->GetPointData(), WholePoint))
+  {
+  }
+
+  std::string Compare(vtkUnstructuredGrid* piece)
+  {
+    auto* cellIds = vtkIdTypeArray::SafeDownCast(piece->GetCellData()->GetArray(WholeCell));
+    auto* pointIds = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetArray(WholePoint));
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      const std::string difference = this->ComparePoint(piece, i, pointIds->GetValue(i));
+      if (!difference.empty())
+      {
+        return "point " + std::to_string(pointIds->GetValue(i)) + ": " + difference;
+      }
+    }
+    for (vtkIdType i = 0; i < piece->GetNumberOfCells(); ++i)
+    {
+      const std::string difference = this->CompareCell(piece, i, cellIds->GetValue(i), pointIds);
+      if (!difference.empty())
+      {
+        return "cell " + std::to_string(cellIds->GetValue(i)) + ": " + difference;
+      }
+    }
+    return {};
+  }
+
+  std::string CompareCounts() const
+  {
+    const auto cells = static_cast<vtkIdType>(this->CellsSeen.size());
+    const auto points = static_cast<vtkIdType>(this->PointsSeen.size());
+    if (cells != this->Whole->GetNumberOfCells() || points != this->Whole->GetNumberOfPoints())
+    {
+      return std::to_string(cells) + " cells and " + std::to_string(points) +
+        " points instead of " + std::to_string(this->Whole->GetNumberOfCells()) + " and " +
+        std::to_string(this->Whole->GetNumberOfPoints());
+    }
+    return {};
+  }
+
+private:
+  std::string ComparePoint(vtkUnstructuredGrid* piece, vtkIdType i, vtkIdType id)
+  {
+    if (id >= static_cast<vtkIdType>(this->Points.size()) || this->Points[id] < 0)
+    {
+      return "the whole does not have it";
+    }
+    this->PointsSeen.insert(id);
+    double p[3], q[3];
+    piece->GetPoint(i, p);
+    this->Whole->GetPoint(this->Points[id], q);
+    if (std::memcmp(p, q, sizeof(p)) != 0)
+    {
+      return "another place";
+    }
+    return CompareTuples(this->Whole->GetPointData(), this->Points[id], piece->GetPointData(), i);
+  }
+
+  std::string CompareCell(
+    vtkUnstructuredGrid* piece, vtkIdType i, vtkIdType id, vtkIdTypeArray* pointIds)
+  {
+    if (id >= static_cast<vtkIdType>(this->Cells.size()) || this->Cells[id] < 0)
+    {
+      return "the whole does not have it";
+    }
+    if (!this->CellsSeen.insert(id).second)
+    {
+      return "it is there twice";
+    }
+    vtkNew<vtkIdList> nodes, expected;
+    piece->GetCellPoints(i, nodes);
+    this->Whole->GetCellPoints(this->Cells[id], expected);
+    if (piece->GetCellType(i) != this->Whole->GetCellType(this->Cells[id]))
+    {
+      return "another type";
+    }
+    for (vtkIdType k = 0; k < nodes->GetNumberOfIds(); ++k)
+    {
+      if (this->Points[pointIds->GetValue(nodes->GetId(k))] != expected->GetId(k))
+      {
+        return "other nodes";
+      }
+    }
+    return CompareTuples(this->Whole->GetCellData(), this->Cells[id], piece->GetCellData(), i);
+  }
+
+  vtkUnstructuredGrid* Whole;
+  std::vector<vtkIdType> Cells, Points;
+  std::set<vtkIdType> CellsSeen, PointsSeen;
+};
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> WithWholeIds(vtkUnstructuredGrid* grid)
+{
+  auto whole = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  whole->ShallowCopy(grid);
+  whole->GetPointData()->AddArray(Count(WholePoint, grid->GetNumberOfPoints()));
+  whole->GetCellData()->AddArray(Count(WholeCell, grid->GetNumberOfCells()));
+  return whole;
+}
+
+std::vector<std::string> PartitionNames()
+{
+  return { "slabs", "scattered", "layers", "empty", "ghosts", "ids" };
+}
+
+std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
+  const Mesh& mesh, vtkUnstructuredGrid* whole, const std::string& partition, int ranks)
+{
+  const std::vector<int> rankOf = RankOfCells(mesh, whole, partition, ranks);
+  vtkNew<vtkUnstructuredGrid> source;
+  source->ShallowCopy(whole);
+  if (partition != "ids")
+  {
+    source->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  }
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> pieces;
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    std::vector<vtkIdType> cells;
+    for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+    {
+      if (rankOf[c] == rank)
+      {
+        cells.push_back(c);
+      }
+    }
+    pieces.push_back(
+      partition == "ghosts" ? ExtractWithGhosts(source, rankOf, rank) : Extract(source, cells));
+  }
+  return pieces;
+}
+
+PiecesOutcome TrimPieces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces,
+  const std::vector<vtkSmartPointer<vtkDataObject>>& surfaces, const TrimOptions& options,
+  const FilterAction& before, const FilterAction& again)
+{
+  const int ranks = static_cast<int>(pieces.size());
+  const auto controllers = MakeThreadRanks(ranks);
+  std::vector<vtkSmartPointer<vtkTrimHexahedralGrid>> filters;
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    auto filter = vtkSmartPointer<vtkTrimHexahedralGrid>::New();
+    SetOptions(filter, options);
+    filter->SetController(controllers[rank]);
+    filter->SetInputDataObject(0, pieces[rank]);
+    filter->SetInputDataObject(1, surfaces[rank]);
+    if (before)
+    {
+      before(rank, filter);
+    }
+    filters.push_back(filter);
+  }
+  PiecesOutcome outcome;
+  const Listener listener;
+  const auto update = [&filters](int rank) { filters[rank]->Update(); };
+  RunRanks(ranks, update);
+  for (int rank = 0; again && rank < ranks; ++rank)
+  {
+    again(rank, filters[rank]);
+  }
+  if (again)
+  {
+    RunRanks(ranks, update);
+  }
+  for (const auto& filter : filters)
+  {
+    outcome.Trimmed.emplace_back(filter->GetOutput());
+    outcome.Statuses.emplace_back(
+      vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1)));
+  }
+  outcome.Errors = listener.Errors();
+  outcome.Warnings = listener.Warnings();
+  return outcome;
+}
+
+std::string DifferenceFromWhole(
+  vtkUnstructuredGrid* whole, const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
+{
+  PieceComparison comparison(whole);
+  for (std::size_t rank = 0; rank < pieces.size(); ++rank)
+  {
+    const std::string difference = comparison.Compare(pieces[rank]);
+    if (!difference.empty())
+    {
+      return "rank " + std::to_string(rank) + ", " + difference;
+    }
+  }
+  return comparison.CompareCounts();
+}
+
+std::string DifferenceOfSummaries(vtkUnstructuredGrid* input, vtkUnstructuredGrid* whole,
+  const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
+{
+  std::set<std::string> fromInput;
+  for (int k = 0; k < input->GetFieldData()->GetNumberOfArrays(); ++k)
+  {
+    fromInput.insert(input->GetFieldData()->GetArrayName(k));
+  }
+  for (int k = 0; k < whole->GetFieldData()->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* expected = whole->GetFieldData()->GetAbstractArray(k);
+    const std::string name = expected->GetName();
+    for (const auto& piece : pieces)
+    {
+      vtkAbstractArray* found = piece->GetFieldData()->GetAbstractArray(name.c_str());
+      const bool same = found && SameTuple(expected, 0, found, 0);
+      if (!same && name != "NodeBandwidth" && !fromInput.count(name))
+      {
+        return name + " differs";
+      }
+    }
+  }
+  return {};
+}
+}

@@ -1,0 +1,67 @@
+/**
+ * @file Pieces.h
+ * @brief Divides a grid among ranks in several ways, trims the pieces, and holds the result
+ * against the trim of the whole.
+ */
+#ifndef Pieces_h
+#define Pieces_h
+
+#include "RunTrim.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace judge
+{
+/// A grid with the ids that its points and cells have in the whole.
+vtkSmartPointer<vtkUnstructuredGrid> WithWholeIds(vtkUnstructuredGrid* grid);
+
+/**
+ * Names: "slabs" (by place along the longest side), "scattered" (each cell at random), "layers"
+ * (each layer of a sheet on another rank), "empty" (slabs, but rank 0 has nothing), "ghosts"
+ * (slabs, each with a ring of ghost cells), "ids" (scattered, with the
+ * mesh's global point ids, which the others do not have).
+ */
+std::vector<std::string> PartitionNames();
+
+/// The pieces of a grid WithWholeIds, one a rank.
+std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
+  const Mesh& mesh, vtkUnstructuredGrid* whole, const std::string& partition, int ranks);
+
+/// What the ranks have made.
+struct PiecesOutcome
+{
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Trimmed, Statuses;
+  std::vector<std::string> Errors, Warnings; ///< of all ranks
+};
+
+/// Something done to the filter of a rank.
+using FilterAction = std::function<void(int rank, vtkTrimHexahedralGrid* filter)>;
+
+/**
+ * Runs the filter on all pieces at once, each on a rank of its own.
+ *
+ * @param before done to each filter first.
+ * @param again done to each filter after the first run; with it there is a second one.
+ */
+PiecesOutcome TrimPieces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces,
+  const std::vector<vtkSmartPointer<vtkDataObject>>& surfaces, const TrimOptions& options,
+  const FilterAction& before = {}, const FilterAction& again = {});
+
+/**
+ * Bit by bit: every cell of the whole in one piece, with the same nodes, and every array at every
+ * cell and node; the same number of both. Empty: no difference.
+ */
+std::string DifferenceFromWhole(
+  vtkUnstructuredGrid* whole, const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces);
+
+/// The same for the summary, but for NodeBandwidth, on every rank, the empty ones too.
+std::string DifferenceOfSummaries(vtkUnstructuredGrid* input, vtkUnstructuredGrid* whole,
+  const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces);
+}
+
+#endif

@@ -1,0 +1,153 @@
+/**
+ * @file TestRanks.cxx
+ * @brief The trim of a grid in pieces against the trim of the whole, bit by bit.
+ *
+ * TestRanks [ranks [mesh|all [surface|all [partition|all [all|some]]]]]
+ * With "some" each combination gets one of the corrections and treatments, in turn.
+ */
+#include "Pieces.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <set>
+
+using namespace judge;
+
+namespace
+{
+int Trials = 0;
+int Wrong = 0;
+int Rescued = 0;
+
+const std::vector<std::pair<int, int>> Treatments = { { 2, 2 }, { 2, 1 }, { 3, 2 }, { 2, 0 },
+  { 3, 1 }, { 1, 0 }, { 3, 0 } };
+
+void Fail(const std::string& trial, const std::string& text)
+{
+  std::printf("FAIL %s: %s\n", trial.c_str(), text.c_str());
+  ++Wrong;
+}
+
+Surface SurfaceOf(const std::string& kind, const Mesh& mesh)
+{
+  Placement at;
+  at.Seed = 3;
+  at.Size = 0.45;
+  at.Lean = kind == "leaning" ? 0.26 : 0;
+  return MakeSurface(kind == "leaning" ? "cylinder" : kind, mesh.Box, at);
+}
+
+std::vector<vtkSmartPointer<vtkDataObject>> Copies(vtkDataObject* data, std::size_t count)
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> copies;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    copies.push_back(vtkSmartPointer<vtkDataObject>::Take(data->NewInstance()));
+    copies.back()->DeepCopy(data);
+  }
+  return copies;
+}
+
+void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
+  const TrimOptions& options, const std::string& partition, int ranks)
+{
+  ++Trials;
+  Mesh marked = mesh;
+  marked.Grid = WithWholeIds(mesh.Grid);
+  const Outcome whole = RunTrim(marked, surface, options);
+  Rescued += !Rescues(whole.Case.Trimmed).empty();
+  const auto pieces = Divide(mesh, marked.Grid, partition, ranks);
+  const PiecesOutcome parts = TrimPieces(pieces, Copies(surface.Data, pieces.size()), options);
+  if (whole.Errors.size() != parts.Errors.size() || whole.Warnings.size() != parts.Warnings.size())
+  {
+    Fail(
+      trial, "errors and warnings differ" + (parts.Errors.empty() ? "" : ": " + parts.Errors[0]));
+    return;
+  }
+  const std::string trimmed = DifferenceFromWhole(whole.Case.Trimmed, parts.Trimmed);
+  const std::string statuses = DifferenceFromWhole(whole.Case.Whole, parts.Statuses);
+  const std::string summary = DifferenceOfSummaries(mesh.Grid, whole.Case.Trimmed, parts.Trimmed);
+  for (const auto& difference : { trimmed, statuses, summary })
+  {
+    if (!difference.empty())
+    {
+      Fail(trial, difference);
+      return;
+    }
+  }
+}
+
+/// A mesh with its nodes and cells in another order is trimmed alike.
+void TestPermuted()
+{
+  MeshOptions plain, permuted;
+  plain.Data = permuted.Data = false;
+  permuted.Permuted = true;
+  const Mesh mesh = Sheet(24, 18, 2, Vec3(1, 1, 0.4), plain);
+  const Mesh other = Sheet(24, 18, 2, Vec3(1, 1, 0.4), permuted);
+  for (const char* kind : { "wavy", "contour" })
+  {
+    const Surface surface = SurfaceOf(kind, mesh);
+    const auto places = [&surface](const Mesh& m)
+    {
+      const Outcome outcome = RunTrim(m, surface, TrimOptions());
+      std::set<std::array<double, 3>> set;
+      for (vtkIdType i = 0; i < outcome.Case.Trimmed->GetNumberOfPoints(); ++i)
+      {
+        std::array<double, 3> p;
+        outcome.Case.Trimmed->GetPoint(i, p.data());
+        set.insert(p);
+      }
+      return set;
+    };
+    ++Trials;
+    if (places(mesh) != places(other))
+    {
+      Fail(std::string("permuted ") + kind, "nodes at other places");
+    }
+  }
+}
+
+std::vector<std::string> Chosen(const std::string& argument, const std::vector<std::string>& all)
+{
+  return argument == "all" ? all : std::vector<std::string>{ argument };
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const auto argument = [&](int i) { return std::string(argc > i ? argv[i] : "all"); };
+  const int ranks = argc > 1 ? std::atoi(argv[1]) : 2;
+  std::vector<std::string> kinds = SurfaceKinds();
+  kinds.push_back("leaning");
+  std::size_t turn = 0;
+  for (const std::string& meshName : Chosen(argument(2), MeshNames()))
+  {
+    const Mesh mesh = MakeMesh(meshName);
+    for (const std::string& kind : Chosen(argument(3), kinds))
+    {
+      const Surface surface = SurfaceOf(kind, mesh);
+      for (const std::string& partition : Chosen(argument(4), PartitionNames()))
+      {
+        ++turn;
+        for (std::size_t k = 0; k < Treatments.size(); ++k)
+        {
+          if (argument(5) != "some" || k == turn % Treatments.size())
+          {
+            TrimOptions options;
+            options.CorrectionType = Treatments[k].first;
+            options.Optimization = Treatments[k].second;
+            Compare(meshName + " " + kind + " " + partition + " " +
+                std::to_string(options.CorrectionType) + std::to_string(options.Optimization),
+              mesh, surface, options, partition, ranks);
+          }
+        }
+      }
+    }
+  }
+  TestPermuted();
+  std::printf(
+    "%d trials on %d ranks, %d of them with rescues, %d wrong\n", Trials, ranks, Rescued, Wrong);
+  return Wrong > 0;
+}

@@ -1,0 +1,271 @@
+/**
+ * @file TestRanksBadInput.cxx
+ * @brief What is wrong on one rank ends the trim on all: one error, empty outputs, nobody waits.
+ */
+#include "Pieces.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTetra.h>
+#include <vtkTrimHexahedralGrid.h>
+
+#include <cstdio>
+
+using namespace judge;
+
+namespace
+{
+using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
+using Surfaces = std::vector<vtkSmartPointer<vtkDataObject>>;
+int Wrong = 0;
+
+void Check(bool holds, const std::string& text)
+{
+  if (!holds)
+  {
+    std::printf("FAIL %s\n", text.c_str());
+    ++Wrong;
+  }
+}
+
+const Mesh& TheMesh()
+{
+  static const Mesh mesh = MakeMesh("sheet2");
+  return mesh;
+}
+
+/// Fresh pieces, which a test may spoil.
+Grids Pieces(int ranks = 3)
+{
+  Grids pieces = Divide(TheMesh(), WithWholeIds(TheMesh().Grid), "slabs", ranks);
+  for (auto& piece : pieces)
+  {
+    vtkNew<vtkUnstructuredGrid> copy;
+    copy->DeepCopy(piece);
+    piece = copy;
+  }
+  return pieces;
+}
+
+Surfaces SurfacesOf(const std::vector<Surface>& list)
+{
+  Surfaces surfaces;
+  for (const Surface& surface : list)
+  {
+    surfaces.push_back(surface.Data);
+  }
+  return surfaces;
+}
+
+Surfaces Planes(int ranks = 3)
+{
+  std::vector<Surface> planes;
+  for (int i = 0; i < ranks; ++i)
+  {
+    planes.push_back(MakeSurface("plane", TheMesh().Box, Placement()));
+  }
+  return SurfacesOf(planes);
+}
+
+bool IsEmpty(const Grids& grids)
+{
+  for (const auto& grid : grids)
+  {
+    if (grid->GetNumberOfCells() > 0 || grid->GetNumberOfPoints() > 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// One error that holds these words, and nothing comes out anywhere.
+void ExpectError(
+  const std::string& what, const Grids& pieces, const Surfaces& surfaces, const std::string& words)
+{
+  const PiecesOutcome outcome = TrimPieces(pieces, surfaces, TrimOptions());
+  Check(outcome.Errors.size() == 1,
+    what + ": " + std::to_string(outcome.Errors.size()) + " errors instead of one");
+  Check(!outcome.Errors.empty() && outcome.Errors[0].find(words) != std::string::npos,
+    what + ": no \"" + words + "\" in: " + (outcome.Errors.empty() ? "" : outcome.Errors[0]));
+  Check(IsEmpty(outcome.Trimmed) && IsEmpty(outcome.Statuses), what + ": outputs are not empty");
+}
+
+void TestBadGrids()
+{
+  auto pieces = Pieces();
+  vtkNew<vtkTetra> tetra;
+  pieces[1]->InsertNextCell(VTK_TETRA, tetra->GetPointIds());
+  ExpectError("a tetrahedron on rank 1", pieces, Planes(), "Rank 1: Cell");
+
+  pieces = Pieces();
+  pieces[2]->GetPoints()->SetPoint(5, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  ExpectError("a NaN on rank 2", pieces, Planes(), "Rank 2: Point 5");
+
+  const auto nothing = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  ExpectError("empty pieces", { nothing, nothing, nothing }, Planes(), "has no cells");
+
+  pieces = Pieces(1);
+  ExpectError("the whole grid on each rank", { pieces[0], pieces[0], pieces[0] }, Planes(),
+    "Several ranks have the same cell");
+
+  pieces = Pieces();
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Ids");
+  for (vtkIdType i = 0; i < pieces[0]->GetNumberOfPoints(); ++i)
+  {
+    ids->InsertNextValue(i);
+  }
+  for (auto& piece : pieces)
+  {
+    piece->GetPointData()->SetGlobalIds(ids);
+    ids->SetNumberOfValues(piece->GetNumberOfPoints());
+  }
+  ExpectError("global ids that are not", pieces, Planes(), "stands for two places");
+}
+
+/// A node of the border of rank 0 with another at the same place: which one is rank 1's?
+void TestCoincidentNodes()
+{
+  auto pieces = Pieces(2);
+  for (auto& piece : pieces)
+  {
+    piece->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  }
+  vtkUnstructuredGrid* grid = pieces[0];
+  const vtkIdType points = grid->GetNumberOfPoints();
+  vtkNew<vtkUnstructuredGrid> doubled;
+  doubled->Allocate();
+  vtkNew<vtkPoints> places;
+  places->SetDataType(grid->GetPoints()->GetDataType());
+  for (int copy = 0; copy < 2; ++copy)
+  {
+    for (vtkIdType i = 0; i < points; ++i)
+    {
+      places->InsertNextPoint(grid->GetPoint(i));
+    }
+    for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+    {
+      vtkNew<vtkIdList> nodes;
+      grid->GetCellPoints(c, nodes);
+      for (vtkIdType i = 0; i < nodes->GetNumberOfIds(); ++i)
+      {
+        nodes->SetId(i, nodes->GetId(i) + copy * points);
+      }
+      doubled->InsertNextCell(grid->GetCellType(c), nodes);
+    }
+  }
+  doubled->SetPoints(places);
+  pieces[0] = doubled;
+  ExpectError("nodes at one place", pieces, Planes(2), "Several nodes of one rank's piece");
+}
+
+void TestBadSurfaces()
+{
+  auto surfaces = Planes();
+  surfaces[1] = vtkSmartPointer<vtkPolyData>::New();
+  ExpectError("no surface on rank 1", Pieces(), surfaces, "Rank 1: ");
+
+  surfaces = Planes();
+  Placement other;
+  other.X = 0.3;
+  surfaces[2] = MakeSurface("plane", TheMesh().Box, other).Data;
+  ExpectError("another surface on rank 2", Pieces(), surfaces, "different trimming surfaces");
+
+  const std::vector<Surface> ending(3, EndingPlane(TheMesh().Box, Placement()));
+  ExpectError("a surface that ends", Pieces(), SurfacesOf(ending), "ends inside the grid");
+}
+
+void TestMissingSurface()
+{
+  Placement outside;
+  outside.X = 3.0;
+  const std::vector<Surface> away(3, MakeSurface("plane", TheMesh().Box, outside));
+  const PiecesOutcome outcome = TrimPieces(Pieces(), SurfacesOf(away), TrimOptions());
+  Check(outcome.Errors.empty() && outcome.Warnings.size() == 1 &&
+      outcome.Warnings[0].find("misses the grid") != std::string::npos,
+    "a surface that misses the grid: not one warning");
+}
+
+struct Stop
+{
+  double At;
+  int Rank;
+};
+
+/// Aborts one rank's filter once it has got so far.
+void AbortAt(vtkObject* caller, unsigned long, void* client, void* progress)
+{
+  if (*static_cast<double*>(progress) >= static_cast<Stop*>(client)->At)
+  {
+    vtkTrimHexahedralGrid::SafeDownCast(caller)->SetAbortExecute(1);
+  }
+}
+
+void TestAborts()
+{
+  for (Stop stop :
+    { Stop{ 0.05, 1 }, Stop{ 0.3, 0 }, Stop{ 0.4, 2 }, Stop{ 0.6, 1 }, Stop{ 0.9, 0 } })
+  {
+    const PiecesOutcome outcome = TrimPieces(Pieces(), Planes(), TrimOptions(),
+      [&stop](int rank, vtkTrimHexahedralGrid* filter)
+      {
+        vtkNew<vtkCallbackCommand> observer;
+        observer->SetCallback(AbortAt);
+        observer->SetClientData(&stop);
+        if (rank == stop.Rank)
+        {
+          filter->AddObserver(vtkCommand::ProgressEvent, observer);
+        }
+      });
+    const std::string what =
+      "rank " + std::to_string(stop.Rank) + " stopped at " + std::to_string(stop.At);
+    Check(IsEmpty(outcome.Trimmed) && IsEmpty(outcome.Statuses), what + ": not empty");
+    Check(outcome.Errors.empty(), what + ": errors");
+  }
+}
+
+/// Kept from run to run, and made anew on all ranks when one rank's piece changes.
+void TestRerun()
+{
+  const auto pieces = Pieces();
+  const auto surfaces = Planes();
+  const PiecesOutcome first = TrimPieces(pieces, surfaces, TrimOptions());
+  TrimOptions inverted;
+  inverted.InvertSide = true;
+  int run = 0;
+  const PiecesOutcome again = TrimPieces(pieces, surfaces, inverted, {},
+    [&run](int rank, vtkTrimHexahedralGrid* filter)
+    {
+      filter->SetInvertSide(false);
+      if (rank == 1)
+      {
+        filter->GetInputDataObject(0, 0)->Modified();
+        ++run;
+      }
+    });
+  Check(run == 1, "the second run did not happen");
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    const std::string difference = FirstDifference(first.Trimmed[i], again.Trimmed[i]);
+    Check(difference.empty(), "rerun on rank " + std::to_string(i) + ": " + difference);
+  }
+}
+}
+
+int main()
+{
+  TestBadGrids();
+  TestCoincidentNodes();
+  TestBadSurfaces();
+  TestMissingSurface();
+  TestAborts();
+  TestRerun();
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}
