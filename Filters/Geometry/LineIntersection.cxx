@@ -172,6 +172,10 @@ LineSearch::Solution LineSearch::Solve(
       x.Converged = true;
       return x;
     }
+    if (s1 == x.S && t1 == x.T)
+    {
+      return x; // held at the margin of the box
+    }
     before = length;
     x.S = s1;
     x.T = t1;
@@ -485,6 +489,13 @@ bool LineSearch::SearchBox(
     }
   }
   const double extent = std::max((high - low).norm(), kHigh - kLow);
+  // Off the line, only within the gap of a border: Newton has had its chance at this size.
+  const bool onLine =
+    (low.array() <= this->Tolerance).all() && (high.array() >= -this->Tolerance).all();
+  if (!onLine && extent < this->Model.Gap)
+  {
+    return false;
+  }
   const auto point = [&](int i, int j) -> Vec3
   { return part[i + j * nu].head<3>() / part[i + j * nu].w(); };
   // Small enough for a touch; or flat against the line everywhere.
