@@ -27,6 +27,10 @@ add_library(NURBSTrimStages STATIC
   Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx
+  Renumber/PillarGraph.cxx
+  Renumber/PillarOrdering.cxx
+  Renumber/Pillars.cxx
+  Renumber/RowSort.cxx
   Write/FindingArrays.cxx
   Write/GatherAttributes.cxx
   Write/OrderlessSum.cxx

@@ -1,6 +1,7 @@
 #include "NodeOrdering.h"
 
 #include "Band.h"
+#include "PillarOrdering.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -24,9 +25,10 @@ namespace
 
 /// Coordinates nearer than this share of the extent are in one row.
 constexpr double RowGap = 1e-6;
-/// Cuthill-McKee is applied to its own result up to this often, in meshes with fewer nodes.
+/// Cuthill-McKee is applied to its own result up to this often.
 constexpr int MostRounds = 6;
-constexpr int ManyNodes = 300000;
+/// From here on the search runs on pillars.
+constexpr int ManyNodes = 20000;
 
 std::vector<int> Identity(int count)
 {
@@ -433,6 +435,10 @@ std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int
   {
     return best.Number;
   }
+  if (count >= ManyNodes)
+  {
+    return OrderByPillars(graph, position, aborted);
+  }
   best.Bandwidth = NodeBandwidth(graph, best.Number);
 
   const auto links = LinkElements(graph);
@@ -457,8 +463,7 @@ std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int
     return best.Number;
   }
   // The ordering breaks ties by the numbers it is given, so it may gain from its own result.
-  const int rounds = count < ManyNodes ? MostRounds : 1;
-  for (int round = 0; round < rounds && best.Bandwidth > bound && !aborted(); ++round)
+  for (int round = 0; round < MostRounds && best.Bandwidth > bound && !aborted(); ++round)
   {
     const int before = best.Bandwidth;
     OfferCuthillMcKee(graph, round == 0 ? Identity(count) : best.Number, best);

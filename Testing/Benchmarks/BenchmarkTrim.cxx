@@ -250,8 +250,8 @@ double ArrayBytes(vtkUnstructuredGrid* grid, std::set<vtkAbstractArray*>& counte
   std::vector<vtkAbstractArray*> arrays = { grid->GetPoints()->GetData(),
     grid->GetCells()->GetOffsetsArray(), grid->GetCells()->GetConnectivityArray(),
     grid->GetCellTypesArray() };
-  for (vtkFieldData* data :
-    { static_cast<vtkFieldData*>(grid->GetPointData()), static_cast<vtkFieldData*>(grid->GetCellData()) })
+  for (vtkFieldData* data : { static_cast<vtkFieldData*>(grid->GetPointData()),
+         static_cast<vtkFieldData*>(grid->GetCellData()) })
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
@@ -289,8 +289,9 @@ void MeasureMemory(vtkIdType cells, bool renumber, bool shuffled, int threads)
       ArrayBytes(vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0)), counted) +
       ArrayBytes(vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1)), counted);
     const double above = ResidentBytes("VmHWM") - before - outputs;
-    std::printf("  %lld elements%s%s, %d thread%s: peak above input and output %.1f bytes an element,"
-                " outputs %.1f, kept when done %.1f\n",
+    std::printf(
+      "  %lld elements%s%s, %d thread%s: peak above input and output %.1f bytes an element,"
+      " outputs %.1f, kept when done %.1f\n",
       static_cast<long long>(grid->GetNumberOfCells()), shuffled ? " in random order" : "",
       renumber ? ", renumbered" : "", threads, threads > 1 ? "s" : "",
       above / grid->GetNumberOfCells(), outputs / grid->GetNumberOfCells(),

@@ -135,8 +135,8 @@ AnalyticTrim TrimByPlane(vtkUnstructuredGrid* grid, double limit)
   const vtkIdType points = grid->GetNumberOfPoints();
   const vtkIdType cells = grid->GetNumberOfCells();
   const double* x = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData())->GetPointer(0);
-  const vtkTypeInt64* offsets = reinterpret_cast<const vtkTypeInt64*>(
-    grid->GetCells()->GetOffsetsArray64()->GetPointer(0));
+  const vtkTypeInt64* offsets =
+    reinterpret_cast<const vtkTypeInt64*>(grid->GetCells()->GetOffsetsArray64()->GetPointer(0));
   const vtkTypeInt64* nodes = reinterpret_cast<const vtkTypeInt64*>(
     grid->GetCells()->GetConnectivityArray64()->GetPointer(0));
   const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);

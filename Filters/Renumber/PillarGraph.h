@@ -1,0 +1,54 @@
+/**
+ * @file PillarGraph.h
+ * @brief Which pillars share an element, in flat arrays, with the searches that order them.
+ *
+ * An *order* lists the pillars, first to last. Its bandwidth is that of the node numbers which it
+ * stands for: pillar after pillar, the nodes of each as Pillars has them.
+ */
+#ifndef PillarGraph_h
+#define PillarGraph_h
+
+#include "Pillars.h"
+
+namespace trim
+{
+
+class PillarGraph
+{
+public:
+  PillarGraph(const NodeGraph& graph, const Pillars& pillars);
+
+  int Count() const { return static_cast<int>(this->Start.size()) - 1; }
+  int Degree(int p) const { return this->Start[p + 1] - this->Start[p]; }
+
+  /// Breadth-first levels from a pillar.
+  struct Levels
+  {
+    int Depth = 0;
+    int Last = 0;    ///< a pillar of the last level with the fewest neighbours
+    int Reached = 0; ///< nodes
+  };
+  Levels FindLevels(int root) const;
+
+  /**
+   * Reverse Cuthill-McKee: breadth first, neighbours by rising degree and among equals by
+   * `rank`. Parts that the roots do not reach follow, each from its pillar of least degree.
+   *
+   * @param roots where the search starts, all at once.
+   */
+  std::vector<int> ReverseCuthillMcKee(
+    const std::vector<int>& roots, const std::vector<int>& rank) const;
+
+  /// The node bandwidth that an order gives, but for the layers of one element.
+  int Bandwidth(const std::vector<int>& order) const;
+
+private:
+  void Link(const std::vector<int>& offset, const std::vector<int>& member);
+
+  const Pillars& ThePillars;
+  std::vector<int> Start, Neighbour; ///< neighbours ascending
+};
+
+}
+
+#endif

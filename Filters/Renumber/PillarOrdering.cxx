@@ -1,0 +1,228 @@
+#include "PillarOrdering.h"
+
+#include "PillarGraph.h"
+#include "RowSort.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace trim
+{
+namespace
+{
+
+/// Orderings are applied to their own result up to this often.
+constexpr int MostRounds = 2;
+
+std::vector<Vec3> Centres(const Pillars& pillars, const std::function<Vec3(int)>& position)
+{
+  std::vector<Vec3> centres(pillars.Count);
+  for (int p = 0; p < pillars.Count; ++p)
+  {
+    Vec3 sum = Vec3::Zero();
+    for (int i = pillars.Start[p]; i < pillars.Start[p + 1]; ++i)
+    {
+      sum += position(pillars.Node[i]);
+    }
+    centres[p] = sum / (pillars.Start[p + 1] - pillars.Start[p]);
+  }
+  return centres;
+}
+
+/// The columns of a frame in the order of the extent along them, longest first.
+Eigen::Matrix3d ByExtent(const Eigen::Matrix3d& frame, const std::vector<Vec3>& points)
+{
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  for (const Vec3& point : points)
+  {
+    const Vec3 p = frame.transpose() * point;
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec3 extent = high - low;
+  std::array<int, 3> order{ 0, 1, 2 };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return extent[a] > extent[b]; });
+  Eigen::Matrix3d sorted;
+  for (int i = 0; i < 3; ++i)
+  {
+    sorted.col(i) = frame.col(order[i]);
+  }
+  return sorted;
+}
+
+Eigen::Matrix3d PrincipalAxes(const std::vector<Vec3>& points)
+{
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& point : points)
+  {
+    mean += point / static_cast<double>(points.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& point : points)
+  {
+    const Vec3 d = point - mean;
+    spread += d * d.transpose();
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+}
+
+/// The frame of one element's edges: the rows of a regular mesh that lies askew.
+Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int)>& position)
+{
+  const int* nodes = graph.Connectivity.data() + graph.Offset[graph.Offset.size() / 2 - 1];
+  const Vec3 u = (position(nodes[1]) - position(nodes[0])).normalized();
+  Vec3 v = position(nodes[2]) - position(nodes[1]);
+  v = (v - u * u.dot(v)).normalized();
+  Eigen::Matrix3d frame;
+  frame << u, v, u.cross(v);
+  return frame;
+}
+
+std::vector<int> Inverse(const std::vector<int>& order)
+{
+  std::vector<int> rank(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    rank[order[i]] = static_cast<int>(i);
+  }
+  return rank;
+}
+
+/// The candidates and the best of them.
+class Search
+{
+public:
+  Search(const NodeGraph& graph, const Pillars& pillars, const std::function<Vec3(int)>& position,
+    const std::function<bool()>& aborted)
+    : Graph(graph)
+    , Pillar(graph, pillars)
+    , Position(position)
+    , Aborted(aborted)
+    , Points(Centres(pillars, position))
+    , Best(pillars.Count)
+  {
+    std::iota(this->Best.begin(), this->Best.end(), 0);
+    this->Bandwidth = this->Pillar.Bandwidth(this->Best);
+  }
+
+  std::vector<int> Run()
+  {
+    // A pseudo-peripheral pillar: the far end of the far end. Its depth gives the bound.
+    const int oneEnd = this->Pillar.FindLevels(0).Last;
+    const auto levels = this->Pillar.FindLevels(oneEnd);
+    this->Bound = (levels.Reached - 1 + levels.Depth - 1) / std::max(1, levels.Depth);
+    this->OfferSorts();
+    // The ordering breaks ties by the numbers it is given, so it may gain from its own result.
+    for (int round = 0; round < MostRounds && !this->Done(); ++round)
+    {
+      const int before = this->Bandwidth;
+      this->OfferCuthillMcKee({ oneEnd, levels.Last });
+      if (this->Bandwidth == before)
+      {
+        break;
+      }
+    }
+    return std::move(this->Best);
+  }
+
+private:
+  bool Done() const { return this->Bandwidth <= this->Bound || this->Aborted(); }
+
+  void Offer(std::vector<int> order)
+  {
+    const int bandwidth = this->Pillar.Bandwidth(order);
+    if (bandwidth < this->Bandwidth)
+    {
+      this->Bandwidth = bandwidth;
+      this->Best = std::move(order);
+    }
+  }
+
+  void OfferSorts()
+  {
+    this->Longest = ByExtent(PrincipalAxes(this->Points), this->Points);
+    for (const Eigen::Matrix3d& frame : { Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
+           ElementAxes(this->Graph, this->Position), this->Longest })
+    {
+      if (!this->Done())
+      {
+        this->Offer(SortByRows(this->Points, ByExtent(frame, this->Points)));
+      }
+    }
+  }
+
+  void OfferCuthillMcKee(const std::vector<int>& ends)
+  {
+    const std::vector<int> rank = Inverse(this->Best);
+    std::vector<std::vector<int>> roots = { this->WholeSide() };
+    for (const int end : ends)
+    {
+      roots.push_back({ end });
+    }
+    for (const auto& root : roots)
+    {
+      if (!this->Done())
+      {
+        this->Offer(this->Pillar.ReverseCuthillMcKee(root, rank));
+      }
+    }
+  }
+
+  /// Pillars at one end of the longest axis, less than an element from it.
+  std::vector<int> WholeSide() const
+  {
+    const Vec3 axis = this->Longest.col(0);
+    double low = std::numeric_limits<double>::infinity();
+    for (const Vec3& point : this->Points)
+    {
+      low = std::min(low, point.dot(axis));
+    }
+    const int* nodes = this->Graph.Connectivity.data();
+    const double width = 0.5 * (this->Position(nodes[1]) - this->Position(nodes[0])).norm();
+    std::vector<int> side;
+    for (int p = 0; p < this->Pillar.Count(); ++p)
+    {
+      if (this->Points[p].dot(axis) <= low + width)
+      {
+        side.push_back(p);
+      }
+    }
+    return side;
+  }
+
+  const NodeGraph& Graph;
+  const PillarGraph Pillar;
+  const std::function<Vec3(int)>& Position;
+  const std::function<bool()>& Aborted;
+  const std::vector<Vec3> Points; ///< the centres of the pillars
+  Eigen::Matrix3d Longest;
+  int Bound = 0;
+  int Bandwidth = 0;
+  std::vector<int> Best; ///< order
+};
+
+}
+
+std::vector<int> OrderByPillars(const NodeGraph& graph, const std::function<Vec3(int)>& position,
+  const std::function<bool()>& aborted)
+{
+  const Pillars pillars = FindPillars(graph, position);
+  std::vector<int> number(graph.NumberOfNodes);
+  int next = 0;
+  for (const int p : Search(graph, pillars, position, aborted).Run())
+  {
+    for (int i = pillars.Start[p]; i < pillars.Start[p + 1]; ++i)
+    {
+      number[pillars.Node[i]] = next++;
+    }
+  }
+  std::vector<int> came(graph.NumberOfNodes);
+  std::iota(came.begin(), came.end(), 0);
+  return NodeBandwidth(graph, number) < NodeBandwidth(graph, came) ? number : came;
+}
+
+}

@@ -1,0 +1,19 @@
+/**
+ * @file PillarOrdering.h
+ * @brief Node numbers of a large mesh: the candidates of NodeOrdering, on the pillars of the sheet.
+ */
+#ifndef PillarOrdering_h
+#define PillarOrdering_h
+
+#include "NodeOrdering.h"
+
+namespace trim
+{
+
+/// New number of each node; the numbers as they came where nothing found is better.
+std::vector<int> OrderByPillars(const NodeGraph& graph, const std::function<Vec3(int)>& position,
+  const std::function<bool()>& aborted);
+
+}
+
+#endif

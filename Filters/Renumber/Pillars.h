@@ -1,0 +1,33 @@
+/**
+ * @file Pillars.h
+ * @brief Groups of nodes that a numbering keeps together: those above one another in a sheet.
+ *
+ * In a sheet of few layers the nodes through the thickness belong next to each other in any good
+ * numbering, so the search for one runs on the pillars, a few times fewer than the nodes. A pillar
+ * follows the shortest of an element's three directions. Any grouping gives valid numbers; where
+ * this one makes no sense, as in a solid block, every node is a pillar of its own.
+ */
+#ifndef Pillars_h
+#define Pillars_h
+
+#include "NodeOrdering.h"
+
+namespace trim
+{
+
+struct Pillars
+{
+  int Count = 0;
+  std::vector<int> Pillar; ///< of each node
+  std::vector<int> Start;  ///< of each pillar in Node; Count + 1
+  std::vector<int> Node;   ///< nodes by pillar, from one skin to the other
+};
+
+Pillars FindPillars(const NodeGraph& graph, const std::function<Vec3(int)>& position);
+
+/// Every node for itself.
+Pillars SingleNodes(int numberOfNodes);
+
+}
+
+#endif
