@@ -1,6 +1,7 @@
 #include "TrimActions.h"
 
 #include "CorrectionComparison.h"
+#include "TrimLineDrawing.h"
 #include "TrimSelection.h"
 #include "TrimSummary.h"
 
@@ -41,12 +42,14 @@ TrimActions::TrimActions(QObject* parent)
 {
   this->setExclusive(false);
 
+  this->Line = AddAction(this, "DrawTrimLine", "Draw Trim Line");
   QAction* summary = AddAction(this, "ShowSummary", "Show Summary");
   Enable(summary, true,
     "The numbers of every trim in a table: elements kept and gone, quality, volume.", {});
   this->Statuses = AddAction(this, "ShowStatuses", "Show Statuses");
   this->Comparison = AddAction(this, "CompareCorrectionTypes", "Compare Correction Types");
 
+  QObject::connect(this->Line, &QAction::triggered, this, &TrimActions::DrawTrimLine);
   QObject::connect(summary, &QAction::triggered, this, &TrimActions::ShowSummary);
   QObject::connect(this->Statuses, &QAction::triggered, this, &TrimActions::ToggleStatuses);
   QObject::connect(
@@ -65,6 +68,10 @@ void TrimActions::UpdateEnabled()
   const TrimSelection selection = FindTrimSelection();
   const bool rendering = pqActiveObjects::instance().activeView() &&
     pqActiveObjects::instance().activeView()->getViewProxy()->IsA("vtkSMRenderViewProxy");
+  Enable(this->Line, TrimLineDrawing::FindMesh().Source,
+    "A line across the mesh, to be dragged in the view: a Trim Line Source with the mesh as its "
+    "sheet.",
+    "Select the mesh in the Pipeline Browser.");
   Enable(this->Statuses, selection.Trim && rendering,
     "The whole mesh with the statuses keep, eliminate, to treat, in place of the trimmed one; "
     "once more to return.",
@@ -73,6 +80,12 @@ void TrimActions::UpdateEnabled()
     "The mesh before the trim and after it with the correction types I, II and III, in four "
     "views that turn together.",
     "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.");
+}
+
+void TrimActions::DrawTrimLine()
+{
+  SCOPED_UNDO_SET("Draw Trim Line");
+  TrimLineDrawing::Start(TrimLineDrawing::FindMesh());
 }
 
 void TrimActions::ShowSummary()

@@ -10,7 +10,8 @@
 class QAction;
 
 /**
- * What the menu NURBSTrim offers for the trim that is selected in the Pipeline Browser:
+ * What the menu NURBSTrim offers for the mesh or trim that is selected in the Pipeline Browser:
+ * - Draw Trim Line: a line across the mesh, see TrimLineDrawing;
  * - Show Summary: the numbers of all trims, see TrimSummary;
  * - Show Statuses: the whole mesh with its statuses in place of the trimmed one, and back;
  * - Compare Correction Types: four linked views, see CorrectionComparison.
@@ -25,10 +26,12 @@ public:
 
 private:
   void UpdateEnabled();
+  void DrawTrimLine();
   void ShowSummary();
   void ToggleStatuses();
   void CompareCorrectionTypes();
 
+  QAction* Line;
   QAction* Statuses;
   QAction* Comparison;
 };
