@@ -4,7 +4,7 @@ Of the sheet's 20 rows of 24 elements the plane x = 8.3 leaves 8 on its near sid
 with the rest as only 30 % of it are there, and 12 beyond, where the keep point is. At the end the
 state is saved for CheckWindow.py.
 """
-from Window import MAIN, PANEL, VIEWS, Window
+from Window import MAIN, Window
 
 SUMMARY = MAIN + "/TrimSummary/Content/Table"
 
@@ -60,5 +60,11 @@ window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
 window.menu("menu_File", "actionFileSaveServerState")
 window.event(MAIN + "/FileSaveServerStateDialog", "filesSelected",
              "$PARAVIEW_TEST_ROOT/window.pvsm")
+
+# The help button opens the page of the filter, with its pictures.
+window.event(MAIN + "/propertiesDock/propertiesPanel/Help", "activate")
+window.pause(1500)
+window.picture("window-help.png")
+window.python("check_color((157, 188, 210), 5000, 'kept elements of the help page\\'s picture')")
 
 window.run("trim-in-window")

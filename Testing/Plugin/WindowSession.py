@@ -54,6 +54,12 @@ def save_screen(name, width, height):
     writer.Write()
 
 
+def check_color(color, pixels, what):
+    """At least so many pixels of the screen have about this colour."""
+    near = (numpy.abs(screen().astype(int) - color).max(axis=2) <= 8).sum()
+    check(near >= pixels, "%d pixels in the colour of %s" % (near, what))
+
+
 def representation():
     """The one visible representation of the active view."""
     shown = [r for r in GetActiveView().Representations

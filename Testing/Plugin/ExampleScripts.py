@@ -1,0 +1,94 @@
+"""The three example scripts that users copy, run as users run them, with numbers known on paper."""
+import csv
+import math
+import os
+import shutil
+import subprocess
+
+from paraview.simple import OpenDataFile, PassArrays, SaveData, Sphere
+
+from Checks import (COUNTS, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet,
+                    summary)
+
+EXAMPLES = os.environ["NURBSTRIM_EXAMPLES"]
+DIRECTORY = os.path.join(OUTPUT_DIRECTORY, "examples")
+
+
+def path(*names):
+    return os.path.join(DIRECTORY, *names)
+
+
+def run(script, *options, status=0):
+    done = subprocess.run(["pvpython", "--dr", os.path.join(EXAMPLES, script)] + list(options),
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    check_equal(done.returncode, status, "exit status of %s\n%s" % (script, done.stdout))
+    return done.stdout
+
+
+def cells(name):
+    mesh = OpenDataFile(path(name))
+    mesh.UpdatePipeline()
+    return mesh.GetDataInformation().GetNumberOfCells()
+
+
+def check_surface(plane):
+    """The plane x = 8.3: 8 rows stay on its near side, 12 on the side of the kept point."""
+    text = run("TrimWithSurface.py", path("sheet.vtu"), plane, path("near.vtu"))
+    printed = dict(line.split() for line in text.splitlines() if len(line.split()) == 2)
+    check_equal(int(printed["Kept"]), 8 * 24, "Kept")
+    check_close(float(printed["Volume"]), 8.3 * 12 * 0.5, "Volume", 1e-6)
+    check_equal(cells("near.vtu"), 8 * 24, "elements in the file")
+    run("TrimWithSurface.py", path("sheet.vtu"), plane, path("far.vtu"), "--keep", "19", "6", "0",
+        "--type", "1")
+    check_equal(cells("far.vtu"), 12 * 24, "elements on the side that was kept")
+    text = run("TrimWithSurface.py", path("sheet.vtu"), path("none.igs"), path("x.vtu"), status=1)
+    check("There is no file" in text, "no word of the missing file:\n" + text)
+
+
+def check_points():
+    """A round hole of radius 3; its area lies between those of the polygon and the circle."""
+    points = [(10 + 3 * math.cos(a), 6 + 3 * math.sin(a), 0.25)
+              for a in (2 * math.pi * i / 24 for i in range(24))]
+    with open(path("circle.csv"), "w") as file:
+        file.write("x,y,z\n" + "".join("%r,%r,%r\n" % point for point in points))
+    text = run("TrimByPoints.py", path("sheet.vtu"), path("circle.csv"), path("hole.vtu"))
+    volume = float(text.split("volume")[1].split()[0])
+    whole = LENGTHS[0] * LENGTHS[1] * LENGTHS[2]
+    removed = (whole - volume) / LENGTHS[2]
+    check(0.9 < removed / (math.pi * 9) < 1, "area of the hole %g" % removed)
+    with open(path("few.csv"), "w") as file:
+        file.write("1,2,3\n")
+    run("TrimByPoints.py", path("sheet.vtu"), path("few.csv"), path("x.vtu"), status=1)
+
+
+def check_batch(plane):
+    """Two good meshes, one of other cells and one that is no mesh: all four are in the table."""
+    os.makedirs(path("meshes"))
+    for name in ("a.vtu", "d.vtu"):
+        shutil.copy(path("sheet.vtu"), path("meshes", name))
+    with open(path("meshes", "b.vtu"), "w") as file:
+        file.write("no mesh\n")
+    SaveData(path("meshes", "c.vtk"), Sphere())
+    text = run("TrimBatch.py", path("meshes"), plane, path("results"), status=1)
+    check("2 of 4 meshes failed" in text, "the last line:\n" + text)
+    with open(path("results", "trims.csv"), newline="") as file:
+        rows = {row["mesh"]: row for row in csv.DictReader(file)}
+    check_equal(sorted(rows), ["a.vtu", "b.vtu", "c.vtk", "d.vtu"], "meshes in the table")
+    for name in ("a.vtu", "d.vtu"):
+        check_equal(rows[name]["state"], "trimmed", name)
+        check_equal(int(rows[name]["Kept"]), 8 * 24, "Kept of " + name)
+        check_close(float(rows[name]["Volume"]), 8.3 * 12 * 0.5, "Volume of " + name, 1e-6)
+        check_equal(cells(os.path.join("results", name)), 8 * 24, "elements in " + name)
+    for name in ("b.vtu", "c.vtk"):
+        check_equal(rows[name]["state"], "failed", name)
+        check(rows[name]["messages"], "no reason in the line of " + name)
+        check(not os.path.exists(path("results", name)), "a result of " + name)
+
+
+shutil.rmtree(DIRECTORY, ignore_errors=True)
+os.makedirs(DIRECTORY)
+SaveData(path("sheet.vtu"), PassArrays(Input=sheet()), DataMode="Binary")
+plane_file = os.path.join(OUTPUT_DIRECTORY, "plane.igs")  # of WindowInput.py
+check_surface(plane_file)
+check_points()
+check_batch(plane_file)
