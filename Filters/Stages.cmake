@@ -33,6 +33,7 @@ add_library(NURBSTrimStages STATIC
   Renumber/RowSort.cxx
   Write/FindingArrays.cxx
   Write/GatherAttributes.cxx
+  Write/GridPart.cxx
   Write/OrderlessSum.cxx
   Write/StatusArrays.cxx
   Write/Summary.cxx

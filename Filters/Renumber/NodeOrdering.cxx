@@ -9,7 +9,10 @@
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 #include <boost/graph/properties.hpp>
 
+#include <vtkSMPTools.h>
+
 #include <array>
+#include <atomic>
 #include <deque>
 
 #include <algorithm>
@@ -29,6 +32,35 @@ constexpr double RowGap = 1e-6;
 constexpr int MostRounds = 6;
 /// From here on the search runs on pillars.
 constexpr int ManyNodes = 20000;
+
+/// Largest difference of number(node) within an element.
+template <typename Number>
+int WidestElement(const NodeGraph& graph, const Number& number)
+{
+  std::atomic<int> widest{ 0 };
+  vtkSMPTools::For(0, std::max<Id>(1, graph.Offset.size()) - 1, 30000,
+    [&](Id begin, Id end)
+    {
+      int own = 0;
+      for (Id e = begin; e < end; ++e)
+      {
+        int low = std::numeric_limits<int>::max();
+        int high = 0;
+        for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
+        {
+          const int n = number(graph.Connectivity[i]);
+          low = std::min(low, n);
+          high = std::max(high, n);
+        }
+        own = std::max(own, high - low);
+      }
+      int seen = widest.load();
+      while (own > seen && !widest.compare_exchange_weak(seen, own))
+      {
+      }
+    });
+  return widest.load();
+}
 
 std::vector<int> Identity(int count)
 {
@@ -411,19 +443,12 @@ void OfferCuthillMcKee(const NodeGraph& graph, const std::vector<int>& number, B
 
 int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number)
 {
-  int widest = 0;
-  for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
-  {
-    int low = std::numeric_limits<int>::max();
-    int high = 0;
-    for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
-    {
-      low = std::min(low, number[graph.Connectivity[i]]);
-      high = std::max(high, number[graph.Connectivity[i]]);
-    }
-    widest = std::max(widest, high - low);
-  }
-  return widest;
+  return WidestElement(graph, [&number](int node) { return number[node]; });
+}
+
+int NodeBandwidth(const NodeGraph& graph)
+{
+  return WidestElement(graph, [](int node) { return node; });
 }
 
 std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int)>& position,

@@ -29,6 +29,9 @@ struct NodeGraph
 /// Largest difference of node numbers within an element, under number[node].
 int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number);
 
+/// The same under the numbers as they are.
+int NodeBandwidth(const NodeGraph& graph);
+
 /**
  * New number of each node.
  *

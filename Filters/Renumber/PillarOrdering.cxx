@@ -220,9 +220,11 @@ std::vector<int> OrderByPillars(const NodeGraph& graph, const std::function<Vec3
       number[pillars.Node[i]] = next++;
     }
   }
-  std::vector<int> came(graph.NumberOfNodes);
-  std::iota(came.begin(), came.end(), 0);
-  return NodeBandwidth(graph, number) < NodeBandwidth(graph, came) ? number : came;
+  if (NodeBandwidth(graph, number) >= NodeBandwidth(graph))
+  {
+    std::iota(number.begin(), number.end(), 0);
+  }
+  return number;
 }
 
 }

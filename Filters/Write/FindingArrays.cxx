@@ -4,6 +4,7 @@
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -13,37 +14,34 @@ namespace trim
 namespace
 {
 
-/// An array of zeros but for the ids that are listed (ascending).
+/// An array of zeros but for the ids that are listed.
 template <typename Array, typename Value>
 void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed,
-  const std::vector<Id>& ids, vtkDataSetAttributes* data)
+  const Selection& ids, vtkDataSetAttributes* data)
 {
   using Stored = typename Array::ValueType;
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<Id>(ids.size()));
+  array->SetNumberOfValues(ids.size());
   Stored* values = array->GetPointer(0);
-  std::fill_n(values, ids.size(), Stored(0));
-  for (std::size_t i = 0; i < ids.size() && !listed.empty(); ++i)
+  vtkSMPTools::For(0, ids.size(), 100000,
+    [values](Id begin, Id end) { std::fill(values + begin, values + end, Stored(0)); });
+  for (const auto& item : listed)
   {
-    const auto at = std::lower_bound(listed.begin(), listed.end(), ids[i],
-      [](const std::pair<Id, Value>& item, Id id) { return item.first < id; });
-    if (at != listed.end() && at->first == ids[i])
-    {
-      values[i] = static_cast<Stored>(at->second);
-    }
+    const auto value = static_cast<Stored>(item.second);
+    ids.ForPlaces(item.first, [values, value](Id place) { values[place] = value; });
   }
   data->AddArray(array);
 }
 
 }
 
-void AddPointFindings(const Findings& findings, const std::vector<Id>& ids, vtkPointData* pointData)
+void AddPointFindings(const Findings& findings, const Selection& ids, vtkPointData* pointData)
 {
   AddListed<vtkFloatArray>("DistanceLeft", findings.DistancesLeft, ids, pointData);
 }
 
-void AddCellFindings(const Findings& findings, const std::vector<Id>& ids, vtkCellData* cellData)
+void AddCellFindings(const Findings& findings, const Selection& ids, vtkCellData* cellData)
 {
   AddListed<vtkUnsignedCharArray>("Feasibility", findings.Feasibilities, ids, cellData);
   AddListed<vtkUnsignedCharArray>("Shortfall", findings.Shortfalls, ids, cellData);

@@ -6,6 +6,7 @@
 #define FindingArrays_h
 
 #include "Findings.h"
+#include "Selection.h"
 
 class vtkCellData;
 class vtkPointData;
@@ -14,11 +15,10 @@ namespace trim
 {
 
 /// DistanceLeft (float) of the points `ids`.
-void AddPointFindings(
-  const Findings& findings, const std::vector<Id>& ids, vtkPointData* pointData);
+void AddPointFindings(const Findings& findings, const Selection& ids, vtkPointData* pointData);
 
 /// Feasibility and Shortfall (unsigned char) of the cells `ids`.
-void AddCellFindings(const Findings& findings, const std::vector<Id>& ids, vtkCellData* cellData);
+void AddCellFindings(const Findings& findings, const Selection& ids, vtkCellData* cellData);
 
 }
 

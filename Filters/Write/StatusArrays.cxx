@@ -6,6 +6,7 @@
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace trim
 {
 namespace
 {
+
+/// Points or cells for a thread at a time.
+constexpr Id Grain = 30000;
 
 template <typename Array>
 vtkNew<Array> MakeArray(const char* name, Id tuples, int components = 1)
@@ -26,82 +30,61 @@ vtkNew<Array> MakeArray(const char* name, Id tuples, int components = 1)
   return array;
 }
 
-/// Tuple in the output of each moved point, by binary search over ascending or permuted ids.
-template <typename Action>
-void ForMovedPoints(const TrimResult& result, const std::vector<Id>& ids, const Action& action)
-{
-  const auto moved = MovedBandNodes(result);
-  if (moved.empty())
-  {
-    return;
-  }
-  const auto& band = result.Near->Mesh;
-  std::vector<int> bandNode(result.Nodes.Status.size(), -1);
-  for (const int n : moved)
-  {
-    if (band.GlobalNode[n] >= 0)
-    {
-      bandNode[band.GlobalNode[n]] = n;
-    }
-  }
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    if (bandNode[ids[i]] >= 0)
-    {
-      action(static_cast<Id>(i), bandNode[ids[i]]);
-    }
-  }
 }
 
-}
-
-std::vector<int> MovedBandNodes(const TrimResult& result)
+MovedNodes MovedNodesOfKept(const TrimResult& result)
 {
-  std::vector<int> moved;
+  MovedNodes moved;
   if (!result.Near)
   {
     return moved;
   }
   const auto& near = *result.Near;
+  moved.NodeMoves = &near.Trimmed.NodeMoves;
+  moved.TheBand = &near.Mesh;
   const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
     if (users[n] > 0 && near.Trimmed.NodeMoves.Applied[n] != Correction::None)
     {
-      moved.push_back(n);
+      moved.Nodes.push_back(n);
     }
   }
   return moved;
 }
 
-void AddPointStatuses(const TrimResult& result, const std::vector<Id>& ids, vtkPointData* pointData)
+void AddPointStatuses(
+  const TrimResult& result, const MovedNodes& moved, const Selection& ids, vtkPointData* pointData)
 {
-  const Id count = static_cast<Id>(ids.size());
+  const Id count = ids.size();
   auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
   auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
   auto displacement = MakeArray<vtkFloatArray>("Displacement", count, 3);
   auto correction = MakeArray<vtkUnsignedCharArray>("CorrectionApplied", count);
   unsigned char* statuses = status->GetPointer(0);
   float* distances = distance->GetPointer(0);
-  for (Id i = 0; i < count; ++i)
-  {
-    statuses[i] = result.Nodes.Status[ids[i]];
-    distances[i] = result.Nodes.SignedDistance[ids[i]];
-  }
   float* moves = displacement->GetPointer(0);
   unsigned char* corrections = correction->GetPointer(0);
-  std::fill_n(moves, 3 * count, 0.0f);
-  std::fill_n(corrections, count, static_cast<unsigned char>(0));
-  ForMovedPoints(result, ids,
-    [&](Id tuple, int node)
+  vtkSMPTools::For(0, count, Grain,
+    [&](Id begin, Id end)
     {
-      const auto& near = *result.Near;
-      const Vec3 move = near.Trimmed.NodeMoves.Position[node] - near.Mesh.Point[node];
+      for (Id i = begin; i < end; ++i)
+      {
+        statuses[i] = result.Nodes.Status[ids[i]];
+        distances[i] = result.Nodes.SignedDistance[ids[i]];
+      }
+      std::fill(moves + 3 * begin, moves + 3 * end, 0.0f);
+      std::fill(corrections + begin, corrections + end, static_cast<unsigned char>(0));
+    });
+  moved.ForPlaces(ids,
+    [&](Id place, int node)
+    {
+      const Vec3 move = moved.NodeMoves->Position[node] - moved.TheBand->Point[node];
       for (int i = 0; i < 3; ++i)
       {
-        moves[3 * tuple + i] = static_cast<float>(move[i]);
+        moves[3 * place + i] = static_cast<float>(move[i]);
       }
-      corrections[tuple] = static_cast<unsigned char>(near.Trimmed.NodeMoves.Applied[node]);
+      corrections[place] = static_cast<unsigned char>(moved.NodeMoves->Applied[node]);
     });
   pointData->AddArray(status);
   pointData->AddArray(distance);
@@ -109,42 +92,30 @@ void AddPointStatuses(const TrimResult& result, const std::vector<Id>& ids, vtkP
   pointData->AddArray(correction);
 }
 
-void AddCellStatuses(const TrimResult& result, const std::vector<Id>& ids, vtkCellData* cellData)
+void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
 {
-  const Id count = static_cast<Id>(ids.size());
+  const Id count = ids.size();
   auto status = MakeArray<vtkUnsignedCharArray>("ElementStatus", count);
   auto fraction = MakeArray<vtkFloatArray>("EliminatedFraction", count);
   unsigned char* statuses = status->GetPointer(0);
   float* fractions = fraction->GetPointer(0);
-  for (Id i = 0; i < count; ++i)
-  {
-    statuses[i] = result.ElementStatus[ids[i]];
-    fractions[i] = statuses[i] == ElementEliminate ? 1.0f : 0.0f;
-  }
-  if (result.Near)
-  {
-    const auto& near = *result.Near;
-    std::vector<std::pair<Id, float>> treated;
-    for (const int e : near.Mesh.ElementsByCell())
+  vtkSMPTools::For(0, count, Grain,
+    [&](Id begin, Id end)
     {
-      const Id cell = near.Mesh.Elements[e].Global;
-      if (result.ElementStatus[cell] == ElementToTreat)
+      for (Id i = begin; i < end; ++i)
       {
-        treated.emplace_back(cell, static_cast<float>(near.Shares.Element[e]));
+        statuses[i] = result.ElementStatus[ids[i]];
+        fractions[i] = statuses[i] == ElementEliminate ? 1.0f : 0.0f;
       }
-    }
-    // Both lists ascend: the cells of every output are in the order of the input.
-    auto next = treated.begin();
-    for (Id i = 0; i < count && next != treated.end(); ++i)
+    });
+  const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
+  for (int e = 0; e < elements; ++e)
+  {
+    const Id cell = result.Near->Mesh.Elements[e].Global;
+    if (cell >= 0 && result.ElementStatus[cell] == ElementToTreat)
     {
-      while (next != treated.end() && next->first < ids[i])
-      {
-        ++next;
-      }
-      if (next != treated.end() && next->first == ids[i])
-      {
-        fractions[i] = next->second;
-      }
+      const auto share = static_cast<float>(result.Near->Shares.Element[e]);
+      ids.ForPlaces(cell, [fractions, share](Id place) { fractions[place] = share; });
     }
   }
   cellData->AddArray(status);

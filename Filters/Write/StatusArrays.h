@@ -5,6 +5,7 @@
 #ifndef StatusArrays_h
 #define StatusArrays_h
 
+#include "Selection.h"
 #include "TrimPipeline.h"
 
 #include <vector>
@@ -15,15 +16,35 @@ class vtkPointData;
 namespace trim
 {
 
+/// The nodes of the band that the trim moved and one part of the result uses.
+struct MovedNodes
+{
+  const Moves* NodeMoves = nullptr;
+  const Band* TheBand = nullptr;
+  std::vector<int> Nodes; ///< of the band, ascending
+
+  /// Calls action(place, node) for the places of the nodes among the points of an output.
+  template <typename Action>
+  void ForPlaces(const Selection& points, const Action& action) const
+  {
+    for (const int node : this->Nodes)
+    {
+      if (this->TheBand->GlobalNode[node] >= 0)
+      {
+        points.ForPlaces(
+          this->TheBand->GlobalNode[node], [&action, node](Id place) { action(place, node); });
+      }
+    }
+  }
+};
+MovedNodes MovedNodesOfKept(const TrimResult& result);
+
 /// NodeStatus, SignedDistance, Displacement and CorrectionApplied of the points `ids`.
 void AddPointStatuses(
-  const TrimResult& result, const std::vector<Id>& ids, vtkPointData* pointData);
+  const TrimResult& result, const MovedNodes& moved, const Selection& ids, vtkPointData* pointData);
 
 /// ElementStatus and EliminatedFraction of the cells `ids`.
-void AddCellStatuses(const TrimResult& result, const std::vector<Id>& ids, vtkCellData* cellData);
-
-/// Position in the band of each point that the trim moved and the result still uses.
-std::vector<int> MovedBandNodes(const TrimResult& result);
+void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData);
 
 }
 

@@ -1,0 +1,76 @@
+/**
+ * @file Selection.h
+ * @brief Which points or cells of the input an output has, in its order; a view.
+ */
+#ifndef Selection_h
+#define Selection_h
+
+#include "HexMesh.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace trim
+{
+
+class Selection
+{
+public:
+  /// The whole input.
+  static Selection All(Id count) { return Selection(nullptr, count, nullptr); }
+
+  /// Ids in ascending order; one may come several times in a row.
+  static Selection Ascending(const std::vector<Id>& ids)
+  {
+    return Selection(ids.data(), static_cast<Id>(ids.size()), nullptr);
+  }
+
+  /// Ids in any order; number[id] is the place of an id in the output, -1: it is not there.
+  static Selection Numbered(const std::vector<Id>& ids, const std::vector<int>& number)
+  {
+    return Selection(ids.data(), static_cast<Id>(ids.size()), &number);
+  }
+
+  Id size() const { return this->Count; }
+  Id operator[](Id i) const { return this->Ids ? this->Ids[i] : i; }
+
+  /// Calls action(place) for each place of an id in the output.
+  template <typename Action>
+  void ForPlaces(Id id, const Action& action) const
+  {
+    if (!this->Ids)
+    {
+      action(id);
+      return;
+    }
+    if (this->Number)
+    {
+      if ((*this->Number)[id] >= 0)
+      {
+        action(Id((*this->Number)[id]));
+      }
+      return;
+    }
+    const Id* end = this->Ids + this->Count;
+    for (const Id* at = std::lower_bound(this->Ids, end, id); at != end && *at == id; ++at)
+    {
+      action(Id(at - this->Ids));
+    }
+  }
+
+private:
+  Selection(const Id* ids, Id count, const std::vector<int>* number)
+    : Ids(ids)
+    , Count(count)
+    , Number(number)
+  {
+  }
+
+  const Id* Ids;
+  Id Count;
+  const std::vector<int>* Number;
+};
+
+}
+
+#endif
