@@ -39,6 +39,7 @@ add_library(NURBSTrimStages STATIC
   Write/Summary.cxx
   Write/TrimmedGrid.cxx
   Trim/FeasibilityCheck.cxx
+  Trim/InputScale.cxx
   Trim/Shortfalls.cxx
   Trim/TrimPipeline.cxx
   Trim/TrimWarnings.cxx)

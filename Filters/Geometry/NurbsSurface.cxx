@@ -8,6 +8,11 @@ namespace nurbs
 namespace
 {
 
+/// Beyond, squares of lengths leave what the float boxes of the tree can hold.
+constexpr double LargestCoordinate = 1e15;
+/// Weights and knots that keep products of derivatives far from overflow.
+constexpr double LargestWeight = 1e15, SmallestWeight = 1e-15, LargestKnot = 1e30;
+
 std::string DegreeDefect(const char* axis, int degree)
 {
   std::ostringstream text;
@@ -26,10 +31,11 @@ std::string CountDefect(const char* axis, int degree, int count, std::size_t kno
     text << count << " control points along " << axis << " are too few for degree " << degree
          << ": give at least " << degree + 1;
   }
-  else if (knots != static_cast<std::size_t>(count) + degree + 1)
+  // Counts up to the largest int come from properties.
+  else if (const std::size_t needed = static_cast<std::size_t>(count) + degree + 1; knots != needed)
   {
     text << "knot vector " << axis << " has " << knots << " values: " << count
-         << " control points of degree " << degree << " need " << count + degree + 1;
+         << " control points of degree " << degree << " need " << needed;
   }
   return text.str();
 }
@@ -44,6 +50,12 @@ std::string KnotDefect(const char* axis, int degree, int count, const std::vecto
       text << "knot " << axis << "[" << i << "] is not finite: give a finite number";
       return text.str();
     }
+    if (std::abs(knots[i]) > LargestKnot)
+    {
+      text << "knot " << axis << "[" << i << "] = " << knots[i] << " is larger than " << LargestKnot
+           << ": scale the knots down";
+      return text.str();
+    }
     if (i > 0 && knots[i] < knots[i - 1])
     {
       text << "knot " << axis << "[" << i << "] = " << knots[i] << " is less than the one before, "
@@ -53,7 +65,8 @@ std::string KnotDefect(const char* axis, int degree, int count, const std::vecto
   }
   // A domain that is a rounding error wide cannot be told from an empty one.
   const double first = knots[degree], last = knots[count];
-  if (!(last - first > 1e-14 * (std::abs(first) + std::abs(last))))
+  if (!(last - first > 1e-14 * (std::abs(first) + std::abs(last))) ||
+    last - first < 1 / LargestKnot)
   {
     text << "the domain along " << axis << ", knots " << axis << "[" << degree << "] to " << axis
          << "[" << count << "], is empty: give knots that rise";
@@ -93,6 +106,20 @@ std::string NetDefect(const NurbsSurface& surface)
     {
       place();
       text << " is not finite: give finite coordinates";
+      return text.str();
+    }
+    if (point.head<3>().cwiseAbs().maxCoeff() > LargestCoordinate)
+    {
+      place();
+      text << " is at (" << point.x() << ", " << point.y() << ", " << point.z() << "), beyond "
+           << LargestCoordinate << ": correct it or the length unit";
+      return text.str();
+    }
+    if (point.w() > 0 && !(point.w() >= SmallestWeight && point.w() <= LargestWeight))
+    {
+      place();
+      text << " has the weight " << point.w() << ": give weights from " << SmallestWeight << " to "
+           << LargestWeight;
       return text.str();
     }
     if (!std::isfinite(point.w()) || !(point.w() > 0))

@@ -1,9 +1,11 @@
 #include "HexMesh.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCellTypes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
@@ -82,6 +84,23 @@ bool TakePoints(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
   return true;
 }
 
+/// Data arrays are taken along by node and cell: they have to hold a tuple for each.
+bool CheckAttributes(vtkDataSetAttributes* data, Id count, const char* what, std::string& error)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() < count)
+    {
+      error = "The array \"" + std::string(array->GetName() ? array->GetName() : "") + "\" has " +
+        std::to_string(array->GetNumberOfTuples()) + " tuples for " + std::to_string(count) + " " +
+        what + ": the grid is corrupt, rewrite it or remove the array.";
+      return false;
+    }
+  }
+  return true;
+}
+
 enum class CellDefect
 {
   None,
@@ -100,8 +119,9 @@ CellDefect FindCellDefect(const T* connectivity, const T* offsets, Id connectivi
   {
     return CellDefect::Type;
   }
-  const T first = offsets[c];
-  if (first < 0 || offsets[c + 1] - first != expected || offsets[c + 1] > connectivitySize)
+  // In this order, so that no difference overflows.
+  const T first = offsets[c], last = offsets[c + 1];
+  if (first < 0 || last < first || last > connectivitySize || last - first != expected)
   {
     return CellDefect::Size;
   }
@@ -163,6 +183,13 @@ bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
     return true;
   }
   vtkCellArray* cells = grid->GetCells();
+  if (grid->GetCellTypesArray()->GetNumberOfValues() < mesh.NumberOfCells)
+  {
+    error = "The grid has " + std::to_string(mesh.NumberOfCells) + " cells, but the types of " +
+      std::to_string(grid->GetCellTypesArray()->GetNumberOfValues()) +
+      ": the grid is corrupt, rewrite it.";
+    return false;
+  }
   const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
   Id connectivitySize = 0;
   if (cells->IsStorage64Bit())
@@ -193,7 +220,8 @@ bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
     error = Describe(defectOf(bad), bad, types[bad]);
     return false;
   }
-  return true;
+  return CheckAttributes(grid->GetPointData(), mesh.NumberOfPoints, "points", error) &&
+    CheckAttributes(grid->GetCellData(), mesh.NumberOfCells, "cells", error);
 }
 
 }

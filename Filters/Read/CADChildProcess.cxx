@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <sstream>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -147,29 +150,60 @@ bool Send(int file, MessageKind kind, const std::string& body)
     WriteAll(file, body.data(), body.size());
 }
 
-/// Processor time allowed, in seconds.
-rlim_t TimeLimit(const std::string& path)
+/// Size of the file, in megabytes.
+double Megabytes(const std::string& path)
 {
   struct stat status;
-  const bool known = stat(path.c_str(), &status) == 0;
-  return 120 + (known ? static_cast<rlim_t>(60 * (status.st_size / 1000000)) : 0);
+  return stat(path.c_str(), &status) == 0 ? 1e-6 * static_cast<double>(status.st_size) : 0.0;
+}
+
+/// Processor time allowed unless another is asked for, in seconds.
+double TimeLimit(const std::string& path)
+{
+  return 10.0 + 100.0 * Megabytes(path);
+}
+
+/// Ten times that by the clock: the machine may be busy, but a child may also wait for ever.
+constexpr double Patience = 10.0;
+
+/// Memory that the child may take beyond what ParaView has, in megabytes: a wrong count in a
+/// file must not take all that the machine has.
+double MemoryLimit(const std::string& path)
+{
+  return 2000.0 + 200.0 * Megabytes(path);
+}
+
+void LimitMemory(double megabytes)
+{
+  long pages = 0;
+  if (std::ifstream("/proc/self/statm") >> pages)
+  {
+    const double now = static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    const rlim_t bytes = static_cast<rlim_t>(now + 1e6 * megabytes);
+    const rlimit memory{ bytes, bytes };
+    setrlimit(RLIMIT_AS, &memory);
+  }
 }
 
 /// What the child does, given whom to tell of its progress: reads the file and packs the result.
 using ChildWork = std::function<std::string(const ReadProgress&)>;
 
 /// The child: silent, with the system's own reaction to crashes, never returns.
-[[noreturn]] void RunChild(int file, const std::string& path, const ChildWork& work)
+[[noreturn]] void RunChild(
+  int file, const std::string& path, double timeLimit, const ChildWork& work)
 {
   for (int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGXCPU })
   {
     std::signal(signal, SIG_DFL);
   }
+  // Nobody is left to read what comes if ParaView ends.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit noCore{ 0, 0 };
   setrlimit(RLIMIT_CORE, &noCore);
-  const rlim_t seconds = TimeLimit(path);
+  const rlim_t seconds = static_cast<rlim_t>(std::ceil(timeLimit));
   const rlimit time{ seconds, seconds + 1 };
   setrlimit(RLIMIT_CPU, &time);
+  LimitMemory(MemoryLimit(path));
   const int nothing = open("/dev/null", O_RDWR);
   for (int stream : { 0, 1, 2 })
   {
@@ -186,13 +220,18 @@ using ChildWork = std::function<std::string(const ReadProgress&)>;
   _exit(0);
 }
 
+using Clock = std::chrono::steady_clock;
+
 /// The parent's end of the pipe and the child behind it.
 class Child
 {
 public:
-  Child(pid_t process, int file)
+  /// `seconds` by the clock, after which it is ended.
+  Child(pid_t process, int file, double seconds)
     : Process(process)
     , File(file)
+    , End(Clock::now() +
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
   {
   }
   ~Child()
@@ -232,6 +271,11 @@ public:
       this->Stopped = progress && !progress(share);
       if (this->Stopped || ended)
       {
+        return false;
+      }
+      if (Clock::now() > this->End)
+      {
+        kill(this->Process, SIGKILL);
         return false;
       }
     }
@@ -316,17 +360,21 @@ private:
 
   pid_t Process;
   int File;
+  Clock::time_point End;
   int Status = 0;
 };
 
-/// Forks a child for the work and reads what it makes as things.
+/// Forks a child for the work, with `seconds` of processor time (0: by the size of the file), and
+/// reads what it makes as things.
 template <typename Thing>
-bool ReadInChild(const std::string& path, const ChildWork& work, bool (*unpack)(Unpacker&, Thing&),
-  std::vector<Thing>& things, std::string& error, const ReadProgress& progress)
+bool ReadInChild(const std::string& path, double seconds, const ChildWork& work,
+  bool (*unpack)(Unpacker&, Thing&), std::vector<Thing>& things, std::string& error,
+  const ReadProgress& progress)
 {
   things.clear();
   error.clear();
   const std::string file = "CAD file \"" + path + "\" ";
+  const double timeLimit = seconds > 0.0 ? seconds : TimeLimit(path);
   int ends[2] = { -1, -1 };
   const bool piped = pipe2(ends, O_CLOEXEC) == 0;
   const pid_t process = piped ? fork() : -1;
@@ -343,10 +391,10 @@ bool ReadInChild(const std::string& path, const ChildWork& work, bool (*unpack)(
   if (process == 0)
   {
     close(ends[0]);
-    RunChild(ends[1], path, work);
+    RunChild(ends[1], path, timeLimit, work);
   }
   close(ends[1]);
-  Child child(process, ends[0]);
+  Child child(process, ends[0], Patience * timeLimit);
   std::string result;
   bool success = false;
   if (child.Receive(result, progress) && UnpackResult(result, success, error, things, unpack))
@@ -362,7 +410,8 @@ bool ReadInChild(const std::string& path, const ChildWork& work, bool (*unpack)(
 
 //------------------------------------------------------------------------------
 bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
-  std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
+  std::vector<NamedSurface>& surfaces, std::string& error, double seconds,
+  const ReadProgress& progress)
 {
   const ChildWork work = [&](const ReadProgress& report)
   {
@@ -371,7 +420,7 @@ bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
     const bool success = ReadCADFile(path, unitInMillimetres, found, text, report);
     return PackResult(success, text, found, PackSurface);
   };
-  return ReadInChild(path, work, UnpackSurface, surfaces, error, progress);
+  return ReadInChild(path, seconds, work, UnpackSurface, surfaces, error, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -385,6 +434,6 @@ bool ReadCADCurvesInChild(const std::string& path, double unitInMillimetres,
     const bool success = ReadCADCurves(path, unitInMillimetres, found, text, report);
     return PackResult(success, text, found, PackCurve);
   };
-  return ReadInChild(path, work, UnpackCurve, curves, error, progress);
+  return ReadInChild(path, 0.0, work, UnpackCurve, curves, error, progress);
 }
 }

@@ -15,12 +15,13 @@
 namespace nurbs
 {
 /**
- * The same as ReadCADFile, with the same parameters and results; a crash of the child, or more
- * processor time than two minutes and one more for each megabyte of the file, is an error that
- * names the file. Stopping by `progress` ends the child at once.
+ * The same as ReadCADFile, with the same parameters and results; a crash of the child, more
+ * processor time than `seconds` (0: 10, and 100 more for each megabyte of the file), or more
+ * memory than two gigabytes and 200 times the file, is an error that names the file. Stopping by
+ * `progress` ends the child at once.
  */
 bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
-  std::vector<NamedSurface>& surfaces, std::string& error,
+  std::vector<NamedSurface>& surfaces, std::string& error, double seconds = 0.0,
   const ReadProgress& progress = ReadProgress());
 
 /// ReadCADCurves in the same way.

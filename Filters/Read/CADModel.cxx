@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <unordered_map>
 
 namespace nurbs
@@ -421,6 +422,10 @@ bool CatchFailures(const std::string& path, std::string& error, const std::funct
   {
     reason = std::string("OpenCASCADE reports ") + failure.DynamicType()->Name() + " " +
       failure.GetMessageString();
+  }
+  catch (const std::bad_alloc&)
+  {
+    reason = "it needs too much memory";
   }
   catch (const std::exception& failure)
   {

@@ -73,7 +73,7 @@ int vtkCADSurfaceReader::RequestData(
   std::vector<nurbs::NamedSurface> surfaces;
   std::string message;
   if (!nurbs::ReadCADFileInChild(this->FileName ? this->FileName : "",
-        InMillimetres(this->LengthUnit), surfaces, message, goOn))
+        InMillimetres(this->LengthUnit), surfaces, message, this->TimeLimit, goOn))
   {
     if (!message.empty())
     {
@@ -112,5 +112,6 @@ void vtkCADSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
 }

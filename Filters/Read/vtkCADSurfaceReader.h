@@ -86,6 +86,15 @@ public:
    */
   static int CanReadFile(VTK_FILEPATH const char* fileName);
 
+  ///@{
+  /**
+   * Processor seconds after which a file is given up, as damaged ones can keep OpenCASCADE busy
+   * for ever; 0 (the default): 10, and 100 more for each megabyte of the file.
+   */
+  vtkSetClampMacro(TimeLimit, double, 0.0, 1e9);
+  vtkGetMacro(TimeLimit, double);
+  ///@}
+
 protected:
   vtkCADSurfaceReader();
   ~vtkCADSurfaceReader() override;
@@ -95,6 +104,7 @@ protected:
 
   char* FileName = nullptr;
   int LengthUnit = MILLIMETRE;
+  double TimeLimit = 0.0;
   int Resolution = 16;
 
 private:

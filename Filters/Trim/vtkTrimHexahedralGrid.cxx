@@ -2,6 +2,7 @@
 
 #include "ControllerRanks.h"
 #include "GhostCells.h"
+#include "InputScale.h"
 #include "MeshBlocks.h"
 #include "NURBSFieldData.h"
 #include "SharedNodes.h"
@@ -272,7 +273,15 @@ bool vtkTrimHexahedralGrid::TakeInputs(
             "reader or source itself, with nothing between that distributes its data.";
     return false;
   }
-  return this->Kept->JoinPieces(ranks, error);
+  if (!this->Kept->JoinPieces(ranks, error))
+  {
+    return false;
+  }
+  const nurbs::Box3& bounds = this->Kept->Blocks.Bounds;
+  error = trim::FindGridScaleDefect(bounds);
+  error =
+    error.empty() ? trim::FindSurfaceScaleDefect(bounds, this->Kept->Surface->Bounds()) : error;
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------

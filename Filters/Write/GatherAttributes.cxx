@@ -3,8 +3,6 @@
 #include <vtkAbstractArray.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
@@ -48,10 +46,11 @@ vtkSmartPointer<vtkAbstractArray> Gather(
     GatherRaw(data, ids, vtkDataArray::SafeDownCast(target));
     return target;
   }
-  vtkNew<vtkIdList> list;
-  list->SetNumberOfIds(count);
-  std::copy(ids.begin(), ids.end(), list->GetPointer(0));
-  source->GetTuples(list, target);
+  // Not GetTuples: that of VTK 9.2's string arrays forgets all components but the first.
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    target->SetTuple(i, ids[i], source);
+  }
   return target;
 }
 

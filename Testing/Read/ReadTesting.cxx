@@ -35,7 +35,7 @@ void ErrorCapture::Execute(vtkObject*, unsigned long event, void* data)
 }
 
 //------------------------------------------------------------------------------
-ReadResult ReadFile(const std::string& path, int lengthUnit)
+ReadResult ReadFile(const std::string& path, int lengthUnit, double timeLimit)
 {
   vtkNew<vtkCADSurfaceReader> reader;
   vtkNew<ErrorCapture> capture;
@@ -43,6 +43,7 @@ ReadResult ReadFile(const std::string& path, int lengthUnit)
   capture->Watch(reader->GetExecutive());
   reader->SetFileName(path.c_str());
   reader->SetLengthUnit(lengthUnit);
+  reader->SetTimeLimit(timeLimit);
   reader->Update();
 
   ReadResult result;

@@ -54,7 +54,8 @@ struct ReadResult
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
 };
-ReadResult ReadFile(const std::string& path, int lengthUnit = 0);
+/// `timeLimit`: processor seconds, 0: the reader's own.
+ReadResult ReadFile(const std::string& path, int lengthUnit = 0, double timeLimit = 0.0);
 
 /// Reads and checks that there are so many faces, without errors and warnings.
 ReadResult ReadFaces(const std::string& path, size_t faces, int lengthUnit = 0);

@@ -48,6 +48,17 @@ bool SameTuple(vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdType 
     }
     return true;
   }
+  if (a->GetDataType() == VTK_BIT)
+  {
+    for (int k = 0; k < n; ++k)
+    {
+      if (a->GetVariantValue(i * n + k) != b->GetVariantValue(j * n + k))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
   const std::size_t bytes = static_cast<std::size_t>(n) * a->GetDataTypeSize();
   return std::memcmp(a->GetVoidPointer(i * n), b->GetVoidPointer(j * n), bytes) == 0;
 }
@@ -94,7 +105,7 @@ void CompareAttributes(vtkDataSetAttributes* in, vtkDataSetAttributes* out,
   for (int i = 0; i < in->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = in->GetAbstractArray(i);
-    if (!IsOwn(array->GetName()))
+    if (array->GetName() && !IsOwn(array->GetName()))
     {
       Compare(array, out->GetAbstractArray(array->GetName()), ids, where + " " + array->GetName(),
         report);

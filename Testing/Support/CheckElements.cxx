@@ -112,7 +112,8 @@ void CheckElements(const Evidence& e, Report& report)
     const double longest = Longest(corners, element.Size);
     const auto inputCorners = e.In.Corners(e.CellOf[c]);
     const double was = VolumeOf(inputCorners, input.Size);
-    if (was <= 0)
+    const auto inputBezier = BezierJacobians(inputCorners, input.Size);
+    if (was <= 0 || *std::min_element(inputBezier.begin(), inputBezier.end()) <= 0)
     {
       continue; // invalid as it came
     }
