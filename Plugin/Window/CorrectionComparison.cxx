@@ -132,6 +132,19 @@ void LinkCameras(const std::array<vtkSMRenderViewProxy*, Views>& views)
     name = "CorrectionTypes" + std::to_string(i);
   }
   manager->RegisterLink(name.c_str(), link);
+
+  // A script has links of pairs only.
+  for (int i = 0; i < Views; ++i)
+  {
+    for (int j = i + 1; j < Views; ++j)
+    {
+      SM_SCOPED_TRACE(CallFunction)
+        .arg("AddCameraLink")
+        .arg(views[i])
+        .arg(views[j])
+        .arg((name + std::to_string(i) + std::to_string(j)).c_str());
+    }
+  }
 }
 
 /// The place that the user is looking at, or else the whole mesh.
@@ -183,7 +196,7 @@ void CorrectionComparison::Show(const TrimSelection& selection)
   const std::string name = manager->GetUniqueProxyName("layouts", "Correction Types", false);
   controller->RegisterLayoutProxy(layoutProxy, name.c_str());
   auto* layout = vtkSMViewLayoutProxy::SafeDownCast(layoutProxy);
-  // The cells of a split cell i are 2i + 1 and 2i + 2.
+  // Two rows of two. The cells of a split cell i are 2i + 1 and 2i + 2.
   layout->SplitVertical(0, 0.5);
   layout->SplitHorizontal(1, 0.5);
   layout->SplitHorizontal(2, 0.5);
