@@ -19,39 +19,6 @@ namespace
 using nurbs::Foot;
 using nurbs::FootKind;
 
-/// Cells whose boxes meet the surface, ascending.
-std::vector<Id> FindCandidateCells(
-  const HexMesh& mesh, const MeshBlocks& blocks, const nurbs::TrimmingSurface& surface)
-{
-  const Id count = blocks.NumberOfBlocks();
-  std::vector<std::vector<Id>> found(count);
-  vtkSMPTools::For(0, count, 64,
-    [&](Id begin, Id end)
-    {
-      for (Id b = begin; b < end; ++b)
-      {
-        if (!surface.MayIntersect(blocks.Boxes[b]))
-        {
-          continue;
-        }
-        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-        for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
-        {
-          if (surface.MayIntersect(CellBox(mesh, c)))
-          {
-            found[b].push_back(c);
-          }
-        }
-      }
-    });
-  std::vector<Id> cells;
-  for (const auto& list : found)
-  {
-    cells.insert(cells.end(), list.begin(), list.end());
-  }
-  return cells;
-}
-
 NodeFeet ProjectNearNodes(const HexMesh& mesh, const std::vector<Id>& cells,
   const nurbs::TrimmingSurface& surface, const std::function<bool()>& aborted)
 {
@@ -98,6 +65,7 @@ template <typename Index>
 void UniteCells(const HexMesh& mesh, const std::vector<Id>& candidates, DisjointSets<Index>& sets)
 {
   std::array<Id, 8> nodes;
+  Index root = -1;
   auto next = candidates.begin();
   for (Id c = 0; c < mesh.NumberOfCells; ++c)
   {
@@ -107,9 +75,14 @@ void UniteCells(const HexMesh& mesh, const std::vector<Id>& candidates, Disjoint
       continue;
     }
     const int count = mesh.Cell(c, nodes);
+    // Cells that follow one another are neighbours as a rule, so their root is known.
+    if (root < 0 || !sets.HangsOn(static_cast<Index>(nodes[0]), root))
+    {
+      root = sets.Find(static_cast<Index>(nodes[0]));
+    }
     for (int i = 1; i < count; ++i)
     {
-      sets.Unite(static_cast<Index>(nodes[0]), static_cast<Index>(nodes[i]));
+      root = sets.Attach(static_cast<Index>(nodes[i]), root);
     }
   }
 }
@@ -329,7 +302,9 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
   result = NodeClassification{};
   result.Status.assign(mesh.NumberOfPoints, NodeUnknown);
   result.SignedDistance.assign(mesh.NumberOfPoints, std::numeric_limits<float>::quiet_NaN());
-  result.CandidateCells = FindCandidateCells(mesh, blocks, surface);
+  result.CandidateCells = FindCells(
+    mesh, blocks, [&surface](const Box3& box) { return surface.MayIntersect(box); },
+    CellSearch::EachCell);
 
   result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
   const NodeFeet& near = result.Near;

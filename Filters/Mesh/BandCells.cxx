@@ -3,28 +3,16 @@
 #include "Band.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+#include <memory>
+#include <new>
 #include <numeric>
 
 namespace trim
 {
 namespace
 {
-
-std::vector<Id> NodesOfCells(const HexMesh& mesh, const std::vector<Id>& cells)
-{
-  std::vector<Id> all;
-  all.reserve(cells.size() * 8);
-  std::array<Id, 8> nodes;
-  for (const Id c : cells)
-  {
-    const int count = mesh.Cell(c, nodes);
-    all.insert(all.end(), nodes.begin(), nodes.begin() + count);
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
 
 /// Position of a value in an ascending list, or -1.
 int Locate(const std::vector<Id>& sorted, Id value)
@@ -36,15 +24,23 @@ int Locate(const std::vector<Id>& sorted, Id value)
 /// The cells among which the rings grow, in numbers of their own.
 struct NearMesh
 {
-  std::vector<Id> Nodes; ///< ascending
+  std::vector<Id> Nodes;
   std::vector<std::array<int, 8>> Cells;
   std::vector<int> Counts;
+  /// Number of each node of the mesh plus one, 0: it has none. From calloc, so that no memory is
+  /// touched far from the cut.
+  std::unique_ptr<int[], decltype(&std::free)> Number{ nullptr, &std::free };
 };
 
 NearMesh TakeNearMesh(const HexMesh& mesh, const std::vector<Id>& near)
 {
   NearMesh taken;
-  taken.Nodes = NodesOfCells(mesh, near);
+  const auto points = static_cast<std::size_t>(mesh.NumberOfPoints);
+  taken.Number.reset(static_cast<int*>(std::calloc(points + 1, sizeof(int))));
+  if (!taken.Number)
+  {
+    throw std::bad_alloc();
+  }
   taken.Cells.resize(near.size());
   taken.Counts.resize(near.size());
   std::array<Id, 8> nodes;
@@ -53,7 +49,13 @@ NearMesh TakeNearMesh(const HexMesh& mesh, const std::vector<Id>& near)
     taken.Counts[c] = mesh.Cell(near[c], nodes);
     for (int i = 0; i < taken.Counts[c]; ++i)
     {
-      taken.Cells[c][i] = Locate(taken.Nodes, nodes[i]);
+      int& number = taken.Number[nodes[i]];
+      if (number == 0)
+      {
+        taken.Nodes.push_back(nodes[i]);
+        number = static_cast<int>(taken.Nodes.size());
+      }
+      taken.Cells[c][i] = number - 1;
     }
   }
   return taken;
@@ -86,7 +88,7 @@ std::vector<int> ReachNodes(const NearMesh& mesh, const std::vector<int>& front,
   spread(ids);
   for (std::size_t i = reached.size(); i < ids.size(); ++i)
   {
-    const int node = Locate(mesh.Nodes, ids[i]);
+    const int node = mesh.Number[ids[i]] - 1;
     if (node >= 0 && !seen[node])
     {
       seen[node] = 1;

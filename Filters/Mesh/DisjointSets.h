@@ -6,6 +6,7 @@
 #ifndef DisjointSets_h
 #define DisjointSets_h
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -32,21 +33,28 @@ public:
     return i;
   }
 
-  void Unite(Index a, Index b)
+  void Unite(Index a, Index b) { this->UniteRoots(this->Find(a), this->Find(b)); }
+
+  /// True if a member hangs directly on a root.
+  bool HangsOn(Index member, Index root) const { return this->Parent[member] == root; }
+
+  /**
+   * Joins a member to the set of a root and returns the root of both. A member that hangs on the
+   * root already, as most do when whole cells are joined one after the other, costs one look.
+   */
+  Index Attach(Index member, Index root)
   {
-    a = this->Find(a);
-    b = this->Find(b);
-    if (a < b)
-    {
-      this->Parent[b] = a;
-    }
-    else
-    {
-      this->Parent[a] = b;
-    }
+    return this->HangsOn(member, root) ? root : this->UniteRoots(this->Find(member), root);
   }
 
 private:
+  Index UniteRoots(Index a, Index b)
+  {
+    const Index root = std::min(a, b);
+    this->Parent[std::max(a, b)] = root;
+    return root;
+  }
+
   std::vector<Index> Parent;
 };
 

@@ -11,6 +11,10 @@
 #include "Ranks.h"
 #include "TrimmingSurface.h"
 
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace trim
@@ -40,6 +44,69 @@ void ShareBounds(const Ranks& ranks, MeshBlocks& blocks);
 
 /// The box of one cell.
 Box3 CellBox(const HexMesh& mesh, Id cell);
+
+enum class CellSearch
+{
+  EachCell, ///< exactly the cells whose box passes
+  WholeRuns ///< those and some of their neighbours, for less
+};
+
+/**
+ * Cells whose boxes pass a test, ascending: asked of blocks first, then of short runs of cells.
+ *
+ * @param test of a box; true for every box that holds one for which it is true. Thread-safe.
+ */
+template <typename Test>
+std::vector<Id> FindCells(
+  const HexMesh& mesh, const MeshBlocks& blocks, const Test& test, CellSearch search)
+{
+  constexpr Id runLength = 8;
+  const Id count = blocks.NumberOfBlocks();
+  std::vector<std::vector<Id>> found(count);
+  const auto searchRun = [&](Id first, Id last, std::vector<Id>& cells)
+  {
+    std::array<Box3, runLength> boxes;
+    Box3 all;
+    for (Id c = first; c < last; ++c)
+    {
+      boxes[c - first] = CellBox(mesh, c);
+      all.extend(boxes[c - first]);
+    }
+    if (!test(all))
+    {
+      return;
+    }
+    for (Id c = first; c < last; ++c)
+    {
+      if (search == CellSearch::WholeRuns || test(boxes[c - first]))
+      {
+        cells.push_back(c);
+      }
+    }
+  };
+  vtkSMPTools::For(0, count, 64,
+    [&](Id begin, Id end)
+    {
+      for (Id b = begin; b < end; ++b)
+      {
+        if (!test(blocks.Boxes[b]))
+        {
+          continue;
+        }
+        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+        for (Id c = MeshBlocks::FirstCell(b); c < last; c += runLength)
+        {
+          searchRun(c, std::min(last, c + runLength), found[b]);
+        }
+      }
+    });
+  std::vector<Id> cells;
+  for (const auto& list : found)
+  {
+    cells.insert(cells.end(), list.begin(), list.end());
+  }
+  return cells;
+}
 
 }
 

@@ -172,32 +172,7 @@ std::vector<Id> FindNearCells(
     box.max() += margin;
     return surface.MayIntersect(box);
   };
-  std::vector<std::vector<Id>> found(blocks.NumberOfBlocks());
-  vtkSMPTools::For(0, blocks.NumberOfBlocks(), 64,
-    [&](Id begin, Id end)
-    {
-      for (Id b = begin; b < end; ++b)
-      {
-        if (!near(blocks.Boxes[b]))
-        {
-          continue;
-        }
-        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-        for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
-        {
-          if (near(CellBox(mesh, c)))
-          {
-            found[b].push_back(c);
-          }
-        }
-      }
-    });
-  std::vector<Id> cells;
-  for (const auto& list : found)
-  {
-    cells.insert(cells.end(), list.begin(), list.end());
-  }
-  return cells;
+  return FindCells(mesh, blocks, near, CellSearch::WholeRuns);
 }
 
 /// Mean shift of the surface from skin to skin, in elements; 0 without thickness.
