@@ -7,6 +7,7 @@
 #include "NURBSFieldData.h"
 #include "SharedNodes.h"
 #include "SurfacePrint.h"
+#include "ThreadScope.h"
 #include "TrimPipeline.h"
 #include "TrimmedGrid.h"
 
@@ -289,6 +290,16 @@ int vtkTrimHexahedralGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const trim::ControllerRanks ranks(this->Controller);
+  int success = 1;
+  trim::WithThreads(
+    ranks.Alone(), [&]() { success = this->Trim(inputVector, outputVector, ranks); });
+  return success;
+}
+
+//------------------------------------------------------------------------------
+int vtkTrimHexahedralGrid::Trim(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector, const trim::Ranks& ranks)
+{
   std::string error;
   if (!this->TakeInputs(vtkUnstructuredGrid::GetData(inputVector[0]),
         vtkDataObject::GetData(inputVector[1]), ranks, error))

@@ -215,6 +215,8 @@ private:
   std::unique_ptr<Cache> Kept;
 
   /// Takes what has changed of the inputs; false, on all ranks, with an error.
+  int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    const trim::Ranks& ranks);
   bool TakeInputs(vtkUnstructuredGrid* grid, vtkDataObject* surface, const trim::Ranks& ranks,
     std::string& error);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add

@@ -4,11 +4,15 @@
  */
 #include "RunTrim.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkSMPTools.h>
 #include <vtkTrimHexahedralGrid.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <string>
 
 using namespace judge;
 
@@ -48,10 +52,57 @@ void TestRerun(const Mesh& mesh, const Surface& first, const Surface& second)
     ++Wrong;
   }
 }
+/// The backends that are active while the filter runs, by its progress.
+std::set<std::string> BackendsDuring(const Mesh& mesh, const Surface& surface)
+{
+  std::set<std::string> backends;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&backends);
+  listener->SetCallback([](vtkObject*, unsigned long, void* seen, void*)
+    { static_cast<std::set<std::string>*>(seen)->insert(vtkSMPTools::GetBackend()); });
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  filter->AddObserver(vtkCommand::ProgressEvent, listener);
+  filter->Update();
+  return backends;
+}
+
+// Threads by default, for the time of the filter only, and never against a choice.
+void TestChoiceOfBackend()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  const auto expect = [&](const std::string& what, const std::string& during)
+  {
+    const auto seen = BackendsDuring(mesh, surface);
+    if (!seen.count(during) || std::string(vtkSMPTools::GetBackend()) != "Sequential")
+    {
+      std::printf("FAIL %s: not %s during the trim, or %s after it\n", what.c_str(), during.c_str(),
+        vtkSMPTools::GetBackend());
+      ++Wrong;
+    }
+  };
+  vtkSMPTools::SetBackend("Sequential");
+  vtkSMPTools::Initialize(2);
+  expect("default", "STDThread");
+  if (vtkSMPTools::GetEstimatedNumberOfThreads() != 1)
+  {
+    std::printf("FAIL the sequential backend has several threads after the trim\n");
+    ++Wrong;
+  }
+  vtkSMPTools::Initialize(1);
+  expect("one thread allowed", "Sequential");
+  vtkSMPTools::Initialize(2);
+  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
+  expect("chosen by the environment", "Sequential");
+  unsetenv("VTK_SMP_BACKEND_IN_USE");
+}
 }
 
 int main()
 {
+  TestChoiceOfBackend();
   for (const char* meshName : { "sheet2", "permuted", "irregular", "block", "cup", "wedges" })
   {
     const Mesh mesh = MakeMesh(meshName);
@@ -62,6 +113,7 @@ int main()
       options.Optimization = 1;
       const std::string name = std::string(meshName) + " " + kind;
       vtkSMPTools::SetBackend("Sequential");
+      vtkSMPTools::Initialize(1);
       const Outcome one = RunTrim(mesh, surface, options);
       Compare(name + " twice", one, RunTrim(mesh, surface, options));
       if (!vtkSMPTools::SetBackend("STDThread"))
