@@ -2,9 +2,12 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -72,6 +75,8 @@ void AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
 {
   vtkCellArray* cells = grid->GetCells();
   const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  const unsigned char* ghost = ghosts ? ghosts->GetPointer(0) : nullptr;
   const auto add = [&](auto* offsets, auto* connectivity)
   {
     const auto at = vtk::DataArrayValueRange<1>(offsets);
@@ -80,7 +85,11 @@ void AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
     vtkIdType ids[8];
     for (vtkIdType cell = 0; cell < count; ++cell)
     {
-      const int corners = types[cell] == VTK_HEXAHEDRON ? 8 : types[cell] == VTK_WEDGE ? 6 : 0;
+      const bool mine = !ghost || !(ghost[cell] & vtkDataSetAttributes::DUPLICATECELL);
+      const int corners = !mine         ? 0
+        : types[cell] == VTK_HEXAHEDRON ? 8
+        : types[cell] == VTK_WEDGE      ? 6
+                                        : 0;
       for (int i = 0; i < corners; ++i)
       {
         ids[i] = static_cast<vtkIdType>(nodes[static_cast<vtkIdType>(at[cell]) + i]);
@@ -137,10 +146,51 @@ void AddGrid(vtkUnstructuredGrid* grid, SheetSkin& skin)
 }
 
 //------------------------------------------------------------------------------
+void SheetSkin::Reduce(std::vector<double>& values, int operation) const
+{
+  if (this->Ranks && this->Ranks->GetNumberOfProcesses() > 1)
+  {
+    std::vector<double> reduced(values.size());
+    this->Ranks->AllReduce(
+      values.data(), reduced.data(), static_cast<vtkIdType>(values.size()), operation);
+    values.swap(reduced);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SheetSkin::IsEmpty() const
+{
+  std::vector<double> count(1, static_cast<double>(this->Points.size()));
+  this->Reduce(count, vtkCommunicator::SUM_OP);
+  return count[0] == 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool SheetSkin::AllAgree(bool mine) const
+{
+  std::vector<double> agreed(1, mine ? 1.0 : 0.0);
+  this->Reduce(agreed, vtkCommunicator::MIN_OP);
+  return agreed[0] != 0.0;
+}
+
+//------------------------------------------------------------------------------
+Eigen::AlignedBox3d SheetSkin::WholeBox() const
+{
+  std::vector<double> ends;
+  for (int i = 0; i < 3; ++i)
+  {
+    ends.push_back(this->Box.min()[i]);
+    ends.push_back(-this->Box.max()[i]);
+  }
+  this->Reduce(ends, vtkCommunicator::MIN_OP);
+  return Eigen::AlignedBox3d(Vec3(ends[0], ends[2], ends[4]), Vec3(-ends[1], -ends[3], -ends[5]));
+}
+
+//------------------------------------------------------------------------------
 Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
 {
   // The nearest nodes alone might be those of a rim, whose normals lie in the sheet.
-  std::vector<double> limits;
+  std::vector<double> limits; // squares of distances
   for (const Vec3& place : places)
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -148,10 +198,15 @@ Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
     {
       nearest = std::min(nearest, (point - place).squaredNorm());
     }
-    const double limit = std::sqrt(nearest) + reach;
-    limits.push_back(limit * limit);
+    limits.push_back(nearest);
   }
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  this->Reduce(limits, vtkCommunicator::MIN_OP);
+  for (double& limit : limits)
+  {
+    limit = std::pow(std::sqrt(limit) + reach, 2);
+  }
+  std::vector<double> values(9, 0.0);
+  Eigen::Map<Eigen::Matrix3d> sum(values.data());
   for (size_t i = 0; i < this->Points.size(); ++i)
   {
     for (size_t k = 0; k < places.size(); ++k)
@@ -163,7 +218,9 @@ Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
       }
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  this->Reduce(values, vtkCommunicator::SUM_OP);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+    Eigen::Map<Eigen::Matrix3d>(values.data()));
   // Rounding must not tilt a normal that is along an axis.
   Vec3 normal = solver.eigenvectors().col(2);
   normal = (normal.array().abs() < 1e-12).select(0.0, normal).normalized();

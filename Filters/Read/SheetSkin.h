@@ -12,14 +12,30 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkMultiProcessController;
 
 namespace nurbs
 {
+/**
+ * The skin of the mesh, or of the piece of it that this rank has. The functions are collective if
+ * there are several ranks: all of them call each in the same order, and get the same answer.
+ */
 struct SheetSkin
 {
   std::vector<Vec3> Points; ///< the nodes of the skin
   std::vector<Vec3> Areas;  ///< a fourth of the outward area vectors of the skin's faces round each
   Eigen::AlignedBox3d Box;  ///< of all nodes of elements
+
+  vtkMultiProcessController* Ranks = nullptr; ///< null: one rank alone
+
+  /// Has no rank any node?
+  bool IsEmpty() const;
+
+  /// The box of all ranks.
+  Eigen::AlignedBox3d WholeBox() const;
+
+  /// Is it so on all ranks?
+  bool AllAgree(bool mine) const;
 
   /**
    * The axis that the skin's normals near these places have on the whole: the principal one,
@@ -28,12 +44,18 @@ struct SheetSkin
    * coordinate is positive.
    */
   Vec3 MeanNormal(const std::vector<Vec3>& places, double reach) const;
+
+private:
+  /// The sum or the least of all ranks' values, each by itself.
+  void Reduce(std::vector<double>& values, int operation) const;
 };
 
 /**
  * The skin of an unstructured grid, or of those in a composite. The area vectors of all faces of
  * all elements are added up at their nodes, where those of inner faces cancel each other. Elements
- * other than hexahedra and wedges are passed over.
+ * other than hexahedra and wedges, and ghosts, are passed over. Of a mesh in pieces the sides
+ * between the pieces count as skin: where pieces are not compact the mean normal may tilt by a
+ * fraction of a degree.
  */
 SheetSkin BuildSheetSkin(vtkDataObject* data);
 }

@@ -302,7 +302,7 @@ std::vector<char> FindTurned(
 Sweep CompleteSweep(const Sweep& wanted, const std::vector<TrimLine>& lines, const SheetSkin* skin)
 {
   const std::vector<Polygon> polygons = MakePolygons(lines);
-  const bool hasSkin = skin && !skin->Points.empty();
+  const bool hasSkin = skin && !skin->IsEmpty();
   Sweep sweep = wanted;
   Eigen::AlignedBox3d box;
   for (const Polygon& polygon : polygons)
@@ -321,7 +321,7 @@ Sweep CompleteSweep(const Sweep& wanted, const std::vector<TrimLine>& lines, con
   sweep.Direction = sweep.Direction.stableNormalized();
   if (sweep.Length == 0.0)
   {
-    sweep.Length = hasSkin ? PassingLength(polygons, sweep.Direction, skin->Box) : size;
+    sweep.Length = hasSkin ? PassingLength(polygons, sweep.Direction, skin->WholeBox()) : size;
   }
   return sweep;
 }

@@ -15,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -71,14 +72,16 @@ struct vtkTrimLineSource::Cache
   vtkMTimeType SheetTime = 0;
   nurbs::SheetSkin Skin;
 
-  void TakeSheet(vtkDataObject* sheet)
+  void TakeSheet(vtkDataObject* sheet, vtkMultiProcessController* ranks)
   {
-    if (this->Sheet != sheet || this->SheetTime != sheet->GetMTime())
+    const vtkMTimeType time = sheet ? sheet->GetMTime() : 0;
+    if (this->Sheet != sheet || this->SheetTime != time || !sheet)
     {
-      this->Skin = nurbs::BuildSheetSkin(sheet);
+      this->Skin = sheet ? nurbs::BuildSheetSkin(sheet) : nurbs::SheetSkin();
       this->Sheet = sheet;
-      this->SheetTime = sheet->GetMTime();
+      this->SheetTime = time;
     }
+    this->Skin.Ranks = sheet ? ranks : nullptr;
   }
 
   /// Curves from a file, read anew only if it has changed.
@@ -125,18 +128,21 @@ struct vtkTrimLineSource::Cache
 };
 
 vtkStandardNewMacro(vtkTrimLineSource);
+vtkCxxSetObjectMacro(vtkTrimLineSource, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 vtkTrimLineSource::vtkTrimLineSource()
   : Kept(new Cache)
 {
   this->SetNumberOfInputPorts(1);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
   this->Points = { -0.5, 0.0, 0.0, -0.25, 0.1, 0.0, 0.0, 0.0, 0.0, 0.25, -0.1, 0.0, 0.5, 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------
 vtkTrimLineSource::~vtkTrimLineSource()
 {
+  this->SetController(nullptr);
   this->SetFileName(nullptr);
 }
 
@@ -295,28 +301,23 @@ int vtkTrimLineSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const Cache& kept = this->TakeLines();
+  vtkDataObject* sheet = vtkDataObject::GetData(inputVector[0]);
+  this->Kept->TakeSheet(sheet, this->Controller);
+  // What follows asks all ranks for their pieces of the sheet, if there is one.
+  const bool complete = kept.Skin.AllAgree(!kept.Lines.empty());
   if (!kept.Error.empty())
   {
     vtkErrorMacro(<< kept.Error << ".");
     // Not 0: the executive would add an error of its own, at every update again.
     return 1;
   }
-  if (kept.Lines.empty())
+  if (!complete)
   {
     return 1;
   }
   if (!kept.Warning.empty())
   {
     vtkWarningMacro(<< kept.Warning << ".");
-  }
-  if (vtkDataObject* sheet = vtkDataObject::GetData(inputVector[0]))
-  {
-    this->Kept->TakeSheet(sheet);
-  }
-  else
-  {
-    this->Kept->Sheet = nullptr;
-    this->Kept->Skin = nurbs::SheetSkin();
   }
   const nurbs::Sweep wanted{ nurbs::Vec3(this->Direction), this->Length };
   const nurbs::Sweep sweep = nurbs::CompleteSweep(wanted, kept.Lines, &kept.Skin);

@@ -46,6 +46,8 @@
 #include <memory> // For what is kept between updates
 #include <vector> // For the points
 
+class vtkMultiProcessController;
+
 class NURBSTRIMREAD_EXPORT vtkTrimLineSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -142,6 +144,15 @@ public:
   vtkGetMacro(Resolution, int);
   ///@}
 
+  ///@{
+  /**
+   * The ranks that have the pieces of the mesh; all of them come to the same direction and length.
+   * Default: the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
 protected:
   vtkTrimLineSource();
   ~vtkTrimLineSource() override;
@@ -163,6 +174,7 @@ protected:
   char* FileName = nullptr;
   int LengthUnit = 0;
   int Resolution = 64;
+  vtkMultiProcessController* Controller = nullptr;
 
 private:
   struct Cache;
