@@ -38,9 +38,13 @@ public:
   template <typename Action>
   void ForPlaces(Id id, const Action& action) const
   {
+    // An empty list has no ids either, and no places.
     if (!this->Ids)
     {
-      action(id);
+      if (id < this->Count)
+      {
+        action(id);
+      }
       return;
     }
     if (this->Number)
