@@ -29,7 +29,12 @@ def check_kept(window, middle, above=True):
 window = Window(size=(1400, 900))
 window.open("sheet.vtu")
 window.apply()
+window.python("from paraview import smtrace\nsmtrace.start_trace()")
 window.action("DrawTrimLine")
+window.python("trace = smtrace.stop_trace()\n"
+              "for text in ('TrimLineSource(registrationName', 'Sheet=sheetvtu', "
+              "'.Points = [-1.0, 6.0, 0.5, 4.5'):\n"
+              "    check(text in trace, 'not in the trace: ' + text + trace)")
 window.python("line = active()\n"
               "check_equal(line.GetXMLName(), 'TrimLineSource', 'the active source')\n"
               "check_equal(line.Sheet.GetXMLName(), 'XMLUnstructuredGridReader', 'Sheet')\n"
