@@ -10,7 +10,7 @@ add_library(NURBSTrimStages STATIC
   Ranks/GhostCells.cxx
   Ranks/PieceSides.cxx
   Ranks/SharedNodes.cxx
-  Ranks/SurfacePrint.cxx
+  Ranks/SharedSurface.cxx
   Classify/EdgeCrossing.cxx
   Classify/NodeClassification.cxx
   Decide/Decision.cxx

@@ -95,8 +95,10 @@ public:
     int box = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const int at = static_cast<int>((p[k] - this->Low[k]) * this->Scale[k]);
-      box = box * BoxesPerAxis + std::clamp(at, 0, BoxesPerAxis - 1);
+      // Not a number, where the width overflows, counts as zero.
+      const double at = (p[k] - this->Low[k]) * this->Scale[k];
+      box =
+        box * BoxesPerAxis + (at > 0.0 ? static_cast<int>(std::min(at, BoxesPerAxis - 1.0)) : 0);
     }
     return box;
   }

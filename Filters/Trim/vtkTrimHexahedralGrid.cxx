@@ -6,7 +6,7 @@
 #include "MeshBlocks.h"
 #include "NURBSFieldData.h"
 #include "SharedNodes.h"
-#include "SurfacePrint.h"
+#include "SharedSurface.h"
 #include "ThreadScope.h"
 #include "TrimPipeline.h"
 #include "TrimmedGrid.h"
@@ -75,8 +75,8 @@ struct vtkTrimHexahedralGrid::Cache
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;
-  std::unique_ptr<nurbs::TrimmingSurface> Surface;
-  std::uint64_t SurfacePrint = 0;
+  std::vector<nurbs::NurbsSurface> OwnFaces;       ///< those that this rank was given
+  std::unique_ptr<nurbs::TrimmingSurface> Surface; ///< of all ranks' faces; null: not made yet
 
   bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   {
@@ -127,22 +127,45 @@ struct vtkTrimHexahedralGrid::Cache
     return true;
   }
 
-  bool TakeSurface(vtkDataObject* data, std::string& error)
+  bool TakeSurface(vtkDataObject* data, const trim::Ranks& ranks, std::string& error)
   {
     if (this->SurfaceData == data && this->SurfaceTime == TimeOf(data))
     {
       return true;
     }
     this->SurfaceData = nullptr;
-    std::vector<nurbs::NurbsSurface> faces;
-    if (!nurbs::ReadTrimmingSurface(data, faces, error))
+    this->Surface = nullptr;
+    const bool read = nurbs::ReadTrimmingSurface(data, this->OwnFaces, error);
+    if (!read && (ranks.Alone() || data->GetNumberOfElements(vtkDataObject::POINT) > 0))
     {
       return false;
     }
-    this->SurfacePrint = trim::PrintOf(faces);
-    this->Surface = MakeSurface(std::move(faces));
+    if (!read)
+    {
+      this->OwnFaces.clear(); // other ranks have the surface
+      error.clear();
+    }
     this->SurfaceData = data;
     this->SurfaceTime = TimeOf(data);
+    return true;
+  }
+
+  /// Collective: the whole surface on each rank.
+  bool JoinSurface(const trim::Ranks& ranks, std::string& error)
+  {
+    if (!ranks.Any(!this->Surface))
+    {
+      return true;
+    }
+    this->Surface = nullptr;
+    auto faces = trim::ShareFaces(ranks, this->OwnFaces);
+    if (faces.empty())
+    {
+      error = "The trimming surface is empty: connect a CAD Surface Reader or a NURBS Surface "
+              "Source.";
+      return false;
+    }
+    this->Surface = MakeSurface(std::move(faces));
     return true;
   }
 };
@@ -170,6 +193,7 @@ void vtkTrimHexahedralGrid::SetController(vtkMultiProcessController* controller)
   if (this->Controller != controller)
   {
     this->Kept->Joined = false;
+    this->Kept->Surface = nullptr;
   }
   vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
 }
@@ -228,15 +252,6 @@ int vtkTrimHexahedralGrid::RequestUpdateExtent(
   {
     grid->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
-  // Every rank needs the whole surface; a source that knows no pieces gives it anyway.
-  vtkInformation* surface = inputVector[1]->GetInformationObject(0);
-  const bool several = !trim::ControllerRanks(this->Controller).Alone();
-  if (several && surface && surface->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()))
-  {
-    surface->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    surface->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    surface->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  }
   return 1;
 }
 
@@ -253,7 +268,7 @@ bool vtkTrimHexahedralGrid::TakeInputs(
     error = "No trimming surface is connected to the second input: connect a CAD Surface Reader or "
             "a NURBS Surface Source.";
   }
-  else if (this->Kept->TakeGrid(grid, error) && this->Kept->TakeSurface(surface, error))
+  else if (this->Kept->TakeGrid(grid, error) && this->Kept->TakeSurface(surface, ranks, error))
   {
     error.clear();
   }
@@ -266,15 +281,7 @@ bool vtkTrimHexahedralGrid::TakeInputs(
   {
     return false;
   }
-  const auto prints = ranks.Gather(std::vector<std::uint64_t>{ this->Kept->SurfacePrint });
-  if (std::count(prints.begin(), prints.end(), prints.front()) !=
-    static_cast<std::ptrdiff_t>(prints.size()))
-  {
-    error = "The ranks have different trimming surfaces, but each needs the whole one: connect the "
-            "reader or source itself, with nothing between that distributes its data.";
-    return false;
-  }
-  if (!this->Kept->JoinPieces(ranks, error))
+  if (!this->Kept->JoinSurface(ranks, error) || !this->Kept->JoinPieces(ranks, error))
   {
     return false;
   }

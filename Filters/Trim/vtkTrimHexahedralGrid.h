@@ -35,11 +35,11 @@
  * invalid was saved, 0 not needed, 1 relaxation, 2 other treatment, 3 other correction, 4 other
  * fate, 5 nodes left off the surface), every array of the input, and a summary in its field data.
  *
- * On several ranks each gives its piece of the grid, and the whole surface. The result, as a mesh,
- * is that of the whole grid on one rank; only the numbering differs. Nodes that pieces share are
- * known by their global ids, or without these by their places, bit for bit. Ghost cells are left
- * out of both outputs. Nodes are renumbered within the piece and vtkOriginal...Ids are those of
- * the piece; the summary is that of the whole grid, on every rank.
+ * On several ranks each gives its piece of the grid, and what it has of the surface. The result, as
+ * a mesh, is that of the whole grid on one rank; only the numbering differs. Nodes that pieces
+ * share are known by their global ids, or without these by their places, bit for bit. Ghost cells
+ * are left out of both outputs. Nodes are renumbered within the piece and vtkOriginal...Ids are
+ * those of the piece; the summary is that of the whole grid, on every rank.
  *
  * @warning Wedges that the trim makes have their nodes 0-1-2 oriented so that their normal
  * points to nodes 3-4-5: the Jacobian of vtkWedge's shape functions is positive, as
@@ -214,9 +214,9 @@ private:
   struct Cache;
   std::unique_ptr<Cache> Kept;
 
-  /// Takes what has changed of the inputs; false, on all ranks, with an error.
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     const trim::Ranks& ranks);
+  /// Takes what has changed of the inputs; false, on all ranks, with an error.
   bool TakeInputs(vtkUnstructuredGrid* grid, vtkDataObject* surface, const trim::Ranks& ranks,
     std::string& error);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add

@@ -7,10 +7,12 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSphereSource.h>
 #include <vtkTetra.h>
 #include <vtkTrimHexahedralGrid.h>
 
@@ -115,16 +117,15 @@ void TestBadGrids()
     "Several ranks have the same cell");
 
   pieces = Pieces();
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("Ids");
-  for (vtkIdType i = 0; i < pieces[0]->GetNumberOfPoints(); ++i)
-  {
-    ids->InsertNextValue(i);
-  }
   for (auto& piece : pieces)
   {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("Ids");
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      ids->InsertNextValue(i);
+    }
     piece->GetPointData()->SetGlobalIds(ids);
-    ids->SetNumberOfValues(piece->GetNumberOfPoints());
   }
   ExpectError("global ids that are not", pieces, Planes(), "stands for two places");
 }
@@ -167,18 +168,56 @@ void TestCoincidentNodes()
 
 void TestBadSurfaces()
 {
-  auto surfaces = Planes();
-  surfaces[1] = vtkSmartPointer<vtkPolyData>::New();
-  ExpectError("no surface on rank 1", Pieces(), surfaces, "Rank 1: ");
+  const auto nothing = vtkSmartPointer<vtkPolyData>::New();
+  ExpectError("no surface", Pieces(), { nothing, nothing, nothing }, "surface is empty");
 
-  surfaces = Planes();
-  Placement other;
-  other.X = 0.3;
-  surfaces[2] = MakeSurface("plane", TheMesh().Box, other).Data;
-  ExpectError("another surface on rank 2", Pieces(), surfaces, "different trimming surfaces");
+  auto surfaces = Planes();
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  surfaces[1] = sphere->GetOutput();
+  ExpectError("no NURBS on rank 1", Pieces(), surfaces, "Rank 1: ");
 
   const std::vector<Surface> ending(3, EndingPlane(TheMesh().Box, Placement()));
   ExpectError("a surface that ends", Pieces(), SurfacesOf(ending), "ends inside the grid");
+}
+
+/// The blocks from `begin` on, and nothing in place of the others.
+vtkSmartPointer<vtkDataObject> SomeBlocks(vtkMultiBlockDataSet* all, unsigned begin, unsigned end)
+{
+  auto some = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  some->SetNumberOfBlocks(all->GetNumberOfBlocks());
+  for (unsigned i = begin; i < end; ++i)
+  {
+    some->SetBlock(i, all->GetBlock(i));
+  }
+  return some;
+}
+
+/// A surface on one rank, or in parts on several, is as good as the whole on each.
+void TestScatteredSurfaces()
+{
+  const auto nothing = vtkSmartPointer<vtkPolyData>::New();
+  const auto planes = Planes();
+  const auto shell = MakeSurface("roundrect", TheMesh().Box, Placement()).Data;
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(shell);
+  const unsigned count = blocks->GetNumberOfBlocks();
+  const std::pair<Surfaces, Surfaces> cases[] = {
+    { planes, { nothing, planes[1], nothing } },
+    { { shell, shell, shell },
+      { SomeBlocks(blocks, 0, 3), SomeBlocks(blocks, 3, 4), SomeBlocks(blocks, 4, count) } },
+  };
+  for (const auto& item : cases)
+  {
+    const PiecesOutcome whole = TrimPieces(Pieces(), item.first, TrimOptions());
+    const PiecesOutcome parts = TrimPieces(Pieces(), item.second, TrimOptions());
+    Check(whole.Errors.empty() && parts.Errors.empty(), "scattered surface: errors");
+    for (std::size_t i = 0; i < whole.Trimmed.size(); ++i)
+    {
+      const std::string difference = FirstDifference(whole.Trimmed[i], parts.Trimmed[i]);
+      Check(difference.empty(), "scattered surface: " + difference);
+    }
+    Check(!IsEmpty(parts.Trimmed), "scattered surface: nothing comes out");
+  }
 }
 
 void TestMissingSurface()
@@ -263,6 +302,7 @@ int main()
   TestBadGrids();
   TestCoincidentNodes();
   TestBadSurfaces();
+  TestScatteredSurfaces();
   TestMissingSurface();
   TestAborts();
   TestRerun();
