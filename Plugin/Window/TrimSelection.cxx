@@ -48,12 +48,13 @@ TrimSelection FindTrimSelection()
     {
       continue;
     }
-    vtkPVDataInformation* information = output.Source->GetDataInformation(output.Port);
     if (IsTrim(output.Source))
     {
       found.Trim = output.Source;
+      continue;
     }
-    else if (information->DataSetTypeIsA("vtkUnstructuredGrid"))
+    vtkPVDataInformation* information = output.Source->GetDataInformation(output.Port);
+    if (information->DataSetTypeIsA("vtkUnstructuredGrid"))
     {
       found.Mesh = output;
     }

@@ -46,6 +46,7 @@ window.set_choice("Optimization", "Distribute nodes")
 window.set_check("RenumberNodes", False)
 window.apply()
 window.action("CompareCorrectionTypes")
+window.picture("window-comparison.png")
 
 window.python("record('session')")
 window.menu("menu_File", "actionFileSaveServerState")

@@ -64,7 +64,6 @@ window.event(MAIN + "/FileSaveServerStateDialog", "filesSelected",
 # Four linked views, of the mesh and the surface that were selected and with the trim's settings.
 window.action("CompareCorrectionTypes")
 window.python("check_comparison(kept=12 * 24, volumes=(12 * 6, 11.7 * 6, 11.7 * 6))")
-window.picture("window-comparison.png")
 
 # The help button opens the page of the filter, with its pictures.
 window.event(MAIN + "/propertiesDock/propertiesPanel/Help", "activate")
