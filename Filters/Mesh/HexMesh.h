@@ -51,6 +51,12 @@ struct HexMesh
                            : Gather(this->Connectivity32, this->Offsets32, c, nodes);
   }
 
+  Id FirstNode(Id c) const
+  {
+    return this->Offsets64 ? this->Connectivity64[this->Offsets64[c]]
+                           : this->Connectivity32[this->Offsets32[c]];
+  }
+
 private:
   template <typename T>
   static int Gather(const T* connectivity, const T* offsets, Id c, std::array<Id, 8>& nodes)

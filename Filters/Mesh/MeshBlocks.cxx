@@ -20,11 +20,23 @@ Box3 CellBox(const HexMesh& mesh, Id cell)
   return box;
 }
 
+int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points)
+{
+  std::array<Id, 8> nodes;
+  const int count = mesh.Cell(cell, nodes);
+  for (int i = 0; i < count; ++i)
+  {
+    points[i] = mesh.Point(nodes[i]);
+  }
+  return count;
+}
+
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
 {
   MeshBlocks blocks;
   const Id count = (mesh.NumberOfCells + MeshBlocks::CellsPerBlock - 1) / MeshBlocks::CellsPerBlock;
   blocks.Boxes.resize(count);
+  blocks.Volumes.resize(mesh.NumberOfCells);
   std::vector<double> largest(count, 0.0);
   vtkSMPTools::For(0, count, 256,
     [&](Id begin, Id end)
@@ -34,7 +46,14 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
         const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
         for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
         {
-          const Box3 box = CellBox(mesh, c);
+          ElementPoints points;
+          Box3 box;
+          const int nodes = PointsOfCell(mesh, c, points);
+          for (int i = 0; i < nodes; ++i)
+          {
+            box.extend(points[i]);
+          }
+          blocks.Volumes[c] = std::abs(VolumeOf(points, nodes));
           largest[b] = std::max(largest[b], box.diagonal().squaredNorm());
           blocks.Boxes[b].extend(box);
         }

@@ -1,6 +1,7 @@
 /**
  * @file MeshBlocks.h
- * @brief Boxes round runs of consecutive cells, so that most of a mesh is answered by the run.
+ * @brief Boxes round runs of consecutive cells, so that most of a mesh is answered by the run, and
+ * the volumes of the cells.
  *
  * Depends on the mesh alone, so it is kept while only the surface changes.
  */
@@ -8,6 +9,7 @@
 #define MeshBlocks_h
 
 #include "HexMesh.h"
+#include "Jacobian.h"
 #include "Ranks.h"
 #include "TrimmingSurface.h"
 
@@ -26,8 +28,9 @@ struct MeshBlocks
   static constexpr Id CellsPerBlock = 64;
 
   std::vector<Box3> Boxes;
-  Box3 Bounds;                ///< of all points used by cells
-  double LargestDiagonal = 0; ///< of the boxes of single cells
+  std::vector<double> Volumes; ///< of every cell, >= 0
+  Box3 Bounds;                 ///< of all points used by cells
+  double LargestDiagonal = 0;  ///< of the boxes of single cells
 
   Id NumberOfBlocks() const { return static_cast<Id>(this->Boxes.size()); }
   static Id FirstCell(Id block) { return block * CellsPerBlock; }
@@ -41,6 +44,9 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh);
 
 /// Widens Bounds and LargestDiagonal to those of all ranks' pieces; collective.
 void ShareBounds(const Ranks& ranks, MeshBlocks& blocks);
+
+/// Places of the nodes of one cell; returns their number.
+int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points);
 
 /// The box of one cell.
 Box3 CellBox(const HexMesh& mesh, Id cell);

@@ -120,24 +120,37 @@ void TurnStatuses(NodeClassification& nodes)
   }
 }
 
+ElementStatus StatusOfCell(const HexMesh& mesh, const TrimResult& result, Id cell)
+{
+  std::array<Id, 8> nodes;
+  std::array<unsigned char, 8> status;
+  const int count = mesh.Cell(cell, nodes);
+  for (int i = 0; i < count; ++i)
+  {
+    status[i] = result.Nodes.Status[nodes[i]];
+  }
+  return StatusOfElement(status.data(), count);
+}
+
+/// A cell that the surface does not meet lies on the side of any of its nodes.
 void ClassifyElements(const HexMesh& mesh, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
   vtkSMPTools::For(0, mesh.NumberOfCells, 50000,
     [&](Id begin, Id end)
     {
-      std::array<Id, 8> nodes;
-      std::array<unsigned char, 8> status;
       for (Id c = begin; c < end; ++c)
       {
-        const int count = mesh.Cell(c, nodes);
-        for (int i = 0; i < count; ++i)
-        {
-          status[i] = result.Nodes.Status[nodes[i]];
-        }
-        result.ElementStatus[c] = StatusOfElement(status.data(), count);
+        const unsigned char first = result.Nodes.Status[mesh.FirstNode(c)];
+        result.ElementStatus[c] = first == NodeKeep ? ElementKeep
+          : first == NodeEliminate                  ? ElementEliminate
+                                                    : StatusOfCell(mesh, result, c);
       }
     });
+  for (const Id c : result.Nodes.CandidateCells)
+  {
+    result.ElementStatus[c] = StatusOfCell(mesh, result, c);
+  }
 }
 
 /// Cells that the surface cuts or touches with a node.

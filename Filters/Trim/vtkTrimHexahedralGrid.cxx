@@ -349,7 +349,8 @@ int vtkTrimHexahedralGrid::Trim(
   trim::WriteOptions write;
   write.RenumberNodes = this->RenumberNodes;
   write.QualityOfAllElements = this->QualityOfAllElements;
-  trim::WriteTrimmedGrid(own, mesh, ranks, result, surface, write, progress, trimmed);
+  trim::WriteTrimmedGrid(
+    own, mesh, this->Kept->Blocks, ranks, result, surface, write, progress, trimmed);
   trim::RestoreOriginalIds(this->Kept->Own, trimmed);
   trim::WriteStatusGrid(own, result, statuses);
   if (ranks.Any(progress(1.0)))

@@ -86,18 +86,14 @@ ElementPoints PointsOfKept(
     count = final.Count;
     return final.Points;
   }
-  std::array<Id, 8> nodes;
-  count = mesh.Cell(kept.Cells[i], nodes);
-  for (int k = 0; k < count; ++k)
-  {
-    points[k] = mesh.Point(nodes[k]);
-  }
+  count = PointsOfCell(mesh, kept.Cells[i], points);
   return points;
 }
 
 /// ScaledJacobian of touched elements, and what the summary says of quality and volume.
-void AddQuality(const HexMesh& mesh, const Ranks& ranks, const TrimResult& result,
-  const KeptMesh& kept, bool allElements, Summary& summary, vtkUnstructuredGrid* output)
+void AddQuality(const HexMesh& mesh, const MeshBlocks& blocks, const Ranks& ranks,
+  const TrimResult& result, const KeptMesh& kept, bool allElements, Summary& summary,
+  vtkUnstructuredGrid* output)
 {
   const Id count = static_cast<Id>(kept.Cells.size());
   vtkNew<vtkFloatArray> scaled;
@@ -110,6 +106,12 @@ void AddQuality(const HexMesh& mesh, const Ranks& ranks, const TrimResult& resul
     {
       for (Id i = begin; i < end; ++i)
       {
+        if (kept.BandElement[i] < 0 && !allElements)
+        {
+          values[i] = std::numeric_limits<float>::quiet_NaN();
+          volume[i] = blocks.Volumes[kept.Cells[i]];
+          continue;
+        }
         int nodes = 0;
         const ElementPoints points = PointsOfKept(mesh, result, kept, i, nodes);
         const bool touched = kept.BandElement[i] >= 0 &&
@@ -222,9 +224,9 @@ void Summarise(const Ranks& ranks, const TrimResult& result, const KeptMesh& kep
 
 }
 
-void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Ranks& ranks,
-  const TrimResult& result, const nurbs::TrimmingSurface& surface, const WriteOptions& options,
-  const Progress& progress, vtkUnstructuredGrid* output)
+void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
+  const Ranks& ranks, const TrimResult& result, const nurbs::TrimmingSurface& surface,
+  const WriteOptions& options, const Progress& progress, vtkUnstructuredGrid* output)
 {
   KeptMesh kept;
   CollectCells(mesh, result, kept);
@@ -248,7 +250,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Ran
   ColourByStatus(output);
   AddRescue(result, kept, output);
   Summary summary;
-  AddQuality(mesh, ranks, result, kept, options.QualityOfAllElements, summary, output);
+  AddQuality(mesh, blocks, ranks, result, kept, options.QualityOfAllElements, summary, output);
   Summarise(ranks, result, kept, surface, summary);
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
   summary.AddTo(output->GetFieldData());

@@ -24,9 +24,9 @@ struct WriteOptions
  * Fills `output` with the kept elements at their new positions, renumbered, with the arrays of
  * CONTRACT.md, the input's own arrays and the summary of all ranks' pieces. Collective.
  */
-void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Ranks& ranks,
-  const TrimResult& result, const nurbs::TrimmingSurface& surface, const WriteOptions& options,
-  const Progress& progress, vtkUnstructuredGrid* output);
+void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
+  const Ranks& ranks, const TrimResult& result, const nurbs::TrimmingSurface& surface,
+  const WriteOptions& options, const Progress& progress, vtkUnstructuredGrid* output);
 
 /// Fills `output` with the whole input grid and the status arrays.
 void WriteStatusGrid(

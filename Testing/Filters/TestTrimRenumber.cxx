@@ -63,6 +63,7 @@ int main()
     TestSheet(30, 30, 2, permuted);
     TestSheet(50, 12, 1, permuted);
     TestSheet(24, 12, 4, permuted);
+    TestSheet(150, 60, 2, permuted); // large enough to be numbered by pillars
   }
   // Other shapes, where the best order is another: judged against the two candidates.
   for (const char* name : { "hole", "lshape", "blank", "irregular", "islands", "cup" })
