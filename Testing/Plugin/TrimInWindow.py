@@ -47,6 +47,16 @@ window.python("found = summary(active())\n"
 window.action("ShowStatuses")
 window.python("check_equal(shown_elements(), 20 * 12 * 2, 'elements in the view')")
 window.picture("window-statuses.png")
+
+# Hovering tells why: a node that the trim moved from x = 8 to 8.3, and the element beside it.
+window.hover("Points", 0.46, 0.5)
+window.python("check_equal(hovered['NodeStatus'], '1', 'status of the node')\n"
+              "check_equal(hovered['SignedDistance'], '0.3', 'its distance')\n"
+              "check_equal(hovered['Displacement'], '(0.3, 0, 0)', 'its move')\n"
+              "check_equal(hovered['CorrectionApplied'], '3', 'its correction')")
+window.hover("Cells", 0.46, 0.5)
+window.python("check_equal(hovered['ElementStatus'], '2', 'status of the element')\n"
+              "check_equal(hovered['EliminatedFraction'], '0.3', 'its share beyond')")
 window.action("ShowStatuses")
 window.python("check_equal(shown_elements(), 12 * 24, 'elements in the view')")
 window.action("ShowSummary")

@@ -76,6 +76,20 @@ class Window:
         self.event(browser, "mousePress", "1,1,0,60,10,/" + row)
         self.event(browser, "mouseRelease", "1,0,0,60,10,/" + row)
 
+    def hover(self, kind, x, y):
+        """Hovers over what is at this place of the view; kind is Points or Cells."""
+        frame = VIEWS + "Frame.0/"
+        button = frame + "actionHoveringSurface" + kind
+        self.event(button, "set_boolean", "true")
+        # A box that explains the mode.
+        self.event(MAIN + "/1QMessageBox0/qt_msgbox_buttonbox/1QPushButton0", "activate")
+        for event, pressed in (("mousePress", 1), ("mouseMove", 0), ("mouseRelease", 0)):
+            self.event(frame + "CentralWidgetFrame/Viewport", event,
+                       "(%g,%g,1,%d,0)" % (x, y, pressed))
+        self.pause(1000)
+        self.python("hovered = tooltip(%d)" % (kind == "Cells"))
+        self.event(button, "set_boolean", "false")
+
     def choose_inputs(self, **rows):
         """Fills the dialog that asks for a filter's inputs: property name to browser row."""
         dialog = MAIN + "/SelectInputDialog/"

@@ -9,7 +9,9 @@ from paraview import servermanager
 from paraview.simple import *  # noqa: F401,F403: for the steps
 from paraview.simple import (FindSource, GetActiveSource, GetActiveView, GetColorTransferFunction,
                              GetLayoutByName, GetScalarBar, GetViewsInLayout)
+from paraview.modules.vtkRemotingMisc import vtkSMTooltipSelectionPipeline
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
@@ -54,6 +56,14 @@ def save_screen(name, width, height):
     writer.SetFileName(os.path.join(OUTPUT_DIRECTORY, name))
     writer.SetInputData(image)
     writer.Write()
+
+
+def tooltip(association):
+    """What the view tells of the node (0) or element (1) under the mouse."""
+    text = reference("")
+    vtkSMTooltipSelectionPipeline.GetInstance().GetTooltipInfo(association, text)
+    return dict(line.replace("</p>", "").split(": ", 1)
+                for line in str(text).splitlines() if ": " in line)
 
 
 def check_color(color, pixels, what):
