@@ -37,6 +37,18 @@ public:
 
   SurfacePoint Best;
 
+  /// Takes a foot that was found otherwise, inside its patch.
+  void Start(const SurfacePoint& foot)
+  {
+    this->Walked = true;
+    if (foot.Squared < this->Best.Squared && IsInsideTrim(this->Model, foot.Patch, foot.S, foot.T))
+    {
+      this->Best = foot;
+      this->BestDomain = { 0, 1, 0, 1 };
+      this->UpdateBound();
+    }
+  }
+
   /// Newton from a point of the surface, on into the next patch where it leaves one.
   void Walk(int patch, double s, double t);
 
@@ -336,8 +348,18 @@ bool ClosestPointSearch::SearchBox(
 SurfacePoint FindClosestPoint(
   const SurfaceModel& model, const Vec3& p, double maximumSquared, const SurfacePoint& guess)
 {
+  SurfacePoint start = guess;
+  start.Squared = HUGE_VAL;
+  if (model.Blocks.FindFoot(model, p, start) && start.Squared < maximumSquared)
+  {
+    return start;
+  }
   ClosestPointSearch search(model, p, maximumSquared);
-  if (guess.Patch >= 0)
+  if (start.Squared < HUGE_VAL)
+  {
+    search.Start(start);
+  }
+  else if (guess.Patch >= 0)
   {
     search.Walk(guess.Patch, guess.S, guess.T);
   }

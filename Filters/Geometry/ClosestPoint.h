@@ -14,8 +14,9 @@ struct SurfacePoint
 {
   int Patch = -1;
   double S = 0, T = 0;
-  Vec3 Point = Vec3::Zero(); ///< about the local origin
-  double Squared = 0;        ///< squared distance to the point asked for
+  Vec3 Point = Vec3::Zero();  ///< about the local origin
+  double Squared = 0;         ///< squared distance to the point asked for
+  Vec3 Normal = Vec3::Zero(); ///< along S_u x S_v, if it is known; else zero
 };
 
 /**

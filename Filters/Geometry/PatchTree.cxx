@@ -1,5 +1,7 @@
 #include "PatchTree.h"
 
+#include "NetBounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,208 +15,6 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf)
   const int i = cell % patch.GridU, j = cell / patch.GridU;
   return { static_cast<double>(i) / patch.GridU, static_cast<double>(i + 1) / patch.GridU,
     static_cast<double>(j) / patch.GridV, static_cast<double>(j + 1) / patch.GridV };
-}
-
-namespace
-{
-
-/// Greatest first and second derivatives by the control net, about a centre.
-struct NetBounds
-{
-  Vec3 MeanU = Vec3::Zero(), MeanV = Vec3::Zero();
-  double DeviationU = 0, DeviationV = 0; ///< of the first derivative from its mean
-  double NormalU = 0, NormalV = 0;       ///< component of the first derivative along the normal
-  double WeightU = 0, WeightV = 0;       ///< first derivative of the weight
-  double SecondUU = 0, SecondUV = 0, SecondVV = 0;
-  double NormalUU = 0, NormalUV = 0, NormalVV = 0; ///< second derivatives along the normal
-  double WeightUU = 0, WeightUV = 0, WeightVV = 0;
-  double Extent = 0, NormalExtent = 0, MaxWeight = 0;
-  double Radius = 0; ///< of the Cartesian points
-};
-
-/// Greatest lengths of the differences of a net; of three parts of them.
-struct DifferenceBounds
-{
-  double Length = 0, Normal = 0, Weight = 0;
-  void Add(const Vec4& d, const Vec3& normal, const Vec3& mean)
-  {
-    const Vec3 x = d.head<3>() - mean;
-    this->Length = std::max(this->Length, x.squaredNorm());
-    this->Normal = std::max(this->Normal, std::abs(normal.dot(d.head<3>())));
-    this->Weight = std::max(this->Weight, std::abs(d.w()));
-  }
-  void Store(double factor, double& length, double& normal, double& weight) const
-  {
-    length = factor * std::sqrt(this->Length);
-    normal = factor * this->Normal;
-    weight = factor * this->Weight;
-  }
-};
-
-/// @param net about the centre; its mean derivatives and normal are found first.
-NetBounds BoundNet(int p, int q, const Vec4* net)
-{
-  const int nu = p + 1, nv = q + 1;
-  NetBounds b;
-  for (int j = 0; j < nv; ++j)
-  {
-    b.MeanU += (net[p + j * nu] - net[j * nu]).head<3>() / nv;
-  }
-  for (int i = 0; i < nu && q > 0; ++i)
-  {
-    b.MeanV += (net[i + q * nu] - net[i]).head<3>() / nu;
-  }
-  Vec3 normal = b.MeanU.cross(b.MeanV);
-  // A curve has no normal: all directions across it count, so the lengths themselves are used.
-  const double area = normal.norm();
-  normal = area > 0 ? Vec3(normal / area) : Vec3(Vec3::Zero());
-  const Vec3 zero = Vec3::Zero();
-  const Vec3 stepU = b.MeanU / std::max(p, 1), stepV = b.MeanV / std::max(q, 1);
-  DifferenceBounds points, u, v, uu, uv, vv;
-  Vec4 row[MaximumBezierDegree + 1]; // differences along v of the row above
-  for (int j = 0; j < nv; ++j)
-  {
-    const Vec4* c = net + j * nu;
-    for (int i = 0; i < nu; ++i)
-    {
-      points.Add(c[i], normal, zero);
-      b.MaxWeight = std::max(b.MaxWeight, c[i].w());
-      b.Radius = std::max(b.Radius, c[i].head<3>().squaredNorm() / (c[i].w() * c[i].w()));
-      if (i < p)
-      {
-        u.Add(c[i + 1] - c[i], normal, stepU);
-      }
-      if (i + 1 < p)
-      {
-        uu.Add(c[i + 2] - 2 * c[i + 1] + c[i], normal, zero);
-      }
-      if (j < q)
-      {
-        const Vec4 d = c[i + nu] - c[i];
-        v.Add(d, normal, stepV);
-        if (j > 0)
-        {
-          vv.Add(d - row[i], normal, zero);
-        }
-        row[i] = d;
-        if (i > 0)
-        {
-          uv.Add(d - row[i - 1], normal, zero);
-        }
-      }
-    }
-  }
-  double unused;
-  points.Store(1, b.Extent, b.NormalExtent, unused);
-  b.Radius = std::sqrt(b.Radius);
-  u.Store(p, b.DeviationU, b.NormalU, b.WeightU);
-  v.Store(q, b.DeviationV, b.NormalV, b.WeightV);
-  uu.Store(p * (p - 1), b.SecondUU, b.NormalUU, b.WeightUU);
-  uv.Store(p * q, b.SecondUV, b.NormalUV, b.WeightUV);
-  vv.Store(q * (q - 1), b.SecondVV, b.NormalVV, b.WeightVV);
-  if (area == 0)
-  {
-    b.NormalU = b.DeviationU;
-    b.NormalUU = b.SecondUU;
-    b.NormalExtent = b.Extent;
-  }
-  return b;
-}
-
-/// Moves a net so that the centre is its origin.
-void CenterNet(const Vec3& center, int size, const Vec4* net, Vec4* centered)
-{
-  for (int k = 0; k < size; ++k)
-  {
-    centered[k] = net[k];
-    centered[k].head<3>() -= net[k].w() * center;
-  }
-}
-
-/// std::hypot guards against overflow at ten times the cost.
-inline double Hypotenuse(double a, double b)
-{
-  return std::sqrt(a * a + b * b);
-}
-
-/**
- * Steps (s, t) = (Along y1 + Back y2, Across y2) with y of unit length reach every step of unit
- * length on the plane of the mean derivatives (Gram-Schmidt); Back is an absolute value.
- */
-struct UnitSteps
-{
-  double Along = 0, Back = 0, Across = 0;
-
-  /// Bound of a linear map whose columns have the lengths u and v.
-  double Linear(double u, double v) const
-  {
-    return Hypotenuse(this->Along * u, this->Across * v + this->Back * u);
-  }
-  /// Bound of a quadratic form whose entries are at most uu, uv, vv.
-  double Quadratic(double uu, double uv, double vv) const
-  {
-    const double a = this->Along * this->Along * uu;
-    const double b = this->Along * (this->Across * uv + this->Back * uu);
-    const double c = this->Across * this->Across * vv + 2 * this->Across * this->Back * uv +
-      this->Back * this->Back * uu;
-    return 0.5 * (a + c) + Hypotenuse(0.5 * (a - c), b);
-  }
-};
-
-/// False if the mean derivatives have lost rank.
-bool FindUnitSteps(const NetBounds& b, bool curve, UnitSteps& steps)
-{
-  const double e = b.MeanU.squaredNorm(), g = b.MeanV.squaredNorm(), f = b.MeanU.dot(b.MeanV);
-  if (!(e > 0))
-  {
-    return false;
-  }
-  steps.Along = 1.0 / std::sqrt(e);
-  if (curve)
-  {
-    return true;
-  }
-  const double across = g - f * f / e;
-  if (!(across > 1e-12 * g))
-  {
-    return false;
-  }
-  steps.Across = 1.0 / std::sqrt(across);
-  steps.Back = std::abs(f) / e * steps.Across;
-  return true;
-}
-
-/**
- * When F(s, t) = |A - w P|^2 - d^2 w^2 is convex over the leaf, for every d that occurs on it; A is
- * the homogeneous net about the leaf's centre. Then {S : |S - P| <= d} is a convex set of
- * parameters, so a point of the leaf that fulfils the Kuhn-Tucker conditions is its closest
- * point. With subscripts for derivatives along a unit step,
- *   F_uu / 2 = |A_u|^2 - 2 w_u A_u.P + A.A_uu - w_uu A.P - w A_uu.P + (w_u^2 + w w_uu)(P^2 - d^2)
- * where |P^2 - d^2| <= 2 |P| R + R^2; each term is bounded by the net and is linear in the
- * components of P across (side) and along the normal (height).
- */
-void MeasureReach(const NetBounds& b, const UnitSteps& steps, Leaf& leaf)
-{
-  const double first = steps.Linear(b.DeviationU, b.DeviationV);
-  const double firstNormal = steps.Linear(b.NormalU, b.NormalV);
-  const double second = steps.Quadratic(b.SecondUU, b.SecondUV, b.SecondVV);
-  const double secondNormal = steps.Quadratic(b.NormalUU, b.NormalUV, b.NormalVV);
-  const double weight = steps.Linear(b.WeightU, b.WeightV);
-  const double weight2 = steps.Quadratic(b.WeightUU, b.WeightUV, b.WeightVV);
-  const double w = b.MaxWeight, r = b.Radius;
-  const double twist = weight * weight + w * weight2;
-  const double fixed = 0.999 * ((1 - first) * (1 - first) - b.Extent * second - twist * r * r);
-  if (!(first < 1) || !(fixed > 0))
-  {
-    return;
-  }
-  const double side = 2 * weight * (1 + first) + weight2 * b.Extent + w * second + 2 * twist * r;
-  const double height =
-    2 * weight * firstNormal + weight2 * b.NormalExtent + w * secondNormal + 2 * twist * r;
-  leaf.SideCost = static_cast<float>(side / fixed);
-  leaf.HeightCost = static_cast<float>(height / fixed);
-}
-
 }
 
 Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
@@ -316,7 +116,9 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   {
     return;
   }
-  MeasureReach(b, steps, leaf);
+  const ConvexReach reach = MeasureReach(b, steps);
+  leaf.SideCost = reach.Side;
+  leaf.HeightCost = reach.Height;
   const double deviation =
     steps.Linear(b.DeviationU + radius * b.WeightU, b.DeviationV + radius * b.WeightV);
   leaf.Deviation = static_cast<float>(std::min(2.0, deviation + 1e-6));

@@ -135,7 +135,14 @@ void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
 void SurfaceModel::AddLeaves()
 {
   std::size_t count = 0;
-  this->ChooseGrids();
+  std::vector<Vec2> bends;
+  bends.reserve(this->Patches.size());
+  for (const BezierPatch& patch : this->Patches)
+  {
+    bends.push_back(MeasureBend(patch, this->Net(patch)));
+  }
+  this->Blocks.Build(*this, bends);
+  this->ChooseGrids(bends);
   this->RefineTrimmedGrids();
   for (BezierPatch& patch : this->Patches)
   {
@@ -182,16 +189,10 @@ void SurfaceModel::AddLeaves()
 }
 
 /// Nearly flat leaves, but not more of them than a surface of many patches can afford.
-void SurfaceModel::ChooseGrids()
+void SurfaceModel::ChooseGrids(const std::vector<Vec2>& bends)
 {
   constexpr double Flat = 0.25; // of a few patches; beyond about 0.5 queries get slower
   constexpr std::size_t Affordable = 50000;
-  std::vector<Vec2> bends;
-  bends.reserve(this->Patches.size());
-  for (const BezierPatch& patch : this->Patches)
-  {
-    bends.push_back(MeasureBend(patch, this->Net(patch)));
-  }
   double flatness = Flat;
   for (int attempt = 0; attempt < 4; ++attempt, flatness *= 1.5)
   {

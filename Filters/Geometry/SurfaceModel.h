@@ -8,6 +8,7 @@
 #define SurfaceModel_h
 
 #include "PatchTree.h"
+#include "SurfaceBlocks.h"
 #include "TrimLoops.h"
 #include "TrimmingSurface.h"
 
@@ -35,6 +36,7 @@ struct SurfaceModel
   std::vector<Leaf> Leaves;
   std::vector<LeafBox> LeafBoxes; ///< in the order of the tree, without leaves outside loops
   std::vector<TreeNode> Nodes;
+  SurfaceBlocks Blocks;
   Vec3 Origin = Vec3::Zero();
   double Scale = 1.0;      ///< diagonal of the bounding box
   double Gap = 0.0;        ///< distance up to which borders count as one, rounding included
@@ -64,7 +66,7 @@ struct SurfaceModel
 private:
   void AddFace(int face);
   void AddTrimCurves(int face, int firstPatch, int lastPatch);
-  void ChooseGrids();
+  void ChooseGrids(const std::vector<Vec2>& bends);
   void RefineTrimmedGrids();
   void AddLeaves();
   void FindTrimStates();

@@ -108,7 +108,15 @@ Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& 
   }
   const BezierPatch& patch = this->Model.Patches[found.Patch];
   bool border;
-  foot.Normal = this->NormalAt(found.Patch, found.S, found.T, found.Point, border);
+  if (found.Normal.squaredNorm() > 0 && this->IsPlain(patch, found.S, found.T))
+  {
+    border = false;
+    foot.Normal = this->Model.Data[patch.Face].Sign * found.Normal.normalized();
+  }
+  else
+  {
+    foot.Normal = this->NormalAt(found.Patch, found.S, found.T, found.Point, border);
+  }
   foot.Kind = border ? FootKind::Border : FootKind::Interior;
   foot.Face = patch.Face;
   const Vec2 uv = this->FaceParameters(patch, found.S, found.T);

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <string>
+#include <time.h>
 #include <vector>
 
 namespace benchmark
@@ -16,24 +18,35 @@ namespace benchmark
 struct Contestant
 {
   std::string Name;
+  int Items = 1; ///< queries in one run
   std::function<void()> Run;
-  int Items = 1;       ///< queries in one run
-  double Best = 1e300; ///< seconds an item
-
-  double Microseconds() const { return 1e6 * this->Best; }
+  bool Threaded = false; ///< wall time, not that of the calling thread
+  double Best = std::numeric_limits<double>::infinity(); ///< microseconds an item
 };
 
-/// Other programs on the machine disturb all contestants alike, and the best round least.
+/// Seconds of the calling thread: other programs on the machine disturb it least.
+inline double ThreadSeconds()
+{
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+inline double WallSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 inline void TakeTurns(std::vector<Contestant>& contestants, int rounds)
 {
   for (int round = 0; round < rounds; ++round)
   {
     for (Contestant& contestant : contestants)
     {
-      const auto start = std::chrono::steady_clock::now();
+      const auto now = contestant.Threaded ? WallSeconds : ThreadSeconds;
+      const double start = now();
       contestant.Run();
-      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-      contestant.Best = std::min(contestant.Best, time.count() / contestant.Items);
+      contestant.Best = std::min(contestant.Best, 1e6 * (now() - start) / contestant.Items);
     }
   }
 }

@@ -1,5 +1,6 @@
 // The closest point against OpenCASCADE's and against brute force: 100 000 random queries over
 // all sample surfaces. A query is wrong if either oracle knows a nearer point (1e-10 relative).
+#include "BruteForce.h"
 #include "Check.h"
 #include "OpenCascadeSurface.h"
 #include "SampleSurfaces.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <random>
 #include <sstream>
+#include <thread>
 
 using namespace nurbs;
 
@@ -26,126 +28,6 @@ std::string Numbers(double found, double known)
   text << ": " << found << " > " << known;
   return text.str();
 }
-
-/// Dense grid, then Newton by the textbook evaluation from the best places of it.
-class BruteForce
-{
-public:
-  explicit BruteForce(const NurbsSurface& surface)
-    : Surface(surface)
-  {
-    this->U = this->Samples(surface.DegreeU, surface.CountU, surface.KnotsU);
-    this->V = this->Samples(surface.DegreeV, surface.CountV, surface.KnotsV);
-    for (double v : this->V)
-    {
-      for (double u : this->U)
-      {
-        this->Points.push_back(Evaluate(surface, u, v).cast<float>());
-      }
-    }
-  }
-
-  double Distance(const Vec3& p) const
-  {
-    const int nu = static_cast<int>(this->U.size()), nv = static_cast<int>(this->V.size());
-    const Eigen::Vector3f q = p.cast<float>();
-    thread_local std::vector<float> squared;
-    squared.resize(this->Points.size());
-    for (std::size_t k = 0; k < squared.size(); ++k)
-    {
-      squared[k] = (this->Points[k] - q).squaredNorm();
-    }
-    // Local minima of the grid, the three best.
-    std::vector<std::pair<float, int>> seeds;
-    for (int j = 0; j < nv; ++j)
-    {
-      for (int i = 0; i < nu; ++i)
-      {
-        const int k = i + j * nu;
-        if ((i == 0 || squared[k] <= squared[k - 1]) &&
-          (i == nu - 1 || squared[k] <= squared[k + 1]) &&
-          (j == 0 || squared[k] <= squared[k - nu]) &&
-          (j == nv - 1 || squared[k] <= squared[k + nu]))
-        {
-          seeds.push_back({ squared[k], k });
-        }
-      }
-    }
-    const std::size_t count = std::min<std::size_t>(3, seeds.size());
-    std::partial_sort(seeds.begin(), seeds.begin() + count, seeds.end());
-    double best = HUGE_VAL;
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      best = std::min(best, this->Refine(p, seeds[k].second % nu, seeds[k].second / nu));
-    }
-    return best;
-  }
-
-private:
-  static std::vector<double> Samples(int degree, int count, const std::vector<double>& knots)
-  {
-    std::vector<double> values;
-    int spans = 0;
-    for (int k = degree; k < count; ++k)
-    {
-      spans += knots[k + 1] > knots[k];
-    }
-    const int perSpan = std::max(4, 48 / spans);
-    for (int k = degree; k < count; ++k)
-    {
-      for (int i = 0; i < perSpan && knots[k + 1] > knots[k]; ++i)
-      {
-        values.push_back(knots[k] + (knots[k + 1] - knots[k]) * i / perSpan);
-      }
-    }
-    values.push_back(knots[count]);
-    return values;
-  }
-
-  double Refine(const Vec3& p, int i, int j) const
-  {
-    double u = this->U[i], v = this->V[j];
-    const double u0 = this->Surface.FirstU(), u1 = this->Surface.LastU();
-    const double v0 = this->Surface.FirstV(), v1 = this->Surface.LastV();
-    double best = (Evaluate(this->Surface, u, v) - p).norm();
-    for (int step = 0; step < 12; ++step)
-    {
-      const SurfaceJet jet = EvaluateJet(this->Surface, u, v);
-      const Vec3 r = jet.S - p;
-      best = std::min(best, r.norm());
-      const double f = r.dot(jet.Su), g = r.dot(jet.Sv);
-      const double a = jet.Su.dot(jet.Su) + r.dot(jet.Suu), c = jet.Sv.dot(jet.Sv) + r.dot(jet.Svv);
-      const double b = jet.Su.dot(jet.Sv) + r.dot(jet.Suv), det = a * c - b * b;
-      double du, dv;
-      if ((u == u0 && f > 0) || (u == u1 && f < 0))
-      {
-        du = 0;
-        dv = c > 0 ? -g / c : 0;
-      }
-      else if ((v == v0 && g > 0) || (v == v1 && g < 0))
-      {
-        du = a > 0 ? -f / a : 0;
-        dv = 0;
-      }
-      else
-      {
-        du = det > 0 && a > 0 ? (b * g - c * f) / det : -0.3 * f / jet.Su.squaredNorm();
-        dv = det > 0 && a > 0 ? (b * f - a * g) / det : -0.3 * g / jet.Sv.squaredNorm();
-      }
-      if (!std::isfinite(du) || !std::isfinite(dv))
-      {
-        break;
-      }
-      u = std::clamp(u + du, u0, u1);
-      v = std::clamp(v + dv, v0, v1);
-    }
-    return std::min(best, (Evaluate(this->Surface, u, v) - p).norm());
-  }
-
-  const NurbsSurface& Surface;
-  std::vector<double> U, V;
-  std::vector<Eigen::Vector3f> Points;
-};
 
 class QueryMaker
 {
@@ -198,7 +80,7 @@ void TestSample(const samples::Named& sample, int queries)
 {
   const NurbsSurface& surface = sample.Surface;
   const TrimmingSurface trimming({ surface }, 1e-9);
-  const BruteForce brute(surface);
+  const samples::BruteForce brute(surface);
   const bool jump = sample.Name == "jump";
   Handle(Geom_BSplineSurface) other;
   GeomAPI_ProjectPointOnSurf projector;
@@ -279,6 +161,73 @@ void TestFarFromOrigin()
   }
 }
 
+/**
+ * Surfaces of many patches, where one block holds several, and a tight one that leaves and comes
+ * back: near points take the short way, which must be as right as the search.
+ */
+void TestManyPatches()
+{
+  const NurbsSurface tight = samples::FromNet(3, 3, 40, 24,
+    [](double u, double v)
+    { return Vec4(u, v, 0.02 * std::sin(40 * u) * std::cos(25 * v) + 0.1 * u * u, 1); });
+  const NurbsSurface hairpin = samples::FromNet(3, 2, 60, 12,
+    [](double u, double v)
+    {
+      const double angle = M_PI * std::clamp(4 * u - 1.5, 0.0, 1.0);
+      const double up = u < 0.5 ? std::min(u, 0.375) : std::min(1 - u, 0.375);
+      return Vec4(-0.02 * std::cos(angle), v, up + 0.02 * std::sin(angle), 1);
+    });
+  const std::vector<samples::Named> all = { { "wavy 48", samples::Wavy(48) }, { "tight", tight },
+    { "hairpin", hairpin } };
+  for (const samples::Named& sample : all)
+  {
+    const TrimmingSurface trimming({ sample.Surface }, 1e-9);
+    const samples::BruteForce brute(sample.Surface);
+    const double scale = trimming.Bounds().diagonal().norm();
+    QueryMaker maker(sample.Surface, trimming.Bounds());
+    for (int k = 0; k < 1500; ++k)
+    {
+      const Vec3 p = maker.Next(k);
+      const Foot foot = trimming.ClosestPoint(p);
+      const double known = brute.Distance(p);
+      check::That(known >= foot.Distance * (1 - 1e-10) - 1e-14 * scale,
+        sample.Name + ": brute force knows nothing nearer" + Numbers(foot.Distance, known));
+    }
+  }
+}
+
+/// What is found out about the surface on the way must not depend on who asks first.
+void TestAnyOrder()
+{
+  const NurbsSurface surface = samples::Wavy(20);
+  const TrimmingSurface forwards({ surface }, 1e-9), together({ surface }, 1e-9);
+  QueryMaker maker(surface, forwards.Bounds());
+  std::vector<Vec3> points;
+  for (int k = 0; k < 4000; ++k)
+  {
+    points.push_back(maker.Next(k));
+  }
+  const int count = static_cast<int>(points.size());
+  std::vector<Foot> feet(count), others(count);
+  const auto project = [&](const TrimmingSurface& trimming, int first, int step, auto& result)
+  {
+    for (int k = first; k >= 0 && k < count; k += step)
+    {
+      result[k] = trimming.ClosestPoint(points[k]);
+    }
+  };
+  project(forwards, 0, 1, feet);
+  std::thread odd([&]() { project(together, count - 1, -2, others); });
+  project(together, count - 2, -2, others);
+  odd.join();
+  for (int k = 0; k < count; ++k)
+  {
+    check::That(feet[k].Point == others[k].Point && feet[k].Normal == others[k].Normal &&
+        feet[k].U == others[k].U && feet[k].V == others[k].V,
+      "the same bits in any order and from two threads");
+  }
+}
+
 /// Centres of curvature: every point, or a whole circle, is equally near.
 void TestEquidistant()
 {
@@ -310,6 +259,8 @@ int main()
   {
     TestSample(sample, Queries / static_cast<int>(all.size()));
   }
+  TestManyPatches();
+  TestAnyOrder();
   TestEquidistant();
   TestFarFromOrigin();
   return check::Result();

@@ -1,0 +1,89 @@
+/**
+ * @file SurfaceBlocks.h
+ * @brief The short way to the closest point: from near the surface, without a search.
+ *
+ * Each face is divided into blocks of about the same bend, whether a block is a part of one Bezier
+ * patch or holds many of them. A block gives Newton its start, by a quadratic model. If the foot
+ * lies in a block and the point is within the block's clearance, it is the closest point of the
+ * whole surface: over the block and those around it the squared distance is convex, and all else is
+ * farther away. The clearance is found when it is first asked for; it depends on the surface alone.
+ */
+#ifndef SurfaceBlocks_h
+#define SurfaceBlocks_h
+
+#include "BlockReach.h"
+#include "PatchTree.h"
+
+#include <atomic>
+#include <memory>
+
+namespace nurbs
+{
+struct SurfaceModel;
+struct SurfacePoint;
+
+/// A rectangle in (u, v) of one face. Its own parameters run from -1/2 to 1/2.
+struct alignas(64) SurfaceBlock
+{
+  Vec3 Center;                ///< S at the middle
+  Eigen::Vector3f X, Y, Z;    ///< axes: X along S_u, Z the normal at the middle
+  float Xu, Xv, Yv;           ///< first derivatives at the middle along the axes; the others are 0
+  Eigen::Vector3f UU, UV, VV; ///< second derivatives along the axes
+  /// Bounds about Center along the normal of S_v in the tangent plane, Y, and Z: a skew box.
+  Eigen::Vector3f Low, High;
+  Vec2 Middle, Width; ///< in (u, v)
+  int Face;
+
+  Eigen::Vector3f AcrossV() const { return (this->Yv * this->X - this->Xv * this->Y).normalized(); }
+};
+
+class SurfaceBlocks
+{
+public:
+  /// @param bends of all patches, as measured by MeasureBend.
+  void Build(const SurfaceModel& model, const std::vector<Vec2>& bends);
+
+  /**
+   * Newton for the closest point from a good guess: that of a block near p, or the start if it has
+   * a patch. True if the foot is certainly the closest point of the surface. Else it is just a
+   * point of the surface, or none (no patch).
+   */
+  bool FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePoint& start) const;
+
+private:
+  /// The blocks of a face: First + i + j * CountU.
+  struct Grid
+  {
+    int First = 0, CountU = 1, CountV = 1;
+    std::vector<int> BlockU, BlockV;         ///< of each knot span, the first of them
+    std::vector<int> DivisionsU, DivisionsV; ///< blocks in the span; 1 where one holds many spans
+    std::vector<double> BreaksU, BreaksV;
+  };
+  /// What is known of a block; found when first asked for, negative before.
+  struct Certificate
+  {
+    std::atomic<float> Cost[3], Radius, Tilt{ -1 };
+    std::atomic<float> Clearance{ -1 };
+  };
+
+  void AddGrid(const SurfaceModel& model, int face, const std::vector<Vec2>& bends, double flatness,
+    int least, Grid& grid) const;
+  SurfaceBlock MeasureBlock(const SurfaceModel& model, int face, int i, int j) const;
+  template <typename Visitor>
+  void ForPieces(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;
+  BlockReach MeasureReach(const SurfaceModel& model, int block) const;
+  BlockReach ReachOf(const SurfaceModel& model, int block) const;
+  double ClearanceOf(const SurfaceModel& model, int block) const;
+  double MeasureClearance(const SurfaceModel& model, int block, double ring) const;
+  int NearBlock(const Vec3& p) const;
+  int BlockAt(int face, int spanU, int spanV, double s, double t) const;
+
+  std::vector<Grid> Grids;
+  std::vector<SurfaceBlock> Blocks;
+  std::vector<TreeNode> Nodes; ///< over the blocks
+  std::unique_ptr<Certificate[]> Certificates;
+};
+
+}
+
+#endif
