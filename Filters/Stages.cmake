@@ -21,7 +21,9 @@ add_library(NURBSTrimStages STATIC
   Correct/NodeConstraint.cxx
   Correct/NodeMover.cxx
   Treat/BandQuality.cxx
+  Treat/BothParts.cxx
   Treat/Jacobian.cxx
+  Treat/Offcut.cxx
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx
   Treat/TrimmedBand.cxx
@@ -34,6 +36,7 @@ add_library(NURBSTrimStages STATIC
   Write/FindingArrays.cxx
   Write/GatherAttributes.cxx
   Write/GridPart.cxx
+  Write/OffcutGrid.cxx
   Write/OrderlessSum.cxx
   Write/StatusArrays.cxx
   Write/Summary.cxx

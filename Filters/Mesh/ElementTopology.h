@@ -54,6 +54,11 @@ inline constexpr ElementTopology WedgeTopology = { 6, 5, 9, 1,
   { { { 0, 3, 0 }, { 1, 4, 0 }, { 2, 5, 0 }, { 0, 1, -1 }, { 1, 2, -1 }, { 2, 0, -1 }, { 3, 4, -1 },
     { 4, 5, -1 }, { 5, 3, -1 }, { -1, -1, -1 }, { -1, -1, -1 }, { -1, -1, -1 } } } };
 
+/// The two ends of a hexahedron along each axis, in cyclic order, the first one's normal
+/// pointing to the second.
+inline constexpr int AxisEnds[3][2][4] = { { { 0, 3, 7, 4 }, { 1, 2, 6, 5 } },
+  { { 0, 4, 5, 1 }, { 3, 7, 6, 2 } }, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } } };
+
 /// The topology of an element of 8 or 6 nodes.
 inline const ElementTopology& TopologyOf(int numberOfNodes)
 {

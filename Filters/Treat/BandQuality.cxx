@@ -133,17 +133,27 @@ bool BandQuality::IsSpoiled(
       return true;
     }
   }
+  return this->Spoils(e, final.Points, final.Count);
+}
+
+bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
+{
   const auto& element = this->TheBand.Elements[e];
   const ElementPoints before = this->ShapeBefore(e);
   if (!IsValid(before, element.Count, Optimization::None))
   {
     return false; // it came like this
   }
-  return VolumeOf(final.Points, final.Count) <
-    SmallestVolumeShare * VolumeOf(before, element.Count) ||
-    !IsValid(final.Points, final.Count, this->Treatment) ||
-    ShortestDistance(final.Points, final.Count) <
+  return VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before, element.Count) ||
+    !IsValid(points, count, this->Treatment) ||
+    ShortestDistance(points, count) <
     SmallestDistanceShare * ShortestDistance(before, element.Count);
+}
+
+bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count) const
+{
+  return this->Floor > 0.0 && ScaledJacobian(points, count) < this->Floor &&
+    ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >= this->Floor;
 }
 
 std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
@@ -156,8 +166,7 @@ std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
       continue;
     }
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    if (final.Touched && ScaledJacobian(final.Points, final.Count) < this->Floor &&
-      ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >= this->Floor)
+    if (final.Touched && this->FallsBelowFloor(e, final.Points, final.Count))
     {
       below.push_back(e);
     }

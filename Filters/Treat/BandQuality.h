@@ -38,6 +38,12 @@ public:
   /// By how much elements miss the floor, in sum.
   double Deficit(const TrimmedBand& trimmed) const;
 
+  /// Whether an element becomes invalid by taking a shape.
+  bool Spoils(int element, const ElementPoints& points, int count) const;
+
+  /// Whether it falls below the floor by it.
+  bool FallsBelowFloor(int element, const ElementPoints& points, int count) const;
+
 private:
   ElementPoints ShapeBefore(int element) const;
   std::vector<char> FindCoincidentNodes(const TrimmedBand& trimmed) const;

@@ -11,11 +11,6 @@ namespace trim
 namespace
 {
 
-/// The two ends of a hexahedron along each axis, in cyclic order, the first one's normal
-/// pointing to the second.
-constexpr int AxisEnds[3][2][4] = { { { 0, 3, 7, 4 }, { 1, 2, 6, 5 } },
-  { { 0, 4, 5, 1 }, { 3, 7, 6, 2 } }, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } } };
-
 /// A corner that opens wider than this (150 degrees) is no corner of the surface.
 constexpr double WidestCornerSine = 0.5;
 /// Or one of whose sides is shorter than this share of the other.
@@ -162,6 +157,8 @@ ReplacedElement MakeWedge(const BandElement& element, const ExposedEdge& edge)
 {
   ReplacedElement wedge;
   wedge.Element = edge.Element;
+  wedge.Dropped = { element.Node[AxisEnds[edge.Axis][0][edge.Corner]],
+    element.Node[AxisEnds[edge.Axis][1][edge.Corner]] };
   wedge.Node.fill(-1);
   for (int i = 0; i < 3; ++i)
   {

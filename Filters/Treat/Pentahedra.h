@@ -37,7 +37,8 @@ enum class TreatmentChoice : unsigned char
 struct ReplacedElement
 {
   int Element = -1;
-  std::array<int, 8> Node;
+  std::array<int, 8> Node; ///< of each triangle: next to the dropped one, opposite, before it
+  std::array<int, 2> Dropped{ -1, -1 }; ///< beside the first and the second triangle
 };
 
 struct Pentahedra

@@ -73,11 +73,31 @@ public:
   }
 
 private:
+  Choices WithDemands() const
+  {
+    Choices set = this->Set;
+    const Demands& demands = this->Options.ForOffcut;
+    for (std::size_t c = 0; c < demands.KeepColumn.size(); ++c)
+    {
+      set.Fates[c] = demands.KeepColumn[c] ? Fate::Keep : set.Fates[c];
+    }
+    for (std::size_t p = 0; p < demands.LeavePillar.size(); ++p)
+    {
+      if (demands.LeavePillar[p])
+      {
+        set.Corrections[p] = CorrectionChoice::Leave;
+        set.Treatments[p] = TreatmentChoice::LeaveCorner;
+      }
+    }
+    return set;
+  }
+
   TrimmedBand Attempt() const
   {
+    const Choices set = this->WithDemands();
     TrimmedBand trimmed;
     trimmed.Kept = Decide(this->TheBand, this->TheColumns, this->Shares, this->NodeStatus,
-      this->Surface, this->Options.EliminationFraction, this->Set.Fates,
+      this->Surface, this->Options.EliminationFraction, set.Fates,
       this->Options.CorrectionType != Correction::Eliminate);
     if (this->Options.CorrectionType == Correction::Eliminate)
     {
@@ -88,18 +108,18 @@ private:
       trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept, this->NodeStatus);
     }
     trimmed.NodeMoves = MoveNodes(this->TheBand, this->TheColumns, this->Mover, trimmed.Moving,
-      this->Options.CorrectionType, this->Set.Corrections);
+      this->Options.CorrectionType, set.Corrections);
     if (this->Options.CorrectionType != Correction::Eliminate)
     {
       trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
-        this->Options.Treatment, this->Set.Treatments, trimmed.NodeMoves);
-      this->RelaxBad(trimmed);
+        this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
+      this->RelaxBad(set, trimmed);
     }
     return trimmed;
   }
 
   /// Relaxes round what is invalid or below the floor.
-  void RelaxBad(TrimmedBand& trimmed) const
+  void RelaxBad(const Choices& set, TrimmedBand& trimmed) const
   {
     const int count = this->TheBand.NumberOfElements();
     trimmed.Relaxed.assign(count, 0);
@@ -131,7 +151,7 @@ private:
       const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
       onCut[n] = onCut[n] || corrected;
       fixed[n] = (trimmed.Moving[n] && !corrected) ||
-        this->Set.Corrections[this->TheColumns.Pillar[n]] == CorrectionChoice::Leave;
+        set.Corrections[this->TheColumns.Pillar[n]] == CorrectionChoice::Leave;
     }
     Relax(this->TheBand, this->Mover, elements, trimmed.Relaxed, fixed, onCut,
       std::max(this->Options.QualityFloor, SmallestGoal), trimmed.NodeMoves);

@@ -19,6 +19,13 @@
 namespace trim
 {
 
+/// What has to be so for the sake of the offcut, whatever the ladder does; empty: nothing.
+struct Demands
+{
+  std::vector<char> KeepColumn;  ///< by column
+  std::vector<char> LeavePillar; ///< by pillar: its nodes stay where they are
+};
+
 struct LadderOptions
 {
   Correction CorrectionType = Correction::Project; ///< Eliminate, Project or Slide
@@ -26,6 +33,7 @@ struct LadderOptions
   double EliminationFraction = 0.5;
   /// Scaled Jacobian that touched elements have to reach, but for straight corners; 0: none.
   double QualityFloor = 0.2;
+  Demands ForOffcut;
 };
 
 /**

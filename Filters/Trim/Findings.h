@@ -39,6 +39,7 @@ struct Findings
 {
   std::vector<std::pair<Id, Feasibility>> Feasibilities;
   std::vector<std::pair<Id, Shortfall>> Shortfalls;
+  std::vector<std::pair<Id, Shortfall>> ShortfallsOfOffcut; ///< by element of the input
   /// Distance to the surface of the nodes that should lie on it and were left off.
   std::vector<std::pair<Id, float>> DistancesLeft;
 };

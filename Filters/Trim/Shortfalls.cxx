@@ -1,5 +1,8 @@
 #include "Shortfalls.h"
 
+#include "NodeConstraint.h"
+#include "Status.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -15,6 +18,39 @@ double StoredPrecision(const Band& band, int node, double precision)
     (band.SinglePrecision ? std::numeric_limits<float>::epsilon()
                           : std::numeric_limits<double>::epsilon());
   return std::max(precision, 2.0 * spacing);
+}
+
+/// @param isIn whether an element of the band belongs to the part.
+template <typename IsIn>
+std::vector<std::pair<int, Shortfall>> Gather(const TrimBand& near,
+  const std::vector<int>& belowFloor, const std::vector<std::pair<int, float>>& left,
+  const std::vector<int>& invalid, const IsIn& isIn)
+{
+  std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
+  for (const int e : belowFloor)
+  {
+    values[e] = Shortfall::BelowFloor;
+  }
+  for (const auto& node : left)
+  {
+    for (const int e : near.Mesh.ElementsOfNode(node.first))
+    {
+      values[e] = isIn(e) ? Shortfall::LeftOff : values[e];
+    }
+  }
+  for (const int e : invalid)
+  {
+    values[e] = Shortfall::Invalid;
+  }
+  std::vector<std::pair<int, Shortfall>> found;
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  {
+    if (values[e] != Shortfall::None)
+    {
+      found.emplace_back(e, values[e]);
+    }
+  }
+  return found;
 }
 
 }
@@ -43,31 +79,46 @@ std::vector<std::pair<int, float>> FindNodesLeft(
 std::vector<std::pair<int, Shortfall>> FindShortfalls(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left)
 {
-  std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
-  for (const int e : near.Trimmed.BelowFloor)
+  return Gather(near, near.Trimmed.BelowFloor, left, near.Trimmed.Invalid,
+    [&near](int e) { return near.Trimmed.Kept[e] != 0; });
+}
+
+std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
+  const TrimBand& near, const std::vector<std::pair<int, float>>& left)
+{
+  std::vector<char> inOffcut(near.Mesh.NumberOfElements(), 0);
+  for (const auto& element : near.Rest.Elements)
   {
-    values[e] = Shortfall::BelowFloor;
+    inOffcut[element.Element] = 1;
   }
-  for (const auto& node : left)
+  return Gather(near, near.Rest.BelowFloor, left, near.Rest.Invalid,
+    [&inOffcut](int e) { return inOffcut[e] != 0; });
+}
+
+std::vector<int> FindCornersLost(const TrimBand& near)
+{
+  const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
+  const std::vector<char> inOffcut = FindUsed(near.Mesh, near.Rest);
+  // Else the constraint of a node forgets the sides that go whole with what is cut off.
+  const std::vector<unsigned char> allKept(near.Mesh.NumberOfNodes(), NodeKeep);
+  std::vector<int> lost;
+  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
-    for (const int e : near.Mesh.ElementsOfNode(node.first))
+    const auto faces = near.Mesh.FacesOfNode(n);
+    const bool border = std::any_of(faces.begin(), faces.end(),
+      [&near](int f)
+      { return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f); });
+    if (!border || users[n] == 0 || near.Trimmed.NodeMoves.Applied[n] == Correction::None)
     {
-      values[e] = near.Trimmed.Kept[e] ? Shortfall::LeftOff : values[e];
+      continue;
+    }
+    const auto constraint = ConstrainNode(near.Mesh, near.Structure, allKept, n);
+    if (!inOffcut[n] || constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed)
+    {
+      lost.push_back(n);
     }
   }
-  for (const int e : near.Trimmed.Invalid)
-  {
-    values[e] = Shortfall::Invalid;
-  }
-  std::vector<std::pair<int, Shortfall>> found;
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
-  {
-    if (values[e] != Shortfall::None)
-    {
-      found.emplace_back(e, values[e]);
-    }
-  }
-  return found;
+  return lost;
 }
 
 }

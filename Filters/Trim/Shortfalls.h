@@ -20,6 +20,17 @@ std::vector<std::pair<int, float>> FindNodesLeft(
 std::vector<std::pair<int, Shortfall>> FindShortfalls(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left);
 
+/// The same for the elements of the offcut; none where it was not asked for.
+std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
+  const TrimBand& near, const std::vector<std::pair<int, float>>& left);
+
+/**
+ * Nodes at the border of the model that moved for the kept part, though the offcut has no
+ * element there to follow, or would have needed the corner: kept part and offcut do not add up
+ * to the whole at them. Ascending band nodes.
+ */
+std::vector<int> FindCornersLost(const TrimBand& near);
+
 }
 
 #endif

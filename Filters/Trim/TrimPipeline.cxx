@@ -277,6 +277,22 @@ void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
   }
 }
 
+/// Kept part and, if it is asked for, offcut.
+void Decide(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const TrimOptions& options, const std::function<bool()>& stopped)
+{
+  if (!options.ProduceOffcut)
+  {
+    near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
+      surface, precision, options.Ladder, stopped);
+    return;
+  }
+  BothParts parts = ClimbForBothParts(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
+    surface, precision, options.Ladder, stopped);
+  near.Trimmed = std::move(parts.Kept);
+  near.Rest = std::move(parts.Rest);
+}
+
 void SetFates(const HexMesh& mesh, TrimResult& result)
 {
   result.Kept.resize(mesh.NumberOfCells);
@@ -312,7 +328,7 @@ std::vector<std::pair<Id, Value>> ById(
 }
 
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
-  double precision, TrimResult& result)
+  double precision, bool offcut, TrimResult& result)
 {
   result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
   if (result.Near)
@@ -324,6 +340,13 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
       ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     result.Found.Shortfalls =
       ById(near.Shortfalls, [&near](int e) { return near.Mesh.Elements[e].Global; });
+    if (offcut)
+    {
+      near.ShortfallsOfRest = FindShortfallsOfOffcut(near, near.NodesLeft);
+      near.CornersLost = FindCornersLost(near);
+      result.Found.ShortfallsOfOffcut =
+        ById(near.ShortfallsOfRest, [&near](int e) { return near.Mesh.Elements[e].Global; });
+    }
   }
   AddWarnings(mesh, piece, result);
 }
@@ -374,11 +397,10 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
       return result;
     }
     auto& near = *result.Near;
-    near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
-      surface, precision, options.Ladder, stopped);
+    Decide(near, surface, precision, options, stopped);
   }
   SetFates(mesh, result);
-  FindAndWarn(mesh, piece, surface, precision, result);
+  FindAndWarn(mesh, piece, surface, precision, options.ProduceOffcut, result);
   aborted(0.6);
   return result;
 }

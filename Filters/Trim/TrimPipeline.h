@@ -6,6 +6,7 @@
 #define TrimPipeline_h
 
 #include "Band.h"
+#include "BothParts.h"
 #include "Columns.h"
 #include "Decision.h"
 #include "Findings.h"
@@ -13,7 +14,6 @@
 #include "NodeClassification.h"
 #include "SharedNodes.h"
 #include "TrimmingSurface.h"
-#include "ValidityLadder.h"
 
 #include <functional>
 #include <memory>
@@ -33,6 +33,7 @@ struct TrimOptions
   bool UseKeepPoint = false;
   Vec3 KeepPoint = Vec3::Zero();
   double Tolerance = 1e-9; ///< relative to the diagonal of the grid
+  bool ProduceOffcut = false;
 };
 
 /// The band and everything found on it.
@@ -51,6 +52,11 @@ struct TrimBand
   TrimmedBand Trimmed;
   std::vector<std::pair<int, Shortfall>> Shortfalls; ///< by ascending element
   std::vector<std::pair<int, float>> NodesLeft;      ///< by ascending node, see DistancesLeft
+
+  // What follows is empty unless the offcut is asked for.
+  Offcut Rest;
+  std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;
+  std::vector<int> CornersLost; ///< see FindCornersLost
 };
 
 struct TrimResult

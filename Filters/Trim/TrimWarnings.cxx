@@ -49,6 +49,15 @@ constexpr ShortfallText ShortfallTexts[] = {
     "surface." },
 };
 
+constexpr ShortfallText OffcutTexts[] = {
+  { Shortfall::Invalid,
+    " elements of the offcut are distorted beyond repair: refine the mesh there, or try the other "
+    "correction type." },
+  { Shortfall::BelowFloor,
+    " elements of the offcut stay below MinimumScaledJacobian: refine the mesh there or move the "
+    "surface." },
+};
+
 /// How many there are of a kind, and the first of them.
 struct Count
 {
@@ -96,12 +105,14 @@ void WarnOfFeasibilities(const HexMesh& mesh, const Piece& piece, TrimResult& re
 }
 
 /// Of the elements of the band, which all ranks have.
-void WarnOfShortfalls(const Piece& piece, TrimResult& result)
+template <typename Texts>
+void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Shortfall>>& list,
+  const Texts& texts, TrimResult& result)
 {
-  for (const auto& text : ShortfallTexts)
+  for (const auto& text : texts)
   {
     Count count;
-    for (const auto& item : result.Near->Shortfalls)
+    for (const auto& item : list)
     {
       if (item.second == text.Value && count.Number++ == 0)
       {
@@ -128,6 +139,18 @@ void WarnOfNodesLeft(TrimResult& result)
     "otherwise: refine the mesh there or move the surface. The farthest, " +
     std::to_string(farthest->second) + " away, is at " +
     PlaceText(result.Near->Mesh.Point[farthest->first]) + ".");
+}
+
+void WarnOfCornersLost(TrimResult& result)
+{
+  const auto& lost = result.Near->CornersLost;
+  if (!lost.empty())
+  {
+    result.Warnings.push_back(std::to_string(lost.size()) +
+      " nodes at corners or on the border of the model moved for the trimmed grid alone: there it "
+      "does not add up to the whole with the offcut. Refine the mesh there. The first is at " +
+      PlaceText(result.Near->Mesh.Point[lost.front()]) + ".");
+  }
 }
 
 /// A surface that touches no element, and is not hidden within one either.
@@ -160,7 +183,9 @@ void AddWarnings(const HexMesh& mesh, const Piece& piece, TrimResult& result)
   WarnOfFeasibilities(mesh, piece, result);
   if (result.Near)
   {
-    WarnOfShortfalls(piece, result);
+    WarnOfShortfalls(piece, result.Near->Shortfalls, ShortfallTexts, result);
+    WarnOfShortfalls(piece, result.Near->ShortfallsOfRest, OffcutTexts, result);
+    WarnOfCornersLost(result);
     WarnOfNodesLeft(result);
   }
 }

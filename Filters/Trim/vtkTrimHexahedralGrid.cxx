@@ -5,6 +5,7 @@
 #include "InputScale.h"
 #include "MeshBlocks.h"
 #include "NURBSFieldData.h"
+#include "OffcutGrid.h"
 #include "SharedNodes.h"
 #include "SharedSurface.h"
 #include "ThreadScope.h"
@@ -177,7 +178,7 @@ vtkTrimHexahedralGrid::vtkTrimHexahedralGrid()
   : Kept(new Cache)
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -236,6 +237,7 @@ trim::TrimOptions vtkTrimHexahedralGrid::Options() const
   options.UseKeepPoint = this->UseKeepPoint;
   options.KeepPoint = trim::Vec3(this->KeepPoint[0], this->KeepPoint[1], this->KeepPoint[2]);
   options.Tolerance = this->Tolerance;
+  options.ProduceOffcut = this->ProduceOffcut;
   return options;
 }
 
@@ -346,6 +348,7 @@ int vtkTrimHexahedralGrid::Trim(
   }
   vtkUnstructuredGrid* trimmed = vtkUnstructuredGrid::GetData(outputVector, 0);
   vtkUnstructuredGrid* statuses = vtkUnstructuredGrid::GetData(outputVector, 1);
+  vtkUnstructuredGrid* offcut = vtkUnstructuredGrid::GetData(outputVector, 2);
   trim::WriteOptions write;
   write.RenumberNodes = this->RenumberNodes;
   write.QualityOfAllElements = this->QualityOfAllElements;
@@ -353,10 +356,16 @@ int vtkTrimHexahedralGrid::Trim(
     own, mesh, this->Kept->Blocks, ranks, result, surface, write, progress, trimmed);
   trim::RestoreOriginalIds(this->Kept->Own, trimmed);
   trim::WriteStatusGrid(own, result, statuses);
+  if (this->ProduceOffcut)
+  {
+    trim::WriteOffcutGrid(own, mesh, ranks, result, write, progress, offcut);
+    trim::RestoreOriginalIds(this->Kept->Own, offcut);
+  }
   if (ranks.Any(progress(1.0)))
   {
     trimmed->Initialize();
     statuses->Initialize();
+    offcut->Initialize();
     return 1;
   }
   for (std::size_t i = 0; ranks.Rank() == 0 && i < result.Warnings.size(); ++i)
@@ -381,5 +390,6 @@ void vtkTrimHexahedralGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RenumberNodes: " << this->RenumberNodes << endl;
   os << indent << "QualityOfAllElements: " << this->QualityOfAllElements << endl;
   os << indent << "Tolerance: " << this->Tolerance << endl;
+  os << indent << "ProduceOffcut: " << this->ProduceOffcut << endl;
   os << indent << "Controller: " << this->Controller << endl;
 }

@@ -28,6 +28,10 @@
  *   surface, 3 invalid;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere.
  *
+ * Output port 2, empty unless ProduceOffcut is on: the part that is cut away, fitted to port 0 node
+ * by node, with the arrays of port 0 but Rescue. Parts of one input element share its
+ * vtkOriginalCellIds.
+ *
  * Each value of the last three comes with one warning: how many, where, and what to do.
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
@@ -180,6 +184,18 @@ public:
 
   ///@{
   /**
+   * Fills output port 2 with the part that is cut away, as a valid mesh with the same nodes and
+   * facets at the cut as the trimmed grid. Where the offcut cannot be made valid otherwise, the
+   * trimmed grid keeps an element more, or leaves nodes off the surface. Default: off, the port
+   * is empty.
+   */
+  vtkSetMacro(ProduceOffcut, bool);
+  vtkGetMacro(ProduceOffcut, bool);
+  vtkBooleanMacro(ProduceOffcut, bool);
+  ///@}
+
+  ///@{
+  /**
    * The ranks whose pieces make up the grid; null: this process alone. Default: the global
    * controller.
    */
@@ -209,6 +225,7 @@ private:
   bool RenumberNodes = true;
   bool QualityOfAllElements = false;
   double Tolerance = 1e-9;
+  bool ProduceOffcut = false;
   vtkMultiProcessController* Controller = nullptr;
 
   struct Cache;

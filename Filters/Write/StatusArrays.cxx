@@ -30,27 +30,43 @@ vtkNew<Array> MakeArray(const char* name, Id tuples, int components = 1)
   return array;
 }
 
-}
-
-MovedNodes MovedNodesOfKept(const TrimResult& result)
+/// The nodes in use that were moved.
+template <typename Flags>
+MovedNodes Collect(const Band& band, const Moves& moves, const Flags& used)
 {
   MovedNodes moved;
-  if (!result.Near)
+  moved.NodeMoves = &moves;
+  moved.TheBand = &band;
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    return moved;
-  }
-  const auto& near = *result.Near;
-  moved.NodeMoves = &near.Trimmed.NodeMoves;
-  moved.TheBand = &near.Mesh;
-  const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
-  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
-  {
-    if (users[n] > 0 && near.Trimmed.NodeMoves.Applied[n] != Correction::None)
+    if (used[n] && moves.Applied[n] != Correction::None)
     {
       moved.Nodes.push_back(n);
     }
   }
   return moved;
+}
+
+}
+
+MovedNodes MovedNodesOfKept(const TrimResult& result)
+{
+  if (!result.Near)
+  {
+    return {};
+  }
+  const auto& near = *result.Near;
+  return Collect(near.Mesh, near.Trimmed.NodeMoves, CountUsers(near.Mesh, near.Trimmed));
+}
+
+MovedNodes MovedNodesOfOffcut(const TrimResult& result)
+{
+  if (!result.Near)
+  {
+    return {};
+  }
+  const auto& near = *result.Near;
+  return Collect(near.Mesh, near.Rest.NodeMoves, FindUsed(near.Mesh, near.Rest));
 }
 
 void AddPointStatuses(

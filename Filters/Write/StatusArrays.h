@@ -38,6 +38,7 @@ struct MovedNodes
   }
 };
 MovedNodes MovedNodesOfKept(const TrimResult& result);
+MovedNodes MovedNodesOfOffcut(const TrimResult& result);
 
 /// NodeStatus, SignedDistance, Displacement and CorrectionApplied of the points `ids`.
 void AddPointStatuses(

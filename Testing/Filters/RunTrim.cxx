@@ -67,6 +67,7 @@ void SetOptions(vtkTrimHexahedralGrid* filter, const TrimOptions& options)
   filter->SetEliminationFraction(options.EliminationFraction);
   filter->SetRenumberNodes(options.RenumberNodes);
   filter->SetTolerance(options.Tolerance);
+  filter->SetProduceOffcut(options.ProduceOffcut);
 }
 
 Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& options)
@@ -85,6 +86,8 @@ Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& opt
   outcome.Case.Trimmed->ShallowCopy(filter->GetOutputDataObject(0));
   outcome.Case.Whole = vtkSmartPointer<vtkUnstructuredGrid>::New();
   outcome.Case.Whole->ShallowCopy(filter->GetOutputDataObject(1));
+  outcome.Offcut = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  outcome.Offcut->ShallowCopy(filter->GetOutputDataObject(2));
   outcome.Errors = listener.Errors();
   outcome.Warnings = listener.Warnings();
   return outcome;

@@ -14,7 +14,8 @@ namespace judge
 struct Outcome
 {
   Trial Case;
-  std::vector<std::string> Errors, Warnings; ///< whatever reached VTK's output window
+  vtkSmartPointer<vtkUnstructuredGrid> Offcut; ///< port 2
+  std::vector<std::string> Errors, Warnings;   ///< whatever reached VTK's output window
   bool Clean() const { return this->Errors.empty(); }
 };
 

@@ -8,6 +8,7 @@ DATA_DIRECTORY = os.environ["NURBSTRIM_DATA"]
 
 # Elements of the sheet and its lengths: unit elements in x and y, thin layers.
 COUNTS = (20, 12, 2)
+ELEMENT_COUNT = COUNTS[0] * COUNTS[1] * COUNTS[2]
 LENGTHS = (20.0, 12.0, 0.5)
 
 

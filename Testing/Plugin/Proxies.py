@@ -29,7 +29,8 @@ def check_proxies():
 def check_defaults(trim):
     expected = {"CorrectionType": "Type II: project nodes", "Optimization": "Degenerate to wedges",
                 "InvertSide": 0, "UseKeepPoint": 0, "EliminationFraction": 0.5,
-                "RenumberNodes": 1, "Tolerance": 1e-9, "QualityOfAllElements": 0}
+                "RenumberNodes": 1, "Tolerance": 1e-9, "QualityOfAllElements": 0,
+                "ProduceOffcut": 0}
     for name, value in expected.items():
         check_equal(trim.GetPropertyValue(name), value, "default of " + name)
     check_equal(list(trim.KeepPoint), [0, 0, 0], "default of KeepPoint")
@@ -57,7 +58,8 @@ def check_values(trim):
             continue
         raise AssertionError(name + " takes a text that is none of its choices")
     for name, value in [("InvertSide", 1), ("UseKeepPoint", 1), ("EliminationFraction", 0.25),
-                        ("RenumberNodes", 0), ("Tolerance", 1e-7), ("QualityOfAllElements", 1)]:
+                        ("RenumberNodes", 0), ("Tolerance", 1e-7), ("QualityOfAllElements", 1),
+                        ("ProduceOffcut", 1)]:
         setattr(trim, name, value)
         check_equal(trim.GetPropertyValue(name), value, name)
     trim.KeepPoint = [1, 2, 3]
@@ -79,9 +81,10 @@ def check_trim_line():
 
 
 def check_ports(trim):
-    check_equal(trim.SMProxy.GetNumberOfOutputPorts(), 2, "output ports")
+    check_equal(trim.SMProxy.GetNumberOfOutputPorts(), 3, "output ports")
     check_equal(trim.SMProxy.GetOutputPortName(0), "Trimmed Grid", "name of port 0")
     check_equal(trim.SMProxy.GetOutputPortName(1), "Statuses", "name of port 1")
+    check_equal(trim.SMProxy.GetOutputPortName(2), "Offcut", "name of port 2")
     check_equal(trim.SMProxy.GetProperty("Input").GetPortIndex(), 0, "port of Input")
     check_equal(trim.SMProxy.GetProperty("TrimmingSurface").GetPortIndex(), 1,
                 "port of TrimmingSurface")

@@ -32,6 +32,7 @@ struct TrimOptions
   double EliminationFraction = 0.5;
   bool RenumberNodes = true;
   double Tolerance = 1e-9;
+  bool ProduceOffcut = false;
 };
 
 /// Notes under this name are nodes of the new boundary that the filter reported as left.
@@ -71,6 +72,7 @@ struct Trial
   TrimOptions Options;
   vtkSmartPointer<vtkUnstructuredGrid> Trimmed; ///< port 0
   vtkSmartPointer<vtkUnstructuredGrid> Whole;   ///< port 1
+  bool MayDivide = false; ///< an element may have come apart, as in the offcut
 };
 
 /// A trial prepared for judging: plain data, original ids, statuses.

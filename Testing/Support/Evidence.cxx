@@ -87,13 +87,14 @@ bool Evidence::ReadOrigins(Report& report)
   this->PointOf =
     Values<Id>(this->Case.Trimmed->GetPointData(), "vtkOriginalPointIds", points, report);
   this->CellOf = Values<Id>(this->Case.Trimmed->GetCellData(), "vtkOriginalCellIds", cells, report);
-  const auto good = [](const std::vector<Id>& ids, std::size_t count)
+  const auto good = [](const std::vector<Id>& ids, std::size_t count, bool mayRepeat = false)
   {
     const std::set<Id> all(ids.begin(), ids.end());
-    return all.size() == ids.size() &&
+    return (mayRepeat || all.size() == ids.size()) &&
       (all.empty() || (*all.begin() >= 0 && *all.rbegin() < static_cast<Id>(count)));
   };
-  if (!good(this->PointOf, this->In.Points.size()) || !good(this->CellOf, this->In.Elements.size()))
+  if (!good(this->PointOf, this->In.Points.size()) ||
+    !good(this->CellOf, this->In.Elements.size(), this->Case.MayDivide))
   {
     report.Fail("original ids", "an id is out of range or appears twice");
     return false;

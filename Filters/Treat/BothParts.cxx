@@ -1,0 +1,102 @@
+#include "BothParts.h"
+
+#include <algorithm>
+
+namespace trim
+{
+namespace
+{
+
+/// Rounds in which columns change sides; after them nodes are left off the surface.
+constexpr int RoundsOfFates = 4;
+constexpr int MostRounds = 24;
+/// Columns with more than this share beyond the surface are not kept for the offcut's sake.
+constexpr double LargestShare = 0.85;
+/// What elements are made to reach where no floor is asked for.
+constexpr double SmallestGoal = 0.05;
+
+/// What has to change for the invalid elements of an offcut.
+class Demander
+{
+public:
+  Demander(const Band& band, const Columns& columns, const VolumeShares& shares, Demands& demands)
+    : TheBand(band)
+    , TheColumns(columns)
+    , Shares(shares)
+    , TheDemands(demands)
+  {
+  }
+
+  /// False if there is nothing left to change.
+  bool Add(const BothParts& parts, bool mayTurn)
+  {
+    const std::vector<char> before = this->TheDemands.KeepColumn;
+    bool changed = false;
+    for (const int e : parts.Rest.Invalid)
+    {
+      const int column = this->TheColumns.Column[e];
+      const double share = this->Shares.Column[column];
+      if (mayTurn && !parts.Kept.Kept[e] && !before[column] && share > 0.0 && share <= LargestShare)
+      {
+        this->TheDemands.KeepColumn[column] = 1;
+        changed = true;
+      }
+      else
+      {
+        changed |= this->Leave(e);
+      }
+    }
+    return changed;
+  }
+
+private:
+  bool Leave(int element)
+  {
+    bool changed = false;
+    for (int i = 0; i < this->TheBand.Elements[element].Count; ++i)
+    {
+      const int pillar = this->TheColumns.Pillar[this->TheBand.Elements[element].Node[i]];
+      changed |= this->TheDemands.LeavePillar[pillar] == 0;
+      this->TheDemands.LeavePillar[pillar] = 1;
+    }
+    return changed;
+  }
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const VolumeShares& Shares;
+  Demands& TheDemands;
+};
+
+}
+
+BothParts ClimbForBothParts(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double precision, const LadderOptions& options, const std::function<bool()>& aborted)
+{
+  LadderOptions demanding = options;
+  demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
+  demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
+  const NodeMover mover(band, columns, nodeStatus, surface, precision);
+  const BandQuality quality(band, options.Treatment, options.QualityFloor);
+  const double goal = std::max(options.QualityFloor, SmallestGoal);
+  Demander demander(band, columns, shares, demanding.ForOffcut);
+  BothParts parts;
+  for (int round = 0; round < MostRounds; ++round)
+  {
+    parts.Kept =
+      ClimbLadder(band, columns, shares, nodeStatus, surface, precision, demanding, aborted);
+    if (aborted())
+    {
+      return parts;
+    }
+    parts.Rest = FitOffcut(band, columns, mover, parts.Kept, quality, goal);
+    if (!demander.Add(parts, round < RoundsOfFates))
+    {
+      break;
+    }
+  }
+  return parts;
+}
+
+}

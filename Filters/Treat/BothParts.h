@@ -1,0 +1,31 @@
+/**
+ * @file BothParts.h
+ * @brief Kept part and offcut together, both valid.
+ *
+ * The kept part is what it would be without the offcut, unless the offcut has an element that
+ * cannot be made valid: then the kept part takes that element's column, and where that is no way
+ * either the nodes there are left off the surface.
+ */
+#ifndef BothParts_h
+#define BothParts_h
+
+#include "Offcut.h"
+#include "ValidityLadder.h"
+
+namespace trim
+{
+
+struct BothParts
+{
+  TrimmedBand Kept;
+  Offcut Rest;
+};
+
+/// See ClimbLadder.
+BothParts ClimbForBothParts(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double precision, const LadderOptions& options, const std::function<bool()>& aborted);
+
+}
+
+#endif

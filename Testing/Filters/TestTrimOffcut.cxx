@@ -1,0 +1,253 @@
+/**
+ * @file TestTrimOffcut.cxx
+ * @brief Kept part and offcut of one trim: both valid, facet by facet the same along the cut, and
+ * together the whole.
+ *
+ * TestTrimOffcut [mesh...]
+ */
+#include "RunTrim.h"
+
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+using namespace judge;
+
+namespace
+{
+struct Treatment
+{
+  int Correction, Optimization;
+};
+
+const std::vector<Treatment> Treatments = { { 2, 2 }, { 2, 1 }, { 2, 0 }, { 3, 2 }, { 3, 1 },
+  { 3, 0 }, { 1, 2 } };
+
+struct Totals
+{
+  int Trials = 0, Failed = 0, KeptChanged = 0, WithLeft = 0, CornersLost = 0;
+  long Touched = 0, Certified = 0;
+  double WorstQuality = 1;
+};
+
+/// The facets at the cut, by their nodes in the input.
+std::vector<std::array<Id, 4>> CutFacets(const Evidence& e)
+{
+  std::vector<std::array<Id, 4>> keys;
+  for (const Facet& facet : e.NewBoundary)
+  {
+    Facet original = facet;
+    for (int i = 0; i < facet.Size(); ++i)
+    {
+      original.Node[i] = e.PointOf[facet.Node[i]];
+    }
+    keys.push_back(FacetKey(original));
+  }
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+double VolumeOf(const Model& model)
+{
+  double volume = 0;
+  for (Id c = 0; c < static_cast<Id>(model.Elements.size()); ++c)
+  {
+    volume += judge::VolumeOf(model.Corners(c), model.Elements[c].Size);
+  }
+  return volume;
+}
+
+void CheckSharedNodes(const Evidence& kept, const Evidence& rest, Report& report)
+{
+  std::map<Id, Id> other;
+  for (Id p = 0; p < static_cast<Id>(rest.Out.Points.size()); ++p)
+  {
+    other[rest.PointOf[p]] = p;
+  }
+  Id shared = 0;
+  for (Id p = 0; p < static_cast<Id>(kept.Out.Points.size()); ++p)
+  {
+    const auto twin = other.find(kept.PointOf[p]);
+    if (twin == other.end())
+    {
+      continue;
+    }
+    ++shared;
+    if (kept.Out.Points[p] != rest.Out.Points[twin->second])
+    {
+      report.Fail("a node is at one place", "input point " + std::to_string(kept.PointOf[p]), 1, 0);
+    }
+  }
+  if (shared == 0 && !kept.NewBoundary.empty())
+  {
+    report.Fail("shared nodes", "none", 0, 1);
+  }
+}
+
+void CheckCells(const Evidence& kept, const Evidence& rest, Report& report)
+{
+  for (Id c = 0; c < static_cast<Id>(kept.In.Elements.size()); ++c)
+  {
+    if (!kept.KeptCell[c] && !rest.KeptCell[c])
+    {
+      report.Fail("each element is in a part", "input cell " + std::to_string(c), 0, 1);
+    }
+  }
+}
+
+bool Says(const Outcome& outcome, const char* phrase)
+{
+  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
+    [phrase](const std::string& warning) { return warning.find(phrase) != std::string::npos; });
+}
+
+void CheckVolumes(const Evidence& kept, const Evidence& rest, Report& report)
+{
+  const Mesh& mesh = *kept.Case.Input;
+  const double whole = VolumeOf(kept.In);
+  const double parts = VolumeOf(kept.Out) + VolumeOf(rest.Out);
+  const double limit = (1e-12 + 10 * kept.Rounding / mesh.Box.ElementSize) * whole;
+  if (!(std::abs(parts - whole) <= limit))
+  {
+    report.Fail("the volumes add up", "against " + std::to_string(whole), parts, limit);
+  }
+}
+
+void CheckCertificate(const Evidence& rest, Report& report, Totals& totals)
+{
+  Id touched = 0, certified = 0;
+  double worst = 1e300;
+  for (Id c = 0; c < static_cast<Id>(rest.Out.Elements.size()); ++c)
+  {
+    const int size = rest.Out.Elements[c].Size;
+    if (!rest.Touched(c) && size == rest.In.Elements[rest.CellOf[c]].Size)
+    {
+      continue;
+    }
+    ++touched;
+    const auto bezier = BezierJacobians(rest.Out.Corners(c), size);
+    worst = std::min(worst, *std::min_element(bezier.begin(), bezier.end()));
+    certified += *std::min_element(bezier.begin(), bezier.end()) > 0;
+  }
+  if (rest.Number("TouchedElements") != touched)
+  {
+    report.Fail("TouchedElements of the offcut", "recomputed", rest.Number("TouchedElements"),
+      static_cast<double>(touched));
+  }
+  if (certified != touched && rest.Case.Input->Sheet)
+  {
+    report.Fail("every touched element of the offcut is certified", "elements",
+      static_cast<double>(certified), static_cast<double>(touched));
+  }
+  totals.Touched += touched;
+  totals.Certified += certified;
+  totals.WorstQuality = std::fmin(totals.WorstQuality, rest.Number("MinimumScaledJacobian"));
+}
+
+void Judge(const Outcome& outcome, Report& report, Totals& totals)
+{
+  const Evidence kept(outcome.Case, report);
+  Trial trial = outcome.Case;
+  trial.Trimmed = outcome.Offcut;
+  trial.MayDivide = true;
+  const Evidence rest(trial, report);
+  if (!kept.Usable || !rest.Usable)
+  {
+    return;
+  }
+  JudgeAll(kept, report);
+  CheckElements(rest, report);
+  CheckCarriedArrays(rest, report);
+  CheckCertificate(rest, report, totals);
+  CheckSharedNodes(kept, rest, report);
+  CheckCells(kept, rest, report);
+  const bool cornersLost = Says(outcome, "does not add up");
+  totals.CornersLost += cornersLost;
+  if (!cornersLost && kept.Case.Input->Flat)
+  {
+    CheckVolumes(kept, rest, report);
+  }
+  const auto a = CutFacets(kept), b = CutFacets(rest);
+  if (a != b)
+  {
+    std::vector<std::array<Id, 4>> alone;
+    std::set_symmetric_difference(
+      a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(alone));
+    report.Fail("the facets at the cut are the same",
+      "at input point " + std::to_string(alone.front()[3]), static_cast<double>(alone.size()), 0);
+  }
+  const FacetTable facets(rest.Out);
+  if (facets.OverUsed > 0)
+  {
+    report.Fail("no facet has three elements", "offcut", facets.OverUsed, 0);
+  }
+  totals.WithLeft += kept.Number("RescuedByLeaving") > 0;
+}
+
+void Run(const Mesh& mesh, const std::string& name, const Surface& surface, Totals& totals)
+{
+  for (const Treatment treatment : Treatments)
+  {
+    for (const bool invert : { false, true })
+    {
+      TrimOptions options;
+      options.CorrectionType = treatment.Correction;
+      options.Optimization = treatment.Optimization;
+      options.InvertSide = invert;
+      Report report("offcut " + mesh.Name + " " + name + " " +
+        std::to_string(treatment.Correction) + " " + std::to_string(treatment.Optimization) +
+        (invert ? " inverted" : ""));
+      const Outcome without = RunTrim(mesh, surface, options);
+      if (without.Offcut->GetNumberOfCells() != 0 || without.Offcut->GetNumberOfPoints() != 0)
+      {
+        report.Fail("offcut", "there though it was not asked for");
+      }
+      options.ProduceOffcut = true;
+      const Outcome with = RunTrim(mesh, surface, options);
+      for (const std::string& error : with.Errors)
+      {
+        report.Fail("error", error);
+      }
+      if (with.Clean())
+      {
+        Judge(with, report, totals);
+      }
+      totals.KeptChanged += !FirstDifference(without.Case.Trimmed, with.Case.Trimmed).empty();
+      ++totals.Trials;
+      totals.Failed += report.Failures() > 0;
+    }
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  std::vector<std::string> meshes(argv + 1, argv + argc);
+  if (meshes.empty())
+  {
+    meshes = { "sheet1", "sheet2", "sheet3", "channel", "irregular", "hole" };
+  }
+  Totals totals;
+  for (const std::string& meshName : meshes)
+  {
+    const Mesh mesh = MakeMesh(meshName);
+    for (const char* kind : { "plane", "cylinder", "contour", "wavy" })
+    {
+      Placement at;
+      at.Seed = 3;
+      at.Size = 0.45;
+      Run(mesh, kind, MakeSurface(kind, mesh.Box, at), totals);
+    }
+  }
+  std::printf(
+    "%d trims, %d with failures; touched elements of the offcuts %ld, certified %ld, "
+    "scaled Jacobian at least %.3f; kept part not as without the offcut in %d, nodes left "
+    "off the surface in %d, corners of the model in %d\n",
+    totals.Trials, totals.Failed, totals.Touched, totals.Certified, totals.WorstQuality,
+    totals.KeptChanged, totals.WithLeft, totals.CornersLost);
+  return totals.Failed > 0;
+}
