@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 #include <new>
-#include <numeric>
+#include <utility>
 
 namespace trim
 {
@@ -141,13 +141,14 @@ std::vector<int> GrowRings(
 }
 
 /// Node places (equal where the coordinates are) that a cell joins, ascending.
-std::array<int, 8> CellKey(const BandCells::Cell& cell, const std::vector<int>& place)
+template <typename PlaceOf>
+std::array<int, 8> CellKey(const BandCells::Cell& cell, const PlaceOf& placeOf)
 {
   std::array<int, 8> key;
   key.fill(std::numeric_limits<int>::max());
   for (int i = 0; i < cell.Count; ++i)
   {
-    key[i] = place[cell.Node[i]];
+    key[i] = placeOf(cell.Node[i]);
   }
   std::sort(key.begin(), key.end());
   return key;
@@ -172,7 +173,7 @@ void SplitTies(const BandCells& band, std::vector<int>& order)
   {
     for (int i = 0; i < cell.Count; ++i)
     {
-      keys[cell.Node[i]].push_back(CellKey(cell, place));
+      keys[cell.Node[i]].push_back(CellKey(cell, [&place](int node) { return place[node]; }));
     }
   }
   for (auto& list : keys)
@@ -181,6 +182,58 @@ void SplitTies(const BandCells& band, std::vector<int>& order)
   }
   std::stable_sort(order.begin(), order.end(),
     [&](int a, int b) { return place[a] != place[b] ? place[a] < place[b] : keys[a] < keys[b]; });
+}
+
+std::vector<int> OrderNodes(const BandCells& band)
+{
+  std::vector<std::pair<Vec3, int>> places;
+  places.reserve(band.Nodes.size());
+  for (const auto& node : band.Nodes)
+  {
+    places.emplace_back(node.Point, static_cast<int>(places.size()));
+  }
+  std::sort(places.begin(), places.end(),
+    [](const auto& a, const auto& b)
+    { return a.first == b.first ? a.second < b.second : LiesBefore(a.first, b.first); });
+  std::vector<int> order;
+  order.reserve(places.size());
+  for (const auto& place : places)
+  {
+    order.push_back(place.second);
+  }
+  SplitTies(band, order);
+  return order;
+}
+
+/// By their sorted nodes; mostly the first of these decides.
+std::vector<int> OrderCells(const BandCells& band)
+{
+  std::vector<std::pair<int, int>> cells; // first node and cell
+  cells.reserve(band.Cells.size());
+  for (const auto& cell : band.Cells)
+  {
+    cells.emplace_back(*std::min_element(cell.Node.begin(), cell.Node.begin() + cell.Count),
+      static_cast<int>(cells.size()));
+  }
+  const auto key = [&band](int c) { return CellKey(band.Cells[c], [](int node) { return node; }); };
+  std::sort(cells.begin(), cells.end(),
+    [&key](const auto& a, const auto& b)
+    {
+      if (a.first != b.first)
+      {
+        return a.first < b.first;
+      }
+      const auto keyA = key(a.second);
+      const auto keyB = key(b.second);
+      return keyA == keyB ? a.second < b.second : keyA < keyB;
+    });
+  std::vector<int> order;
+  order.reserve(cells.size());
+  for (const auto& cell : cells)
+  {
+    order.push_back(cell.second);
+  }
+  return order;
 }
 
 }
@@ -223,12 +276,7 @@ BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
 
 void SortByPlace(BandCells& band)
 {
-  std::vector<int> order(band.Nodes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-    [&](int a, int b) { return LiesBefore(band.Nodes[a].Point, band.Nodes[b].Point); });
-  SplitTies(band, order);
-
+  const std::vector<int> order = OrderNodes(band);
   std::vector<int> number(order.size());
   std::vector<BandCells::Node> nodes(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -237,23 +285,20 @@ void SortByPlace(BandCells& band)
     nodes[i] = band.Nodes[order[i]];
   }
   band.Nodes = std::move(nodes);
-
-  std::vector<std::pair<std::array<int, 8>, int>> cells(band.Cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c)
+  for (auto& cell : band.Cells)
   {
-    cells[c] = { CellKey(band.Cells[c], number), static_cast<int>(c) };
-  }
-  std::sort(cells.begin(), cells.end());
-  std::vector<BandCells::Cell> sorted(cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c)
-  {
-    sorted[c] = band.Cells[cells[c].second];
-    for (int i = 0; i < sorted[c].Count; ++i)
+    for (int i = 0; i < cell.Count; ++i)
     {
-      sorted[c].Node[i] = number[sorted[c].Node[i]];
+      cell.Node[i] = number[cell.Node[i]];
     }
   }
-  band.Cells = std::move(sorted);
+  std::vector<BandCells::Cell> cells;
+  cells.reserve(band.Cells.size());
+  for (const int c : OrderCells(band))
+  {
+    cells.push_back(band.Cells[c]);
+  }
+  band.Cells = std::move(cells);
 }
 
 }

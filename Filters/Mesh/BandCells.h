@@ -7,7 +7,6 @@
 
 #include "HexMesh.h"
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <vector>
@@ -53,7 +52,7 @@ BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
 /// The order of places: by x, then y, then z.
 inline bool LiesBefore(const Vec3& a, const Vec3& b)
 {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
 }
 
 /**
