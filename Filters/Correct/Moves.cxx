@@ -100,15 +100,58 @@ void ProjectPillar(const Band& band, const Columns& columns, const NodeMover& mo
   }
 }
 
+/// Sets the new places of a pillar's nodes.
+void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover,
+  const std::vector<int>& nodes, bool slide, const PillarChoice& choice, Moves& moves)
+{
+  const bool leave = choice.Correction == CorrectionChoice::Leave;
+  std::map<int, NodeMove> found;
+  if (leave && choice.Way == 0.0)
+  {
+    for (const int node : nodes)
+    {
+      moves.Left[node] = 1;
+    }
+    return;
+  }
+  if (slide)
+  {
+    SlidePillar(band, columns, mover, nodes, found);
+  }
+  else
+  {
+    ProjectPillar(band, columns, mover, nodes, choice.Correction != CorrectionChoice::Other, found);
+  }
+  for (const int node : nodes)
+  {
+    NodeMove move = found[node];
+    if (leave)
+    {
+      move.By = Correction::Relax;
+      move.Found = move.Found &&
+        mover.Constrained(node, band.Point[node] + choice.Way * (move.Target - band.Point[node]),
+          false, move.Target);
+    }
+    moves.Failed[node] = !move.Found && !leave;
+    moves.Left[node] = leave || !move.Found;
+    if (move.Found)
+    {
+      moves.Position[node] = AsStored(band, move.Target);
+      moves.Applied[node] = moves.Position[node] != band.Point[node] ? move.By : Correction::None;
+    }
+  }
+}
+
 }
 
 Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& moving, Correction asked, const std::vector<CorrectionChoice>& choice)
+  const std::vector<char>& moving, Correction asked, const std::vector<PillarChoice>& choice)
 {
   Moves moves;
   moves.Position = band.Point;
   moves.Applied.assign(band.NumberOfNodes(), Correction::None);
   moves.Failed.assign(band.NumberOfNodes(), 0);
+  moves.Left.assign(band.NumberOfNodes(), 0);
 
   std::vector<std::vector<int>> pillars;
   std::vector<int> slot(band.NumberOfNodes(), -1);
@@ -132,32 +175,10 @@ Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover
       for (Id i = begin; i < end; ++i)
       {
         const auto& nodes = pillars[i];
-        const auto chosen = choice[columns.Pillar[nodes.front()]];
-        if (chosen == CorrectionChoice::Leave)
-        {
-          continue;
-        }
-        const bool slide = (asked == Correction::Slide) == (chosen == CorrectionChoice::AsAsked);
-        std::map<int, NodeMove> found;
-        if (slide)
-        {
-          SlidePillar(band, columns, mover, nodes, found);
-        }
-        if (!slide)
-        {
-          ProjectPillar(band, columns, mover, nodes, chosen == CorrectionChoice::AsAsked, found);
-        }
-        for (const int node : nodes)
-        {
-          const NodeMove& move = found[node];
-          moves.Failed[node] = !move.Found;
-          if (move.Found)
-          {
-            moves.Position[node] = AsStored(band, move.Target);
-            moves.Applied[node] =
-              moves.Position[node] != band.Point[node] ? move.By : Correction::None;
-          }
-        }
+        const auto& chosen = choice[columns.Pillar[nodes.front()]];
+        const bool slide =
+          (asked == Correction::Slide) != (chosen.Correction == CorrectionChoice::Other);
+        MovePillar(band, columns, mover, nodes, slide, chosen, moves);
       }
     });
   return moves;

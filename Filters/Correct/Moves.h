@@ -17,7 +17,14 @@ enum class CorrectionChoice : unsigned char
 {
   AsAsked,
   Other, ///< type III for type II and the reverse
-  Leave  ///< the pillar stays where it is
+  Leave  ///< the pillar is left off the surface
+};
+
+/// The choice for a pillar, and how much of its way a pillar that is left goes all the same.
+struct PillarChoice
+{
+  CorrectionChoice Correction = CorrectionChoice::AsAsked;
+  double Way = 0.0; ///< 0: it stays where it was, 1 would be the surface
 };
 
 struct Moves
@@ -26,6 +33,7 @@ struct Moves
   std::vector<Vec3> Position;
   std::vector<Correction> Applied; ///< None: not moved
   std::vector<char> Failed;        ///< nodes that should have moved and could not
+  std::vector<char> Left;          ///< nodes that should have moved to the surface and did not
 };
 
 /// A position as the mesh stores it: what is checked has to be what is written.
@@ -50,7 +58,7 @@ inline Vec3 AsStored(const Band& band, const Vec3& p)
  * @param choice by pillar (index: smallest node of the pillar).
  */
 Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& moving, Correction asked, const std::vector<CorrectionChoice>& choice);
+  const std::vector<char>& moving, Correction asked, const std::vector<PillarChoice>& choice);
 
 }
 

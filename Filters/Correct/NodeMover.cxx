@@ -24,6 +24,8 @@ constexpr double SmallestSine = 0.05;
 constexpr double SameSideCosine = 0.7071;
 /// How far beyond a facet's edges, in its parameters, still counts as inside.
 constexpr double InsideSlack = 1e-9;
+/// Sine up to which a border counts as straight or level.
+constexpr double StraightSine = 1e-9;
 
 int CornerOf(const BandFace& face, int node)
 {
@@ -354,18 +356,53 @@ NodeMove NodeMover::SlideAlong(int node, int edge) const
   return move;
 }
 
-bool NodeMover::MayRelax(int node) const
+bool NodeMover::MayRelax(int node, bool onCut) const
 {
+  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
   // Asked of the faces themselves: the constraint forgets those that are cut off.
-  for (const int f : this->TheBand.FacesOfNode(node))
+  const auto faces = this->TheBand.FacesOfNode(node);
+  const bool border = std::any_of(faces.begin(), faces.end(),
+    [this](int f)
+    { return this->TheBand.Faces[f].Exterior && !this->TheColumns.IsLayerFace(this->TheBand, f); });
+  if (!border)
   {
-    if (this->TheBand.Faces[f].Exterior && !this->TheColumns.IsLayerFace(this->TheBand, f))
-    {
-      return false;
-    }
+    return constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Free;
   }
-  const auto kind = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node).Kind;
-  return kind == ConstraintKind::Faces || kind == ConstraintKind::Free;
+  const bool slides = constraint.Kind == ConstraintKind::Faces ||
+    (constraint.Kind == ConstraintKind::Ridge && !onCut);
+  return slides && this->NodeStatus[node] != NodeEliminate && this->IsStraight(node, constraint);
+}
+
+/// Whether the ridge of a node does not turn there, or its faces lie in one plane.
+bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
+{
+  if (constraint.Kind == ConstraintKind::Ridge)
+  {
+    const auto& ridges = constraint.RidgeEdges;
+    const auto way = [&](int edge)
+    {
+      return Vec3(
+        this->TheBand.Point[this->TheBand.OtherEnd(edge, node)] - this->TheBand.Point[node])
+        .normalized();
+    };
+    return ridges.size() == 2 && way(ridges[0]).cross(way(ridges[1])).norm() < StraightSine &&
+      way(ridges[0]).dot(way(ridges[1])) < 0.0;
+  }
+  const Vec3 normal =
+    Facet(this->TheBand, this->TheBand.Faces[constraint.Faces.front()]).NormalAt(0);
+  return std::all_of(constraint.Faces.begin(), constraint.Faces.end(),
+    [&](int f)
+    {
+      const auto& face = this->TheBand.Faces[f];
+      for (int i = 0; i < face.Count; ++i)
+      {
+        if (Facet(this->TheBand, face).NormalAt(i).cross(normal).norm() > StraightSine)
+        {
+          return false;
+        }
+      }
+      return true;
+    });
 }
 
 std::vector<Vec3> NodeMover::Directions(int node, const Vec3& x, bool onCut) const
@@ -381,6 +418,14 @@ std::vector<Vec3> NodeMover::Directions(int node, const Vec3& x, bool onCut) con
       directions.push_back(-d);
     }
   };
+  if (constraint.Kind == ConstraintKind::Ridge)
+  {
+    const Vec3 along =
+      (this->TheBand.Point[this->TheBand.OtherEnd(constraint.RidgeEdges.front(), node)] -
+        this->TheBand.Point[node])
+        .normalized();
+    return { along, -along };
+  }
   const Vec3 across = onCut ? this->Surface.ClosestPoint(x).Normal : Vec3::Zero();
   if (constraint.Kind == ConstraintKind::Faces)
   {
@@ -407,6 +452,25 @@ std::vector<Vec3> NodeMover::Directions(int node, const Vec3& x, bool onCut) con
   return directions;
 }
 
+/// Nearest point of the two ridge edges at the node.
+bool NodeMover::PlaceOnRidge(
+  int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const
+{
+  const Vec3& p = this->TheBand.Point[node];
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const int edge : constraint.RidgeEdges)
+  {
+    const Vec3 along = this->TheBand.Point[this->TheBand.OtherEnd(edge, node)] - p;
+    const Vec3 on = p + std::clamp((x - p).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+    if ((on - x).norm() < nearest)
+    {
+      nearest = (on - x).norm();
+      place = on;
+    }
+  }
+  return std::isfinite(nearest);
+}
+
 bool NodeMover::Constrained(int node, const Vec3& x, bool onCut, Vec3& place) const
 {
   const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
@@ -414,6 +478,10 @@ bool NodeMover::Constrained(int node, const Vec3& x, bool onCut, Vec3& place) co
   {
     place = onCut ? this->Surface.ClosestPoint(x).Point : x;
     return true;
+  }
+  if (constraint.Kind == ConstraintKind::Ridge)
+  {
+    return this->PlaceOnRidge(node, constraint, x, place);
   }
   if (onCut)
   {

@@ -58,8 +58,9 @@ public:
    */
   NodeMove Between(int node, const Vec3& through, const Vec3& planeNormal) const;
 
-  /// True for a node that may be relaxed: in a sheet off its border, in a block inside it.
-  bool MayRelax(int node) const;
+  /// True for a node that may be relaxed: off the border, or where the border is straight, so
+  /// that it keeps its shape.
+  bool MayRelax(int node, bool onCut) const;
 
   /// True unless the two nodes lie above each other in one pillar.
   bool IsLateral(int a, int b) const
@@ -67,7 +68,10 @@ public:
     return this->TheColumns.Pillar[a] != this->TheColumns.Pillar[b];
   }
 
-  /// Unit directions in which a node at x may step: in its layer, or along the cut.
+  /// The smallest node of a node's pillar.
+  int PillarOf(int node) const { return this->TheColumns.Pillar[node]; }
+
+  /// Unit directions in which a node at x may step: in its layer, on its ridge, or along the cut.
   std::vector<Vec3> Directions(int node, const Vec3& x, bool onCut) const;
 
   /// The place nearest to x where the node may be: on its faces, and on the surface if it is on
@@ -76,6 +80,8 @@ public:
 
 private:
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
+  bool IsStraight(int node, const NodeConstraint& constraint) const;
+  bool PlaceOnRidge(int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const;
   NodeMove ProjectOnFaces(int node, const NodeConstraint& constraint) const;
   /// The meeting point of the surface, a facet (the one it lies in) and a plane, from a guess;
   /// sets Target.

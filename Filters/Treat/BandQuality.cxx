@@ -15,6 +15,8 @@ namespace
 constexpr double SmallestJacobian = 1e-6;
 /// Rounding of a coefficient that is zero by construction (a straight corner).
 constexpr double JacobianRounding = 1e-9;
+/// Above this share of the scaled Jacobian it had an element is as good as before.
+constexpr double SameQuality = 0.98;
 /// Two nodes nearer than this share of the element's shortest edge have become one.
 constexpr double SmallestDistanceShare = 1e-3;
 /// An element with less of its volume left has collapsed.
@@ -63,6 +65,12 @@ ElementPoints BandQuality::ShapeBefore(int e) const
     before[i] = this->TheBand.Point[element.Node[i]];
   }
   return before;
+}
+
+/// The straight corners that the treatment asked for makes.
+bool BandQuality::IsExempt(const TrimmedBand& trimmed, int e) const
+{
+  return this->Treatment != Optimization::Degenerate && trimmed.Treated.FlatCorner[e];
 }
 
 std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
@@ -156,22 +164,76 @@ bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count)
     ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >= this->Floor;
 }
 
-std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
+template <typename Limit>
+std::vector<int> BandQuality::FindBelow(const TrimmedBand& trimmed, const Limit& limitOf) const
 {
   std::vector<int> below;
-  for (int e = 0; e < this->TheBand.NumberOfElements() && this->Floor > 0.0; ++e)
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
-    if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || trimmed.Treated.FlatCorner[e])
+    if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || this->IsExempt(trimmed, e))
     {
       continue;
     }
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    if (final.Touched && this->FallsBelowFloor(e, final.Points, final.Count))
+    if (final.Touched &&
+      ScaledJacobian(final.Points, final.Count) <
+        limitOf(ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count)))
     {
       below.push_back(e);
     }
   }
   return below;
+}
+
+std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
+{
+  const double floor = this->Floor;
+  return this->FindBelow(trimmed, [floor](double before) { return before >= floor ? floor : 0.0; });
+}
+
+std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double scaledJacobian) const
+{
+  return this->FindBelow(trimmed,
+    [scaledJacobian](double before) { return std::min(scaledJacobian, SameQuality * before); });
+}
+
+double BandQuality::LowestIfLeft(const TrimmedBand& trimmed, const Columns& columns, int column,
+  const std::vector<int>& pillars, double way) const
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  const auto isLeft = [&](int node)
+  { return std::find(pillars.begin(), pillars.end(), columns.Pillar[node]) != pillars.end(); };
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+  {
+    if (!trimmed.Kept[e] || this->IsExempt(trimmed, e))
+    {
+      continue;
+    }
+    const auto& nodes = this->TheBand.Elements[e].Node;
+    if (std::none_of(nodes.begin(), nodes.begin() + this->TheBand.Elements[e].Count, isLeft))
+    {
+      continue;
+    }
+    FinalElement final = FinalShape(this->TheBand, trimmed, e);
+    const double before = ScaledJacobian(final.Points, final.Count);
+    for (int i = 0; i < final.Count; ++i)
+    {
+      if (isLeft(final.Node[i]))
+      {
+        final.Points[i] = (1.0 - way) * this->TheBand.Point[final.Node[i]] + way * final.Points[i];
+      }
+    }
+    const double after = ScaledJacobian(final.Points, final.Count);
+    if (columns.Column[e] == column)
+    {
+      lowest = std::min(lowest, after);
+    }
+    else if (after < std::min(before, this->Floor))
+    {
+      return -1.0;
+    }
+  }
+  return lowest;
 }
 
 double BandQuality::Deficit(const TrimmedBand& trimmed) const

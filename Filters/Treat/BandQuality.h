@@ -31,9 +31,17 @@ public:
   /// Kept elements that the trim made invalid, ascending.
   std::vector<int> FindInvalid(const TrimmedBand& trimmed) const;
 
-  /// Touched elements that are valid but below the floor, and were not so before; straight
-  /// corners are exempt.
+  /// Touched elements below the floor that were not so before; straight corners are exempt,
+  /// unless all were to become wedges.
   std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const;
+
+  /// Touched elements below a scaled Jacobian, and below what they had before.
+  std::vector<int> FindShortOf(const TrimmedBand& trimmed, double scaledJacobian) const;
+
+  /// The smallest scaled Jacobian in a column, if these pillars went only part of their way; -1
+  /// if another element at them fell below the floor, or farther below it.
+  double LowestIfLeft(const TrimmedBand& trimmed, const Columns& columns, int column,
+    const std::vector<int>& pillars, double way) const;
 
   /// By how much elements miss the floor, in sum.
   double Deficit(const TrimmedBand& trimmed) const;
@@ -46,6 +54,10 @@ public:
 
 private:
   ElementPoints ShapeBefore(int element) const;
+  bool IsExempt(const TrimmedBand& trimmed, int element) const;
+  /// Touched elements below a value that depends on the scaled Jacobian before.
+  template <typename Limit>
+  std::vector<int> FindBelow(const TrimmedBand& trimmed, const Limit& limitOf) const;
   std::vector<char> FindCoincidentNodes(const TrimmedBand& trimmed) const;
   bool IsSpoiled(const TrimmedBand& trimmed, int element, const std::vector<char>& coincides) const;
 

@@ -141,7 +141,7 @@ private:
       const auto& nodes = pillar.second;
       const bool free = std::all_of(nodes.begin(), nodes.end(),
         [this](const DroppedNode& n)
-        { return !this->Shared[n.Node] && this->Mover.MayRelax(n.Node); });
+        { return !this->Shared[n.Node] && this->Mover.MayRelax(n.Node, false); });
       double best = this->QualityRound(nodes);
       if (!free || best >= this->Goal)
       {
@@ -268,8 +268,8 @@ private:
       elements[e].Count = this->SplitCorner[e] >= 0 ? 0 : elements[e].Count;
     }
     const std::vector<char> onCut(this->Shared.size(), 0);
-    Relax(this->TheBand, this->Mover, elements, active, fixed, onCut, this->Goal,
-      this->Result.NodeMoves);
+    Relax(this->TheBand, this->Mover, elements, active, fixed, onCut,
+      { this->Goal, this->Goal, Thorough }, this->Result.NodeMoves);
   }
 
   /// Divides columns that are bad into wedges where that is better.

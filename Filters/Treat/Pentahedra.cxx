@@ -1,6 +1,7 @@
 #include "Pentahedra.h"
 
 #include "Decision.h"
+#include "DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,11 +85,24 @@ bool OnlyKeptAt(const Band& band, const std::vector<char>& kept, int element, in
   return true;
 }
 
-/// Exposed edges by pillar; in a block each edge stands for itself.
-std::map<int, std::vector<ExposedEdge>> FindExposed(
+/// Exposed edges that are treated together.
+struct ExposedPillar
+{
+  int Node = -1; ///< the smallest of the pillar
+  std::vector<ExposedEdge> Edges;
+  bool Droppable = true; ///< without its nodes the mesh still conforms
+};
+
+std::array<int, 2> EndsOf(const Band& band, const ExposedEdge& edge)
+{
+  const auto& node = band.Elements[edge.Element].Node;
+  return { node[AxisEnds[edge.Axis][0][edge.Corner]], node[AxisEnds[edge.Axis][1][edge.Corner]] };
+}
+
+std::vector<ExposedEdge> FindExposed(
   const Band& band, const Columns& columns, const std::vector<char>& kept)
 {
-  std::map<int, std::vector<ExposedEdge>> exposed;
+  std::vector<ExposedEdge> exposed;
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
     const auto& element = band.Elements[e];
@@ -104,8 +118,7 @@ std::map<int, std::vector<ExposedEdge>> FindExposed(
       }
       for (int k = 0; k < 4; ++k)
       {
-        const int a = element.Node[AxisEnds[axis][0][k]];
-        const int b = element.Node[AxisEnds[axis][1][k]];
+        const auto [a, b] = EndsOf(band, { e, axis, k });
         int cutFaces = 0;
         for (int slot = 0; slot < 6; ++slot)
         {
@@ -116,12 +129,136 @@ std::map<int, std::vector<ExposedEdge>> FindExposed(
         }
         if (cutFaces == 2 && OnlyKeptAt(band, kept, e, a, b))
         {
-          exposed[columns.Pillar[std::min(a, b)]].push_back({ e, axis, k });
+          exposed.push_back({ e, axis, k });
         }
       }
     }
   }
   return exposed;
+}
+
+/// True if every kept element at the nodes of a chain drops them: the chain then ends at the
+/// border of what is kept.
+bool IsDroppable(
+  const Band& band, const std::vector<char>& kept, const std::vector<ExposedEdge>& chain)
+{
+  std::vector<int> elements;
+  for (const auto& edge : chain)
+  {
+    elements.push_back(edge.Element);
+  }
+  std::sort(elements.begin(), elements.end());
+  if (std::adjacent_find(elements.begin(), elements.end()) != elements.end())
+  {
+    return false;
+  }
+  return std::all_of(chain.begin(), chain.end(),
+    [&](const ExposedEdge& edge)
+    {
+      for (const int node : EndsOf(band, edge))
+      {
+        for (const int e : band.ElementsOfNode(node))
+        {
+          if (kept[e] && !std::binary_search(elements.begin(), elements.end(), e))
+          {
+            return false;
+          }
+        }
+      }
+      return true;
+    });
+}
+
+/// In a block, edges that follow each other from border to border are one pillar; others stand
+/// for themselves, and cannot be dropped.
+void GroupChains(const Band& band, const std::vector<char>& kept,
+  const std::vector<ExposedEdge>& edges, std::vector<ExposedPillar>& pillars)
+{
+  std::map<int, int> slots; // of nodes, in the sets
+  for (const auto& edge : edges)
+  {
+    for (const int node : EndsOf(band, edge))
+    {
+      slots.emplace(node, static_cast<int>(slots.size()));
+    }
+  }
+  DisjointSets<int> sets(static_cast<int>(slots.size()));
+  for (const auto& edge : edges)
+  {
+    const auto ends = EndsOf(band, edge);
+    sets.Unite(slots[ends[0]], slots[ends[1]]);
+  }
+  std::map<int, std::vector<ExposedEdge>> chains;
+  for (const auto& edge : edges)
+  {
+    chains[sets.Find(slots[EndsOf(band, edge)[0]])].push_back(edge);
+  }
+  for (const auto& chain : chains)
+  {
+    const bool droppable = IsDroppable(band, kept, chain.second);
+    std::map<int, ExposedPillar> parts; // by the smallest node of the chain or of the edge
+    for (const auto& edge : chain.second)
+    {
+      const auto ends = EndsOf(band, edge);
+      const int node = std::min(ends[0], ends[1]);
+      auto& part = parts[droppable ? -1 : node];
+      part.Node = part.Node < 0 ? node : std::min(part.Node, node);
+      part.Edges.push_back(edge);
+      part.Droppable = droppable;
+    }
+    for (auto& part : parts)
+    {
+      pillars.push_back(std::move(part.second));
+    }
+  }
+}
+
+/// In a sheet the pillars are those of its columns.
+std::vector<ExposedPillar> GroupExposed(
+  const Band& band, const Columns& columns, const std::vector<char>& kept)
+{
+  std::vector<ExposedPillar> pillars;
+  std::map<int, ExposedPillar> ofColumns;
+  std::vector<ExposedEdge> ofBlocks;
+  for (const auto& edge : FindExposed(band, columns, kept))
+  {
+    if (!columns.HasThickness(edge.Element))
+    {
+      ofBlocks.push_back(edge);
+      continue;
+    }
+    const int node = columns.Pillar[EndsOf(band, edge)[0]];
+    ofColumns[node].Node = node;
+    ofColumns[node].Edges.push_back(edge);
+  }
+  for (auto& pillar : ofColumns)
+  {
+    pillars.push_back(std::move(pillar.second));
+  }
+  GroupChains(band, kept, ofBlocks, pillars);
+  std::sort(pillars.begin(), pillars.end(),
+    [](const ExposedPillar& a, const ExposedPillar& b) { return a.Node < b.Node; });
+  return pillars;
+}
+
+/// What the ladder has set for a pillar; in a block each node has a choice of its own.
+TreatmentChoice ChoiceFor(const Band& band, const Columns& columns, const ExposedPillar& pillar,
+  const std::vector<TreatmentChoice>& choices)
+{
+  TreatmentChoice found = TreatmentChoice::AsAsked;
+  for (const auto& edge : pillar.Edges)
+  {
+    for (const int node : EndsOf(band, edge))
+    {
+      const auto choice = choices[columns.Pillar[node]];
+      if (choice == TreatmentChoice::LeaveCorner)
+      {
+        return choice;
+      }
+      found = choice != TreatmentChoice::AsAsked ? choice : found;
+    }
+  }
+  return found;
 }
 
 /// Puts A of each layer in the middle of its neighbours, on the surface; all layers or none.
@@ -149,6 +286,7 @@ bool Distribute(
     moves.Position[target.first] = AsStored(band, target.second);
     moves.Applied[target.first] = Correction::Project;
     moves.Failed[target.first] = 0;
+    moves.Left[target.first] = 0;
   }
   return true;
 }
@@ -186,19 +324,6 @@ bool AnyLayer(
   return false;
 }
 
-/// True if one of the nodes must not be touched (in a block each has a choice of its own).
-bool IsLeft(const Band& band, const Columns& columns, const std::vector<ExposedEdge>& edges,
-  const std::vector<TreatmentChoice>& choice)
-{
-  return std::any_of(edges.begin(), edges.end(),
-    [&](const ExposedEdge& edge)
-    {
-      const auto& element = band.Elements[edge.Element];
-      return choice[columns.Pillar[CornerAt(element, edge, 0).A]] == TreatmentChoice::LeaveCorner ||
-        choice[columns.Pillar[CornerAt(element, edge, 1).A]] == TreatmentChoice::LeaveCorner;
-    });
-}
-
 Optimization Resolve(Optimization asked, TreatmentChoice choice)
 {
   switch (choice)
@@ -222,9 +347,10 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
   result.Exposed.assign(band.NumberOfElements(), 0);
   result.FlatCorner.assign(band.NumberOfElements(), 0);
   std::vector<char> isWedge(band.NumberOfElements(), 0);
-  for (const auto& pillar : FindExposed(band, columns, kept))
+  for (const auto& pillar : GroupExposed(band, columns, kept))
   {
-    const auto& edges = pillar.second;
+    const auto& edges = pillar.Edges;
+    const auto chosen = ChoiceFor(band, columns, pillar, choice);
     for (const auto& edge : edges)
     {
       result.Exposed[columns.Column[edge.Element]] = 1;
@@ -233,26 +359,24 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
       AnyLayer(band, edges, moves, [](const CornerShape& shape) { return !IsCorner(shape); });
     const bool twice = std::any_of(edges.begin(), edges.end(),
       [&](const ExposedEdge& edge) { return isWedge[edge.Element] != 0; });
-    const bool left = IsLeft(band, columns, edges, choice);
-    if (twice || left || (!straight && choice[pillar.first] == TreatmentChoice::AsAsked))
+    const bool left = chosen == TreatmentChoice::LeaveCorner;
+    if (twice || left || (!straight && chosen == TreatmentChoice::AsAsked))
     {
       continue;
     }
     result.Count += static_cast<int>(edges.size());
-    auto treatment = Resolve(asked, choice[pillar.first]);
-    // Only through a whole column of a sheet does dropping an edge leave a conforming mesh.
-    const bool droppable = columns.HasThickness(edges.front().Element);
-    if (treatment == Optimization::Distribute || (treatment != Optimization::None && !droppable))
+    auto treatment = Resolve(asked, chosen);
+    if (treatment == Optimization::Distribute ||
+      (treatment != Optimization::None && !pillar.Droppable))
     {
       const bool done = Distribute(band, mover, edges, moves);
       const bool reflex = !done ||
         AnyLayer(
           band, edges, moves, [](const CornerShape& shape) { return shape.Sine < ReflexSine; });
-      treatment = reflex && choice[pillar.first] != TreatmentChoice::Distribute
-        ? Optimization::Degenerate
-        : treatment;
+      treatment =
+        reflex && chosen != TreatmentChoice::Distribute ? Optimization::Degenerate : treatment;
     }
-    const bool drop = treatment == Optimization::Degenerate && droppable;
+    const bool drop = treatment == Optimization::Degenerate && pillar.Droppable;
     for (const auto& edge : edges)
     {
       (drop ? isWedge : result.FlatCorner)[edge.Element] = 1;

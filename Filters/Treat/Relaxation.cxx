@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace trim
@@ -11,40 +12,51 @@ namespace trim
 namespace
 {
 
-/// Rings of nodes round the elements below the floor that may move.
+/// Rings of nodes round the elements below the goal that may move.
 constexpr int Rings = 3;
-constexpr int MostSweeps = 40;
 /// Steps of the search, in lengths of the shortest edge at the node.
 constexpr std::array<double, 4> Steps{ 0.3, 0.1, 0.03, 0.01 };
-/// Elements are raised to a little above the floor, so that rounding does not undo it.
+/// Elements are raised to a little above the goal, so that rounding does not undo it.
 constexpr double Margin = 1.02;
-/// A gain below this is none.
-constexpr double SmallestGain = 1e-4;
+/// On a curved surface or skin a step may turn out better than it looks by this much.
+constexpr double Foresight = 0.02;
 
 class Relaxer
 {
 public:
   Relaxer(const Band& band, const NodeMover& mover, const std::vector<RelaxedElement>& elements,
-    const std::vector<char>& fixed, const std::vector<char>& onCut, double goal, Moves& moves)
+    const std::vector<char>& fixed, const std::vector<char>& onCut, const RelaxationGoal& goal,
+    Moves& moves)
     : TheBand(band)
     , Mover(mover)
     , Elements(elements)
     , Fixed(fixed)
     , OnCut(onCut)
-    , Goal(goal)
+    , Floor(goal.Floor)
+    , Goal(Margin * goal.Quality)
+    , Effort(goal.Effort)
     , TheMoves(moves)
   {
   }
 
   void Run(const std::vector<char>& active)
   {
-    std::vector<int> nodes = this->NodesRound(active);
-    for (int sweep = 0; sweep < MostSweeps; ++sweep)
+    const std::vector<std::vector<int>> pillars = this->PillarsOf(this->NodesRound(active));
+    for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
     {
       bool gained = false;
-      for (const int node : nodes)
+      for (const auto& pillar : pillars)
       {
-        gained |= this->Improve(node);
+        // An element is no better than its worse end: the whole pillar first, then its nodes.
+        if (this->Improve(pillar))
+        {
+          gained = true;
+          continue;
+        }
+        for (std::size_t i = 0; pillar.size() > 1 && i < pillar.size(); ++i)
+        {
+          gained |= this->Improve({ pillar[i] });
+        }
       }
       if (!gained || this->Reached(active))
       {
@@ -54,6 +66,7 @@ public:
   }
 
 private:
+  /// Scaled Jacobian of an element.
   double Quality(int element) const
   {
     const auto& e = this->Elements[element];
@@ -71,16 +84,50 @@ private:
     return std::find(e.Node.begin(), e.Node.begin() + e.Count, node) != e.Node.begin() + e.Count;
   }
 
-  /// Smallest quality of the elements at a node, no more than the goal.
-  double QualityAt(int node) const
+  /// Kept elements that use one of the nodes.
+  std::vector<int> ElementsAt(const std::vector<int>& nodes) const
+  {
+    std::vector<int> elements;
+    for (const int node : nodes)
+    {
+      for (const int e : this->TheBand.ElementsOfNode(node))
+      {
+        if (this->Elements[e].Count > 0 && this->Uses(e, node))
+        {
+          elements.push_back(e);
+        }
+      }
+    }
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    return elements;
+  }
+
+  /// Nodes grouped by their pillars, in the order of the first of each.
+  std::vector<std::vector<int>> PillarsOf(const std::vector<int>& nodes) const
+  {
+    std::vector<std::vector<int>> pillars;
+    std::vector<int> slot(this->TheBand.NumberOfNodes(), -1);
+    for (const int node : nodes)
+    {
+      int& at = slot[this->Mover.PillarOf(node)];
+      if (at < 0)
+      {
+        at = static_cast<int>(pillars.size());
+        pillars.emplace_back();
+      }
+      pillars[at].push_back(node);
+    }
+    return pillars;
+  }
+
+  /// Smallest quality of elements, no more than the goal.
+  double Lowest(const std::vector<int>& elements) const
   {
     double quality = this->Goal;
-    for (const int e : this->TheBand.ElementsOfNode(node))
+    for (const int e : elements)
     {
-      if (this->Elements[e].Count > 0 && this->Uses(e, node))
-      {
-        quality = std::min(quality, this->Quality(e));
-      }
+      quality = std::min(quality, this->Quality(e));
     }
     return quality;
   }
@@ -147,7 +194,7 @@ private:
     const auto elements = this->TheBand.ElementsOfNode(node);
     return std::none_of(
              elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); }) &&
-      this->Mover.MayRelax(node);
+      this->Mover.MayRelax(node, this->OnCut[node] != 0);
   }
 
   double ShortestEdge(int node) const
@@ -186,43 +233,49 @@ private:
     return count > 0 ? Vec3(sum / count - own) : Vec3::Zero();
   }
 
-  bool Improve(int node)
+  /// Moves nodes of one pillar alike, if that raises the lowest of the elements at them.
+  bool Improve(const std::vector<int>& nodes)
   {
-    const double before = this->QualityAt(node);
+    const std::vector<int> elements = this->ElementsAt(nodes);
+    const double before = this->Lowest(elements);
     if (before >= this->Goal)
     {
       return false;
     }
-    double best = before + SmallestGain;
-    const Vec3 from = this->TheMoves.Position[node];
-    Vec3 to = from;
-    const auto attempt = [&](const Vec3& candidate)
+    // What has reached the floor must not pay for what cannot.
+    std::vector<int> guarded;
+    std::copy_if(elements.begin(), elements.end(), std::back_inserter(guarded),
+      [this](int e) { return this->Quality(e) >= this->Floor; });
+    const std::vector<Vec3> from = this->PositionsOf(nodes);
+    std::vector<Vec3> to = from;
+    double best = before + this->Effort.Gain;
+    const auto attempt = [&](const Vec3& step)
     {
-      Vec3 place;
-      if (!this->Mover.Constrained(node, candidate, this->OnCut[node] != 0, place))
+      // Finding the places on the surface is dear: only where it promises something.
+      this->Shift(nodes, from, step);
+      if (this->Lowest(elements) >= best - Foresight && this->Settle(nodes))
       {
-        return;
+        const double quality = this->Lowest(elements);
+        if (quality > best && this->Lowest(guarded) >= std::min(this->Floor, this->Goal))
+        {
+          best = quality;
+          to = this->PositionsOf(nodes);
+        }
       }
-      this->TheMoves.Position[node] = AsStored(this->TheBand, place);
-      const double quality = this->QualityAt(node);
-      if (quality > best)
-      {
-        best = quality;
-        to = this->TheMoves.Position[node];
-      }
-      this->TheMoves.Position[node] = from;
+      this->Place(nodes, from);
     };
-    const Vec3 way = this->WayOfNeighbours(node);
-    attempt(from + way);
-    attempt(from + 0.5 * way);
-    const double edge = this->ShortestEdge(node);
-    const auto directions = this->Mover.Directions(node, from, this->OnCut[node] != 0);
+    const int guide = nodes.front();
+    const Vec3 way = this->WayOfNeighbours(guide);
+    attempt(way);
+    attempt(0.5 * way);
+    const double edge = this->ShortestEdge(guide);
+    const auto directions = this->Mover.Directions(guide, from.front(), this->OnCut[guide] != 0);
     for (const double step : Steps)
     {
       const double found = best;
       for (const Vec3& direction : directions)
       {
-        attempt(from + step * edge * direction);
+        attempt(step * edge * direction);
       }
       if (best > found)
       {
@@ -233,9 +286,54 @@ private:
     {
       return false;
     }
-    this->TheMoves.Position[node] = to;
-    this->TheMoves.Applied[node] =
-      to != this->TheBand.Point[node] ? Correction::Relax : Correction::None;
+    this->Place(nodes, to);
+    for (const int node : nodes)
+    {
+      const bool moved = this->TheMoves.Position[node] != this->TheBand.Point[node];
+      this->TheMoves.Applied[node] = moved ? Correction::Relax : Correction::None;
+    }
+    return true;
+  }
+
+  std::vector<Vec3> PositionsOf(const std::vector<int>& nodes) const
+  {
+    std::vector<Vec3> positions;
+    for (const int node : nodes)
+    {
+      positions.push_back(this->TheMoves.Position[node]);
+    }
+    return positions;
+  }
+
+  void Place(const std::vector<int>& nodes, const std::vector<Vec3>& positions)
+  {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      this->TheMoves.Position[nodes[i]] = positions[i];
+    }
+  }
+
+  void Shift(const std::vector<int>& nodes, const std::vector<Vec3>& from, const Vec3& step)
+  {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      this->TheMoves.Position[nodes[i]] = from[i] + step;
+    }
+  }
+
+  /// Takes each node to the nearest place where it may be; false if one has none.
+  bool Settle(const std::vector<int>& nodes)
+  {
+    for (const int node : nodes)
+    {
+      Vec3 place;
+      if (!this->Mover.Constrained(
+            node, this->TheMoves.Position[node], this->OnCut[node] != 0, place))
+      {
+        return false;
+      }
+      this->TheMoves.Position[node] = AsStored(this->TheBand, place);
+    }
     return true;
   }
 
@@ -244,7 +342,9 @@ private:
   const std::vector<RelaxedElement>& Elements;
   const std::vector<char>& Fixed;
   const std::vector<char>& OnCut;
+  double Floor;
   double Goal;
+  RelaxationEffort Effort;
   Moves& TheMoves;
 };
 
@@ -252,9 +352,9 @@ private:
 
 void Relax(const Band& band, const NodeMover& mover, const std::vector<RelaxedElement>& elements,
   const std::vector<char>& active, const std::vector<char>& fixed, const std::vector<char>& onCut,
-  double floor, Moves& moves)
+  const RelaxationGoal& goal, Moves& moves)
 {
-  Relaxer(band, mover, elements, fixed, onCut, Margin * floor, moves).Run(active);
+  Relaxer(band, mover, elements, fixed, onCut, goal, moves).Run(active);
 }
 
 }

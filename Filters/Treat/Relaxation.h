@@ -25,18 +25,35 @@ struct RelaxedElement
   std::array<int, 8> Node;
 };
 
+/// How long the relaxation goes on.
+struct RelaxationEffort
+{
+  int Sweeps;  ///< at most
+  double Gain; ///< of quality, below which a step is none
+};
+constexpr RelaxationEffort Thorough{ 40, 1e-4 };
+constexpr RelaxationEffort Brief{ 10, 1e-3 };
+
+/// What the relaxation is after, by scaled Jacobian.
+struct RelaxationGoal
+{
+  double Quality; ///< to be reached by the active elements, if possible
+  double Floor;   ///< no element falls below it
+  RelaxationEffort Effort;
+};
+
 /**
- * Relaxes the nodes round the elements whose scaled Jacobian is below the floor.
+ * Relaxes the nodes round the elements whose scaled Jacobian is below the goal.
  *
  * @param elements of the band, with degenerated ones as wedges.
- * @param active elements that have to reach the floor.
+ * @param active elements that should reach the goal.
  * @param fixed nodes that must not move.
  * @param onCut nodes of the new boundary.
  * @param[in,out] moves positions; nodes that are moved get Correction::Relax.
  */
 void Relax(const Band& band, const NodeMover& mover, const std::vector<RelaxedElement>& elements,
   const std::vector<char>& active, const std::vector<char>& fixed, const std::vector<char>& onCut,
-  double floor, Moves& moves);
+  const RelaxationGoal& goal, Moves& moves);
 
 }
 

@@ -16,16 +16,37 @@ constexpr int LongestClimb = 40;
 constexpr int MostFloorTrials = 16;
 /// What invalid elements are relaxed to where no floor is asked for.
 constexpr double SmallestGoal = 0.05;
+/// Elements up to which the relaxation takes its time, again and again.
+constexpr int MostThorough = 40;
+/// What elements are polished to at last, as far as the nodes round them can give it, where a
+/// lower floor is asked for: the floor is what they must reach.
+constexpr double PolishedGoal = 0.6;
+/// Below this the nodes on the cut move along it too: then the offcut of another run, with the
+/// side inverted, need not fit node by node.
+constexpr double PolishedOnCutGoal = 0.5;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
 constexpr double SmallestShare = 0.15;
 
+/// An element counts on this much more than the floor from a pillar that is left.
+constexpr double FloorMargin = 1.1;
+/// Rounds in which single pillars are left for the sake of the floor; then all of a column.
+constexpr int SingleLeaves = 8;
+
+void AddUnique(std::vector<int>& list, int value)
+{
+  if (std::find(list.begin(), list.end(), value) == list.end())
+  {
+    list.push_back(value);
+  }
+}
+
 /// Everything the ladder may set.
 struct Choices
 {
-  std::vector<Fate> Fates;                   // by column
-  std::vector<CorrectionChoice> Corrections; // by pillar
-  std::vector<TreatmentChoice> Treatments;   // by pillar
+  std::vector<Fate> Fates;                 // by column
+  std::vector<PillarChoice> Corrections;   // by pillar
+  std::vector<TreatmentChoice> Treatments; // by pillar
 };
 
 class Ladder
@@ -45,7 +66,7 @@ public:
     , Rungs(band.NumberOfElements(), Rung::None)
   {
     this->Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
-    this->Set.Corrections.assign(band.NumberOfNodes(), CorrectionChoice::AsAsked);
+    this->Set.Corrections.assign(band.NumberOfNodes(), PillarChoice());
     this->Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
   }
 
@@ -67,6 +88,8 @@ public:
     }
     this->LeaveInvalid(trimmed, aborted);
     this->RaiseToFloor(trimmed, aborted);
+    this->LeaveBelowFloor(trimmed, aborted);
+    this->Polish(trimmed);
     trimmed.RescuedBy = this->Rungs;
     trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
     return trimmed;
@@ -85,7 +108,7 @@ private:
     {
       if (demands.LeavePillar[p])
       {
-        set.Corrections[p] = CorrectionChoice::Leave;
+        set.Corrections[p] = { CorrectionChoice::Leave, 0.0 };
         set.Treatments[p] = TreatmentChoice::LeaveCorner;
       }
     }
@@ -113,16 +136,15 @@ private:
     {
       trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
         this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
-      this->RelaxBad(set, trimmed);
+      this->RelaxBad(trimmed);
     }
     return trimmed;
   }
 
   /// Relaxes round what is invalid or below the floor.
-  void RelaxBad(const Choices& set, TrimmedBand& trimmed) const
+  void RelaxBad(TrimmedBand& trimmed) const
   {
-    const int count = this->TheBand.NumberOfElements();
-    trimmed.Relaxed.assign(count, 0);
+    trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
     for (const int e : this->Quality.FindInvalid(trimmed))
     {
       trimmed.Relaxed[e] = 1;
@@ -131,10 +153,47 @@ private:
     {
       trimmed.Relaxed[e] = 1;
     }
-    if (std::none_of(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), [](char c) { return c; }))
+    const auto bad = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), 1);
+    this->RelaxRound(trimmed.Relaxed, std::max(this->Options.QualityFloor, SmallestGoal),
+      bad > MostThorough ? Brief : Thorough, trimmed);
+  }
+
+  /// Relaxes once more, to a higher goal, if a floor is asked for at all.
+  void Polish(TrimmedBand& trimmed) const
+  {
+    if (this->Options.QualityFloor <= 0.0 || this->Options.QualityFloor >= PolishedGoal ||
+      this->Options.CorrectionType == Correction::Eliminate)
     {
       return;
     }
+    const Moves before = trimmed.NodeMoves;
+    this->PolishTo(PolishedGoal, false, trimmed);
+    this->PolishTo(PolishedOnCutGoal, true, trimmed);
+    if (this->Quality.FindInvalid(trimmed).size() > trimmed.Invalid.size())
+    {
+      trimmed.NodeMoves = before;
+    }
+  }
+
+  /// Relaxes what is short of the goal and was not so before.
+  void PolishTo(double goal, bool onCutToo, TrimmedBand& trimmed) const
+  {
+    std::vector<char> active(this->TheBand.NumberOfElements(), 0);
+    for (const int e : this->Quality.FindShortOf(trimmed, goal))
+    {
+      active[e] = 1;
+    }
+    this->RelaxRound(active, PolishedGoal, Brief, trimmed, onCutToo);
+  }
+
+  void RelaxRound(const std::vector<char>& active, double quality, const RelaxationEffort& effort,
+    TrimmedBand& trimmed, bool onCutToo = true) const
+  {
+    if (std::none_of(active.begin(), active.end(), [](char c) { return c; }))
+    {
+      return;
+    }
+    const int count = this->TheBand.NumberOfElements();
     std::vector<RelaxedElement> elements(count);
     for (int e = 0; e < count; ++e)
     {
@@ -144,17 +203,18 @@ private:
         elements[e] = { final.Count, final.Node };
       }
     }
+    const Choices set = this->WithDemands();
     std::vector<char> onCut = FindCutNodes(this->TheBand, trimmed.Kept);
     std::vector<char> fixed(this->TheBand.NumberOfNodes(), 0);
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
       const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
-      onCut[n] = onCut[n] || corrected;
-      fixed[n] = (trimmed.Moving[n] && !corrected) ||
-        set.Corrections[this->TheColumns.Pillar[n]] == CorrectionChoice::Leave;
+      onCut[n] = onCut[n] || (trimmed.Moving[n] && corrected);
+      fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
+        set.Corrections[this->TheColumns.Pillar[n]].Correction == CorrectionChoice::Leave;
     }
-    Relax(this->TheBand, this->Mover, elements, trimmed.Relaxed, fixed, onCut,
-      std::max(this->Options.QualityFloor, SmallestGoal), trimmed.NodeMoves);
+    Relax(this->TheBand, this->Mover, elements, active, fixed, onCut,
+      { quality, this->Options.QualityFloor, effort }, trimmed.NodeMoves);
   }
 
   /// Nodes of the new boundary that are not on the surface.
@@ -163,13 +223,13 @@ private:
     int left = 0;
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
-      left += trimmed.Moving[n] && trimmed.NodeMoves.Applied[n] == Correction::None;
+      left += trimmed.NodeMoves.Left[n];
     }
     return left;
   }
 
-  /// The other correction for columns that relaxation could not raise to the floor. It is kept
-  /// only where it helps and spoils nothing: a low quality is no reason to leave the surface.
+  /// The other correction, and then the other fates, for columns that relaxation could not raise
+  /// to the floor. A trial is kept only where it helps and spoils nothing.
   void RaiseToFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
     std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
@@ -184,23 +244,184 @@ private:
       }
       const int column = this->TheColumns.Column[*next];
       tried[column] = 1;
-      const Choices before = this->Set;
-      this->ForMovingPillars(trimmed, column,
-        [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::Other; });
-      TrimmedBand other = this->Attempt();
-      other.Invalid = this->Quality.FindInvalid(other);
-      if (other.Invalid.size() <= trimmed.Invalid.size() &&
-        this->CountLeft(other) <= this->CountLeft(trimmed) &&
-        this->Quality.Deficit(other) < 0.999 * this->Quality.Deficit(trimmed))
+      // Where many are below, other fates would not end it.
+      const bool few = below.size() <= MostFloorTrials;
+      for (const Rung rung : { Rung::Correction, Rung::Fate, Rung::FateAround })
       {
-        this->Rungs[column] = Rung::Correction;
-        trimmed = std::move(other);
-      }
-      else
-      {
+        const Choices before = this->Set;
+        if ((few || rung == Rung::Correction) && this->SetForFloor(trimmed, column, rung) &&
+          this->TryForFloor(trimmed))
+        {
+          this->Rungs[column] = rung;
+          break;
+        }
         this->Set = before;
       }
     }
+  }
+
+  /// Sets one rung for a column below the floor; false if it has no such choice.
+  bool SetForFloor(const TrimmedBand& trimmed, int column, Rung rung)
+  {
+    switch (rung)
+    {
+      case Rung::Correction:
+        this->ForMovingPillars(trimmed, column,
+          [&](int pillar)
+          {
+            if (this->Set.Corrections[pillar].Correction == CorrectionChoice::AsAsked)
+            {
+              this->Set.Corrections[pillar].Correction = CorrectionChoice::Other;
+            }
+          });
+        return true;
+      case Rung::Fate:
+        if (this->Shares.Column[column] < SmallestShare)
+        {
+          return false;
+        }
+        this->Set.Fates[column] = Fate::Eliminate;
+        return true;
+      default:
+        return this->KeepAround(trimmed, column, false);
+    }
+  }
+
+  /// Takes the trial into `trimmed` if it is nearer to the floor, and no worse otherwise.
+  bool TryForFloor(TrimmedBand& trimmed) const
+  {
+    TrimmedBand other = this->Attempt();
+    other.Invalid = this->Quality.FindInvalid(other);
+    if (other.Invalid.size() > trimmed.Invalid.size() ||
+      this->CountLeft(other) > this->CountLeft(trimmed) ||
+      this->Quality.Deficit(other) >= 0.999 * this->Quality.Deficit(trimmed))
+    {
+      return false;
+    }
+    trimmed = std::move(other);
+    return true;
+  }
+
+  /// What is below the floor all the same: of the nodes of such a column one pillar is left off
+  /// the surface, that which helps most, or all of them if none does.
+  void LeaveBelowFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  {
+    for (int round = 0; !aborted(); ++round)
+    {
+      bool changed = false;
+      std::vector<char> seen(this->TheBand.NumberOfNodes(), 0);
+      for (const int e : this->Quality.FindBelowFloor(trimmed))
+      {
+        const int column = this->TheColumns.Column[e];
+        const std::vector<int> pillars = this->PillarsToLeave(trimmed, column);
+        // Of neighbours the first one: it may help the others.
+        const bool waits = round < SingleLeaves &&
+          std::any_of(pillars.begin(), pillars.end(), [&](int pillar) { return seen[pillar]; });
+        for (const int pillar : pillars)
+        {
+          seen[pillar] = 1;
+        }
+        if (waits)
+        {
+          changed = true;
+          continue;
+        }
+        this->Rungs[column] = Rung::Left;
+        if (round < SingleLeaves && this->LeaveBest(trimmed, column, pillars))
+        {
+          changed = true;
+          continue;
+        }
+        this->LeaveOnWay(pillars, 0.0);
+        changed |= !pillars.empty();
+        if (pillars.empty())
+        {
+          changed |= this->LeaveCorners(e);
+        }
+      }
+      if (!changed)
+      {
+        return;
+      }
+      trimmed = this->Attempt();
+      this->LeaveInvalid(trimmed, aborted);
+    }
+  }
+
+  /// Pillars of a column that go to the surface, or part of the way.
+  std::vector<int> PillarsToLeave(const TrimmedBand& trimmed, int column)
+  {
+    std::vector<int> pillars;
+    this->ForMovingPillars(trimmed, column,
+      [&](int pillar)
+      {
+        const auto& set = this->Set.Corrections[pillar];
+        if (set.Correction != CorrectionChoice::Leave || set.Way > 0.0)
+        {
+          AddUnique(pillars, pillar);
+        }
+      });
+    return pillars;
+  }
+
+  /// Leaves that pillar of a column off the surface that can go farthest of its way with the
+  /// column above the floor, or all of them; false if no part of the way does it.
+  bool LeaveBest(const TrimmedBand& trimmed, int column, const std::vector<int>& pillars)
+  {
+    std::vector<std::vector<int>> choices;
+    for (const int pillar : pillars)
+    {
+      choices.push_back({ pillar });
+    }
+    for (const auto& together : { choices, { pillars } })
+    {
+      for (const double way : { 0.75, 0.5, 0.25, 0.0 })
+      {
+        const std::vector<int>* best = nullptr;
+        double quality = FloorMargin * this->Options.QualityFloor;
+        for (const auto& choice : together)
+        {
+          const double found =
+            this->Quality.LowestIfLeft(trimmed, this->TheColumns, column, choice, way);
+          if (found >= quality)
+          {
+            quality = found;
+            best = &choice;
+          }
+        }
+        if (best)
+        {
+          this->LeaveOnWay(*best, way);
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Shortens the ways of pillars.
+  void LeaveOnWay(const std::vector<int>& pillars, double way)
+  {
+    for (const int pillar : pillars)
+    {
+      auto& set = this->Set.Corrections[pillar];
+      const double gone = set.Correction == CorrectionChoice::Leave ? set.Way : 1.0;
+      set = { CorrectionChoice::Leave, gone * way };
+    }
+  }
+
+  /// All edges of an element stay; false if that was set already.
+  bool LeaveCorners(int e)
+  {
+    bool changed = false;
+    const auto& element = this->TheBand.Elements[e];
+    for (int i = 0; i < element.Count; ++i)
+    {
+      auto& treatment = this->Set.Treatments[this->TheColumns.Pillar[element.Node[i]]];
+      changed |= treatment != TreatmentChoice::LeaveCorner;
+      treatment = TreatmentChoice::LeaveCorner;
+    }
+    return changed;
   }
 
   /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
@@ -215,13 +436,12 @@ private:
       {
         const auto& element = this->TheBand.Elements[e];
         this->Rungs[this->TheColumns.Column[e]] = Rung::Left;
+        changed |= this->LeaveCorners(e);
         for (int i = 0; i < element.Count; ++i)
         {
-          const int pillar = this->TheColumns.Pillar[element.Node[i]];
-          changed |= this->Set.Corrections[pillar] != CorrectionChoice::Leave ||
-            this->Set.Treatments[pillar] != TreatmentChoice::LeaveCorner;
-          this->Set.Corrections[pillar] = CorrectionChoice::Leave;
-          this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
+          auto& set = this->Set.Corrections[this->TheColumns.Pillar[element.Node[i]]];
+          changed |= set.Correction != CorrectionChoice::Leave || set.Way > 0.0;
+          set = { CorrectionChoice::Leave, 0.0 };
         }
       }
       if (!changed)
@@ -334,12 +554,13 @@ private:
           [&](int pillar)
           {
             this->Set.Treatments[pillar] = TreatmentChoice::AsAsked;
-            this->Set.Corrections[pillar] = CorrectionChoice::Other;
+            this->Set.Corrections[pillar].Correction = CorrectionChoice::Other;
           });
         return;
       case Rung::Correction:
         this->ForMovingPillars(trimmed, column,
-          [&](int pillar) { this->Set.Corrections[pillar] = CorrectionChoice::AsAsked; });
+          [&](int pillar)
+          { this->Set.Corrections[pillar].Correction = CorrectionChoice::AsAsked; });
         this->Rungs[column] = Rung::Fate;
         if (this->Set.Fates[column] == Fate::ByVolume &&
           this->Shares.Column[column] >= SmallestShare)
@@ -362,7 +583,7 @@ private:
         this->ForMovingPillars(trimmed, column,
           [&](int pillar)
           {
-            this->Set.Corrections[pillar] = CorrectionChoice::Leave;
+            this->Set.Corrections[pillar].Correction = CorrectionChoice::Leave;
             this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
           });
         return;

@@ -63,7 +63,7 @@ std::vector<std::pair<int, float>> FindNodesLeft(
   const auto& moves = near.Trimmed.NodeMoves;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
-    if (users[n] == 0 || !near.Trimmed.Moving[n] || moves.Applied[n] != Correction::None)
+    if (users[n] == 0 || !moves.Left[n])
     {
       continue;
     }

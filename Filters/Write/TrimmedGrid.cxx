@@ -190,7 +190,11 @@ double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& s
 void CountRescues(const TrimResult& result, Summary& summary)
 {
   const auto& trimmed = result.Near->Trimmed;
-  summary.RescuedByRelaxation = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), char(1));
+  for (int e = 0; e < result.Near->Mesh.NumberOfElements(); ++e)
+  {
+    summary.RescuedByRelaxation +=
+      trimmed.Kept[e] && RescueOf(*result.Near, e) == Rescue::Relaxation;
+  }
   for (const Rung rung : trimmed.RescuedBy)
   {
     const Rescue rescue = RescueBy(rung);

@@ -68,6 +68,7 @@ void SetOptions(vtkTrimHexahedralGrid* filter, const TrimOptions& options)
   filter->SetRenumberNodes(options.RenumberNodes);
   filter->SetTolerance(options.Tolerance);
   filter->SetProduceOffcut(options.ProduceOffcut);
+  filter->SetMinimumScaledJacobian(options.MinimumScaledJacobian);
 }
 
 Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& options)

@@ -31,6 +31,60 @@ void Expect(bool holds, const char* what)
   }
 }
 
+/// The worst touched element with every option as it comes, all boundary nodes on the surface.
+double LowestOf(const Mesh& mesh, const Surface& surface, bool invert, const char* what)
+{
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInvertSide(invert);
+  filter->SetRenumberNodes(false);
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  const auto number = [output](const char* name)
+  { return output->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  Expect(number("TouchedElements") > 0 && number("MaximumDistanceToSurface") < 1e-7,
+    "a node is off the surface");
+  Expect(number("CertifiedElements") == number("TouchedElements"), "an element is not certified");
+  std::printf("%-28s %.3f\n", what, number("MinimumScaledJacobian"));
+  return number("MinimumScaledJacobian");
+}
+
+/// Straight cuts at any angle, and the round hole of the project's target.
+void CheckTargets()
+{
+  MeshOptions plain;
+  plain.Data = false;
+  const Mesh sheet = Sheet(60, 60, 2, Vec3(1, 1, 0.5), plain);
+  for (int degrees = 0; degrees <= 90; degrees += 5)
+  {
+    Placement at;
+    at.Angle = degrees * M_PI / 180;
+    const Surface cut = MakeSurface("plane", sheet.Box, at);
+    const std::string what = "straight cut, " + std::to_string(degrees) + " degrees";
+    Expect(LowestOf(sheet, cut, degrees % 2, what.c_str()) >= 0.5, "straight cuts: 0.5");
+  }
+  for (const double thickness : { 1.0, 2.0 })
+  {
+    const double h = 100.0 / 224;
+    const Mesh wide = Sheet(224, 224, 2, Vec3(h, h, thickness / 2), plain);
+    for (const double lean : { 0.0, M_PI / 12 })
+    {
+      Placement at;
+      at.X = at.Y = at.Angle = 0;
+      at.Size = 0.6;
+      at.Lean = lean;
+      const Surface hole = MakeSurface("cylinder", wide.Box, at);
+      const std::string what = std::string("hole, ") + (lean > 0 ? "leaning" : "upright") +
+        ", thickness " + std::to_string(thickness);
+      for (const bool invert : { false, true })
+      {
+        Expect(LowestOf(wide, hole, invert, what.c_str()) >= 0.55, "round hole: 0.55");
+      }
+    }
+  }
+}
+
 /// What one trim by a leaning cylinder says of itself and of its nodes.
 struct Trimmed
 {
@@ -78,6 +132,7 @@ Trimmed TrimAt(double floor)
 
 int main()
 {
+  CheckTargets();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",

@@ -45,6 +45,11 @@ Draw DrawTrim(unsigned seed, int number)
   draw.Options.CorrectionType = any(random) < 0.1 ? 1 : any(random) < 0.5 ? 2 : 3;
   draw.Options.Optimization = static_cast<int>(3 * any(random));
   draw.Options.InvertSide = any(random) < 0.5;
+  const double floor = any(random);
+  draw.Options.MinimumScaledJacobian = floor < 0.7 ? 0.2
+    : floor < 0.8                                  ? 0
+    : floor < 0.9                                  ? 0.3
+                                                   : 0.5;
   return draw;
 }
 
@@ -52,10 +57,11 @@ std::string Words(const Draw& draw)
 {
   char text[300];
   std::snprintf(text, sizeof(text),
-    "%s %s x %.3f y %.3f angle %.3f lean %.3f size %.3f seed %u%s type %d opt %d%s",
+    "%s %s x %.3f y %.3f angle %.3f lean %.3f size %.3f seed %u%s type %d opt %d floor %g%s",
     draw.Mesh.c_str(), draw.Kind.c_str(), draw.At.X, draw.At.Y, draw.At.Angle, draw.At.Lean,
     draw.At.Size, draw.At.Seed, draw.At.Reversed ? " reversed" : "", draw.Options.CorrectionType,
-    draw.Options.Optimization, draw.Options.InvertSide ? " inverted" : "");
+    draw.Options.Optimization, draw.Options.MinimumScaledJacobian,
+    draw.Options.InvertSide ? " inverted" : "");
   return text;
 }
 }

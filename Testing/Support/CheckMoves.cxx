@@ -192,6 +192,7 @@ void CheckBoundary(const Evidence& e, Report& report)
   if (e.Case.Options.CorrectionType != 1)
   {
     const std::vector<char> skin = SkinPoints(e);
+    vtkDataArray* distanceLeft = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
     for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
     {
       const bool beyond = e.NodeStatus[e.PointOf[p]] == 1;
@@ -203,7 +204,12 @@ void CheckBoundary(const Evidence& e, Report& report)
       const auto place = e.Border.PlaceOf(e.PointOf[p]);
       const bool corner = place == Exterior::Place::Corner ||
         (place == Exterior::Place::Ridge && !skin[e.PointOf[p]]);
-      if (!(d <= e.Exact) && e.Number("RescuedByLeaving") > 0)
+      const double left = distanceLeft ? distanceLeft->GetComponent(p, 0) : 0;
+      if (!(std::abs(left - (d <= e.Exact ? 0 : d)) <= 1e-6 * d + e.Exact))
+      {
+        report.Fail("DistanceLeft", Point(p), left, d);
+      }
+      if (!(d <= e.Exact) && left > 0)
       {
         // Corners of the model must stay, even where the surface passes beside them.
         report.Note(corner && !e.Moved(p) ? "corners of the model beside the surface" : LeftOff);

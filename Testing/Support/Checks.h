@@ -33,6 +33,7 @@ struct TrimOptions
   bool RenumberNodes = true;
   double Tolerance = 1e-9;
   bool ProduceOffcut = false;
+  double MinimumScaledJacobian = 0.2;
 };
 
 /// Notes under this name are nodes of the new boundary that the filter reported as left.
@@ -129,6 +130,9 @@ void CheckFractions(const Evidence& evidence, Report& report, int maximumCells =
 void CheckMoves(const Evidence& evidence, Report& report);
 /// New boundary on the surface; skin, ridges and corners kept; closed manifold.
 void CheckBoundary(const Evidence& evidence, Report& report);
+/// The quality floor: every touched element that had it before has it, but for the straight
+/// corners of elements that are not made wedges.
+void CheckFloor(const Evidence& evidence, Report& report);
 /// Jacobians, collapse, coincident nodes.
 void CheckElements(const Evidence& evidence, Report& report);
 /// All arrays of the input, by original ids, with attributes and names, on both ports.

@@ -237,6 +237,7 @@ void JudgeAll(const Evidence& evidence, Report& report)
   CheckMoves(evidence, report);
   CheckBoundary(evidence, report);
   CheckElements(evidence, report);
+  CheckFloor(evidence, report);
   CheckCarriedArrays(evidence, report);
   CheckSummary(evidence, report);
   CheckNumbering(evidence, report);
