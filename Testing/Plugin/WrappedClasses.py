@@ -29,7 +29,7 @@ check_equal(trim.GetOutput().GetNumberOfCells(), 8 * 24, "elements left of the p
 check_equal(trim.GetOutputDataObject(1).GetNumberOfCells(), 20 * 24, "elements of port 1")
 
 check_equal(trim.GetNumberOfInputPorts(), 2, "input ports")
-check_equal(trim.GetNumberOfOutputPorts(), 2, "output ports")
+check_equal(trim.GetNumberOfOutputPorts(), 3, "output ports")
 for name, value in [("CorrectionType", 3), ("Optimization", 1), ("InvertSide", True),
                     ("UseKeepPoint", True), ("EliminationFraction", 0.25),
                     ("RenumberNodes", False), ("Tolerance", 1e-8),
