@@ -6,6 +6,11 @@
  */
 #include "RunTrim.h"
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -79,7 +84,9 @@ int main(int argc, char* argv[])
   struct Row
   {
     int Trims = 0, Good = 0, Rescued = 0, Left = 0, Warned = 0, Failed = 0;
+    double Lowest = 1; ///< scaled Jacobian, with the default floor and treatment
   };
+  double touched = 0, certified = 0;
   std::map<std::string, Row> table;
   std::map<std::string, int> checks;
   for (int i = 0; i < count; ++i)
@@ -99,6 +106,12 @@ int main(int argc, char* argv[])
     {
       std::printf("     with %s\n", rescues.c_str());
     }
+    const auto number = [&outcome](const char* name)
+    { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+    const bool wedges = outcome.Clean() && draw.Options.CorrectionType != 1 &&
+      draw.Options.Optimization == 2 && number("TouchedElements") > 0;
+    touched += wedges ? number("TouchedElements") : 0;
+    certified += wedges ? number("CertifiedElements") : 0;
     for (const std::string& key : { "surface " + draw.Kind, "mesh " + draw.Mesh })
     {
       Row& row = table[key];
@@ -108,6 +121,10 @@ int main(int argc, char* argv[])
       row.Rescued += report.Failures() == 0 && !rescues.empty();
       row.Left += report.Failures() == 0 && report.Notes().count(LeftOff) > 0;
       row.Warned += report.Failures() == 0 && !outcome.Warnings.empty();
+      if (wedges && draw.Options.MinimumScaledJacobian == 0.2)
+      {
+        row.Lowest = std::min(row.Lowest, number("MinimumScaledJacobian"));
+      }
     }
     for (const auto& check : report.ByCheck())
     {
@@ -115,16 +132,19 @@ int main(int argc, char* argv[])
     }
   }
   // Good: no check failed. Of these, rescued: some rung of the ladder was climbed; left: nodes
-  // are off the surface, and the filter says so.
-  std::printf("\n%-22s %6s %6s %8s %6s %7s %7s\n", "", "trims", "good", "rescued", "left", "warned",
-    "failed");
+  // are off the surface, and the filter says so; lowest: the worst scaled Jacobian of touched
+  // elements with wedges and the default floor.
+  std::printf("\n%-22s %6s %6s %8s %6s %7s %7s %7s\n", "", "trims", "good", "rescued", "left",
+    "warned", "failed", "lowest");
   int failed = 0;
   for (const auto& row : table)
   {
-    std::printf("%-22s %6d %6d %8d %6d %7d %7d\n", row.first.c_str(), row.second.Trims,
-      row.second.Good, row.second.Rescued, row.second.Left, row.second.Warned, row.second.Failed);
+    std::printf("%-22s %6d %6d %8d %6d %7d %7d %7.3f\n", row.first.c_str(), row.second.Trims,
+      row.second.Good, row.second.Rescued, row.second.Left, row.second.Warned, row.second.Failed,
+      row.second.Lowest);
     failed += row.second.Failed;
   }
+  std::printf("with wedges: %.0f touched elements, %.0f certified\n", touched, certified);
   for (const auto& check : checks)
   {
     std::printf("failed check: %-40s in %d trims\n", check.first.c_str(), check.second);
