@@ -3,9 +3,10 @@
  * @brief Better elements at the cut by moving nodes where they may: boundary nodes along the
  * cut, and the nodes of the rings behind it within their layer.
  *
- * A node tries steps in its own directions, and the way its neighbours went, and keeps what
- * raises the smallest scaled Jacobian of the elements round it. Skin nodes stay on the skin,
- * boundary nodes on the surface, border and corner nodes where they are.
+ * The nodes of a pillar together, then each alone, try steps in their own directions and the way
+ * their neighbours went, and keep what raises the smallest scaled Jacobian of the elements round
+ * them. Skin nodes stay on the skin, boundary nodes on the surface, border nodes on their border
+ * where it is straight; others and corners stay where they are.
  */
 #ifndef Relaxation_h
 #define Relaxation_h

@@ -1,11 +1,13 @@
 /**
  * @file ValidityLadder.h
  * @brief Decide, correct and treat, again and again with other choices where an element would
- * become invalid, until every touched element is valid.
+ * become invalid, until every touched element is valid and at the quality floor.
  *
  * First the nodes round a bad element are relaxed. The rungs, climbed column by column where
  * that does not do: the other pentahedral treatment, the other correction, the column's other
- * fate, and at last, for elements that are not valid, its nodes left where they are.
+ * fate, and at last nodes left off the surface: where they were for elements that are invalid,
+ * a part of their way for elements below the floor. What came below the floor is exempt. At the
+ * end everything is relaxed once more, to a higher goal that binds nobody.
  */
 #ifndef ValidityLadder_h
 #define ValidityLadder_h

@@ -28,11 +28,11 @@
  *   surface, 3 invalid;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere.
  *
+ * Each value of the last three comes with one warning: how many, where, and what to do.
+ *
  * Output port 2, empty unless ProduceOffcut is on: the part that is cut away, fitted to port 0 node
  * by node, with the arrays of port 0 but Rescue. Parts of one input element share its
  * vtkOriginalCellIds.
- *
- * Each value of the last three comes with one warning: how many, where, and what to do.
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
  * where it was not computed), Rescue (unsigned char, cells: how an element that would have become
@@ -147,7 +147,8 @@ public:
   /**
    * Scaled Jacobian (0 to 1) that every element touched by the trim has to reach, but for
    * straight corners with Optimization 0 and 1. Nodes behind the cut are moved where it needs
-   * it; 0 turns it off. Default: 0.2.
+   * it; what cannot reach it otherwise has nodes left off the surface (DistanceLeft). 0 turns it
+   * off. Default: 0.2.
    */
   vtkSetClampMacro(MinimumScaledJacobian, double, 0.0, 1.0);
   vtkGetMacro(MinimumScaledJacobian, double);
