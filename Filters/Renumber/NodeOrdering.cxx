@@ -163,18 +163,6 @@ Eigen::Matrix3d PrincipalAxes(int count, const std::function<Vec3(int)>& positio
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
 }
 
-/// The frame of the first element's edges: the rows of a regular mesh that lies askew.
-Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int)>& position)
-{
-  const int* nodes = graph.Connectivity.data() + graph.Offset[graph.Offset.size() / 2 - 1];
-  const Vec3 u = (position(nodes[1]) - position(nodes[0])).normalized();
-  Vec3 v = position(nodes[2]) - position(nodes[1]);
-  v = (v - u * u.dot(v)).normalized();
-  Eigen::Matrix3d frame;
-  frame << u, v, u.cross(v);
-  return frame;
-}
-
 /// Levels of a breadth-first search from a node over elements.
 struct LevelStructure
 {
@@ -449,6 +437,17 @@ int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number)
 int NodeBandwidth(const NodeGraph& graph)
 {
   return WidestElement(graph, [](int node) { return node; });
+}
+
+Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int)>& position)
+{
+  const int* nodes = graph.Connectivity.data() + graph.Offset[graph.Offset.size() / 2 - 1];
+  const Vec3 u = (position(nodes[1]) - position(nodes[0])).normalized();
+  Vec3 v = position(nodes[2]) - position(nodes[1]);
+  v = (v - u * u.dot(v)).normalized();
+  Eigen::Matrix3d frame;
+  frame << u, v, u.cross(v);
+  return frame;
 }
 
 std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int)>& position,

@@ -12,6 +12,8 @@
 
 #include "HexMesh.h"
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <vector>
 
@@ -31,6 +33,9 @@ int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number);
 
 /// The same under the numbers as they are.
 int NodeBandwidth(const NodeGraph& graph);
+
+/// The frame of one element's edges: the rows of a regular mesh that lies askew.
+Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int)>& position);
 
 /**
  * New number of each node.

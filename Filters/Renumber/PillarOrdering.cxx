@@ -70,18 +70,6 @@ Eigen::Matrix3d PrincipalAxes(const std::vector<Vec3>& points)
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
 }
 
-/// The frame of one element's edges: the rows of a regular mesh that lies askew.
-Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int)>& position)
-{
-  const int* nodes = graph.Connectivity.data() + graph.Offset[graph.Offset.size() / 2 - 1];
-  const Vec3 u = (position(nodes[1]) - position(nodes[0])).normalized();
-  Vec3 v = position(nodes[2]) - position(nodes[1]);
-  v = (v - u * u.dot(v)).normalized();
-  Eigen::Matrix3d frame;
-  frame << u, v, u.cross(v);
-  return frame;
-}
-
 std::vector<int> Inverse(const std::vector<int>& order)
 {
   std::vector<int> rank(order.size());

@@ -164,10 +164,10 @@ bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count)
     ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >= this->Floor;
 }
 
-template <typename Limit>
-std::vector<int> BandQuality::FindBelow(const TrimmedBand& trimmed, const Limit& limitOf) const
+template <typename Test>
+std::vector<int> BandQuality::FindTouched(const TrimmedBand& trimmed, const Test& test) const
 {
-  std::vector<int> below;
+  std::vector<int> found;
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
     if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || this->IsExempt(trimmed, e))
@@ -175,26 +175,30 @@ std::vector<int> BandQuality::FindBelow(const TrimmedBand& trimmed, const Limit&
       continue;
     }
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    if (final.Touched &&
-      ScaledJacobian(final.Points, final.Count) <
-        limitOf(ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count)))
+    if (final.Touched && test(e, final))
     {
-      below.push_back(e);
+      found.push_back(e);
     }
   }
-  return below;
+  return found;
 }
 
 std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
 {
-  const double floor = this->Floor;
-  return this->FindBelow(trimmed, [floor](double before) { return before >= floor ? floor : 0.0; });
+  return this->FindTouched(trimmed,
+    [this](int e, const FinalElement& final)
+    { return this->FallsBelowFloor(e, final.Points, final.Count); });
 }
 
 std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double scaledJacobian) const
 {
-  return this->FindBelow(trimmed,
-    [scaledJacobian](double before) { return std::min(scaledJacobian, SameQuality * before); });
+  return this->FindTouched(trimmed,
+    [this, scaledJacobian](int e, const FinalElement& final)
+    {
+      const double now = ScaledJacobian(final.Points, final.Count);
+      return now < scaledJacobian &&
+        now < SameQuality * ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count);
+    });
 }
 
 double BandQuality::LowestIfLeft(const TrimmedBand& trimmed, const Columns& columns, int column,

@@ -55,9 +55,9 @@ public:
 private:
   ElementPoints ShapeBefore(int element) const;
   bool IsExempt(const TrimmedBand& trimmed, int element) const;
-  /// Touched elements below a value that depends on the scaled Jacobian before.
-  template <typename Limit>
-  std::vector<int> FindBelow(const TrimmedBand& trimmed, const Limit& limitOf) const;
+  /// Touched kept elements that are not exempt and pass a test.
+  template <typename Test>
+  std::vector<int> FindTouched(const TrimmedBand& trimmed, const Test& test) const;
   std::vector<char> FindCoincidentNodes(const TrimmedBand& trimmed) const;
   bool IsSpoiled(const TrimmedBand& trimmed, int element, const std::vector<char>& coincides) const;
 

@@ -1,10 +1,12 @@
-"""Runs ServerClient.py against a pvserver that loads the plugin too; plain Python."""
-import os
+"""Runs a client's script against a pvserver that loads the plugin too; plain Python.
+
+Arguments: the client's script, and the command that starts the server on several ranks, if any.
+"""
 import re
 import subprocess
 import sys
 
-server = subprocess.Popen(["pvserver", "--server-port=0"], stdout=subprocess.PIPE,
+server = subprocess.Popen(sys.argv[2:] + ["pvserver", "--server-port=0"], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True)
 try:
     said = ""
@@ -15,9 +17,7 @@ try:
             break
     else:
         sys.exit("The server did not say where it listens:\n" + said)
-    client = subprocess.run(["pvpython", "--dr",
-                             os.path.join(os.path.dirname(__file__), "ServerClient.py"),
-                             found.group(1)])
+    client = subprocess.run(["pvpython", "--dr", sys.argv[1], found.group(1)])
     # The server ends with its client.
     print(server.communicate(timeout=60)[0])
 finally:
