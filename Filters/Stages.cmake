@@ -33,6 +33,7 @@ add_library(NURBSTrimStages STATIC
   Renumber/PillarOrdering.cxx
   Renumber/Pillars.cxx
   Renumber/RowSort.cxx
+  Write/ArrayRanges.cxx
   Write/FindingArrays.cxx
   Write/GatherAttributes.cxx
   Write/GridPart.cxx

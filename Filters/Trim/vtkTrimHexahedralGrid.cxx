@@ -1,5 +1,6 @@
 #include "vtkTrimHexahedralGrid.h"
 
+#include "ArrayRanges.h"
 #include "ControllerRanks.h"
 #include "GhostCells.h"
 #include "InputScale.h"
@@ -367,6 +368,10 @@ int vtkTrimHexahedralGrid::Trim(
     statuses->Initialize();
     offcut->Initialize();
     return 1;
+  }
+  for (vtkUnstructuredGrid* output : { trimmed, statuses, offcut })
+  {
+    trim::TellRanges(output);
   }
   for (std::size_t i = 0; ranks.Rank() == 0 && i < result.Warnings.size(); ++i)
   {

@@ -1,0 +1,248 @@
+#include "ArrayRanges.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleVectorKey.h>
+#include <vtkInformationInformationVectorKey.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkSMPTools.h>
+#include <vtkSetGet.h>
+#include <vtkTypeTraits.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace trim
+{
+namespace
+{
+
+/// Tuples for a thread at a time.
+constexpr vtkIdType Grain = 50000;
+
+/// Least and largest value; where there is none, as VTK tells it. NaN counts for nothing.
+template <typename Value>
+struct Range
+{
+  Value Least = vtkTypeTraits<Value>::Max();
+  Value Largest = vtkTypeTraits<Value>::Min();
+
+  void Add(Value value)
+  {
+    this->Least = value < this->Least ? value : this->Least;
+    this->Largest = value > this->Largest ? value : this->Largest;
+  }
+  void Add(const Range& other)
+  {
+    this->Least = std::min(this->Least, other.Least);
+    this->Largest = std::max(this->Largest, other.Largest);
+  }
+  bool IsFinite() const
+  {
+    return std::isfinite(static_cast<double>(this->Least)) &&
+      std::isfinite(static_cast<double>(this->Largest));
+  }
+  std::array<double, 2> AsDoubles() const
+  {
+    return { static_cast<double>(this->Least), static_cast<double>(this->Largest) };
+  }
+};
+
+/// Calls add(ranges, begin, end) for pieces of the array, and joins their ranges.
+template <typename Value, typename Action>
+std::vector<Range<Value>> Join(vtkIdType tuples, std::size_t count, const Action& add)
+{
+  const vtkIdType pieces = (tuples + Grain - 1) / Grain;
+  std::vector<Range<Value>> found(pieces * count);
+  vtkSMPTools::For(0, pieces, 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType piece = first; piece < last; ++piece)
+      {
+        std::vector<Range<Value>> ranges(count);
+        add(ranges.data(), piece * Grain, std::min(tuples, (piece + 1) * Grain));
+        std::copy(ranges.begin(), ranges.end(), found.begin() + piece * count);
+      }
+    });
+  std::vector<Range<Value>> joined(count);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    joined[i % count].Add(found[i]);
+  }
+  return joined;
+}
+
+/// The ranges of so many values side by side, again and again: lanes, for the compiler to take in
+/// one step. Each lane belongs to one component.
+template <int Lanes, bool Finite, typename Value>
+void AddLanes(const Value* value, vtkIdType rows, Range<Value>* components, int count)
+{
+  std::array<Value, Lanes> least;
+  std::array<Value, Lanes> largest;
+  least.fill(Range<Value>().Least);
+  largest.fill(Range<Value>().Largest);
+  for (vtkIdType row = 0; row < rows; ++row, value += Lanes)
+  {
+    for (int i = 0; i < Lanes; ++i)
+    {
+      const Value v = value[i];
+      const bool counts = !Finite || !std::isinf(static_cast<double>(v));
+      least[i] = counts && v < least[i] ? v : least[i];
+      largest[i] = counts && v > largest[i] ? v : largest[i];
+    }
+  }
+  for (int i = 0; i < Lanes; ++i)
+  {
+    components[i % count].Add({ least[i], largest[i] });
+  }
+}
+
+/// An array's memory, tuple by tuple.
+template <typename Value>
+struct Tuples
+{
+  const Value* Values;
+  vtkIdType Count;
+  int Components;
+
+  /// Of each component. With Finite, infinite values count for nothing.
+  template <bool Finite>
+  std::vector<Range<Value>> OfComponents() const
+  {
+    return Join<Value>(this->Count, this->Components,
+      [this](Range<Value>* ranges, vtkIdType begin, vtkIdType end)
+      {
+        const Value* first = this->Values + begin * this->Components;
+        const vtkIdType size = (end - begin) * this->Components;
+        constexpr int Lanes = 48;
+        vtkIdType done = 0;
+        if (Lanes % this->Components == 0)
+        {
+          AddLanes<Lanes, Finite>(first, size / Lanes, ranges, this->Components);
+          done = size / Lanes * Lanes;
+        }
+        for (vtkIdType i = done; i < size; ++i)
+        {
+          AddLanes<1, Finite>(first + i, 1, ranges + i % this->Components, 1);
+        }
+      });
+  }
+
+  /// Of the magnitude. Size: the number of components where it is known to the compiler, else 0.
+  template <bool Finite, int Size>
+  Range<double> OfNorm() const
+  {
+    auto range = Join<double>(this->Count, 1,
+      [this](Range<double>* ranges, vtkIdType begin, vtkIdType end)
+      {
+        const int size = Size > 0 ? Size : this->Components;
+        const Value* value = this->Values + begin * size;
+        std::array<Range<double>, 4> found; // they do not wait for each other
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          double sum = 0.0;
+          for (int c = 0; c < size; ++c)
+          {
+            const auto v = static_cast<double>(*value++);
+            sum += v * v;
+          }
+          if (!Finite || !std::isinf(sum))
+          {
+            found[i % 4].Add(sum);
+          }
+        }
+        for (const auto& part : found)
+        {
+          ranges->Add(part);
+        }
+      })[0];
+    range.Least = std::sqrt(range.Least);
+    range.Largest = std::sqrt(range.Largest);
+    return range;
+  }
+  template <bool Finite>
+  Range<double> OfNorm() const
+  {
+    return this->Components == 3 ? this->OfNorm<Finite, 3>() : this->OfNorm<Finite, 0>();
+  }
+};
+
+template <typename Value>
+void SetComponents(vtkDataArray* array, vtkInformationInformationVectorKey* key,
+  const std::vector<Range<Value>>& ranges)
+{
+  vtkNew<vtkInformationVector> components;
+  components->SetNumberOfInformationObjects(static_cast<int>(ranges.size()));
+  for (std::size_t c = 0; c < ranges.size(); ++c)
+  {
+    const auto range = ranges[c].AsDoubles();
+    components->GetInformationObject(static_cast<int>(c))
+      ->Set(vtkDataArray::COMPONENT_RANGE(), range.data(), 2);
+  }
+  array->GetInformation()->Set(key, components);
+}
+
+template <typename Value>
+void Tell(vtkDataArray* array, const Value* values)
+{
+  const Tuples<Value> tuples{ values, array->GetNumberOfTuples(), array->GetNumberOfComponents() };
+  const auto ranges = tuples.template OfComponents<false>();
+  const bool finite =
+    std::all_of(ranges.begin(), ranges.end(), [](const auto& range) { return range.IsFinite(); });
+  SetComponents(array, vtkAbstractArray::PER_COMPONENT(), ranges);
+  SetComponents(array, vtkAbstractArray::PER_FINITE_COMPONENT(),
+    finite ? ranges : tuples.template OfComponents<true>());
+  if (tuples.Components > 1)
+  {
+    const auto norm = tuples.template OfNorm<false>();
+    const auto finiteNorm = norm.IsFinite() ? norm : tuples.template OfNorm<true>();
+    array->GetInformation()->Set(vtkDataArray::L2_NORM_RANGE(), norm.AsDoubles().data(), 2);
+    array->GetInformation()->Set(
+      vtkDataArray::L2_NORM_FINITE_RANGE(), finiteNorm.AsDoubles().data(), 2);
+  }
+}
+
+}
+
+void TellRanges(vtkDataArray* array)
+{
+  if (!array || array->GetNumberOfTuples() == 0 || !array->HasStandardMemoryLayout() ||
+    (array->HasInformation() && array->GetInformation()->Has(vtkAbstractArray::PER_COMPONENT())))
+  {
+    return;
+  }
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(Tell(array, static_cast<const VTK_TT*>(array->GetVoidPointer(0))));
+    default:
+      break;
+  }
+}
+
+void TellRanges(vtkDataSet* data)
+{
+  for (vtkDataSetAttributes* attributes :
+    { static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+      static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
+  {
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      TellRanges(attributes->GetArray(i));
+    }
+  }
+  auto* points = vtkPointSet::SafeDownCast(data);
+  if (points && points->GetPoints())
+  {
+    TellRanges(points->GetPoints()->GetData());
+  }
+}
+
+}
