@@ -21,6 +21,9 @@
  * - Displacement (3 floats, points): how far the correction moved the node;
  * - CorrectionApplied (unsigned char, points): 0 none, 2 type II, 3 type III, 4 relaxed (a node
  *   behind the cut, moved for the quality of the elements there);
+ * - Rescue (unsigned char, cells): how an element that would have become invalid was saved, 0 not
+ *   needed, 1 relaxation, 2 other treatment, 3 other correction, 4 other fate, 5 nodes left off the
+ *   surface;
  * - Feasibility (unsigned char, cells): where the surface breaks an assumption of the method, 0
  *   nowhere, 1 sharp bend, 2 inclined to the skin, 3 narrow hole, 4 edge crossed twice, 5 cut-out
  *   not opened (see Findings.h);
@@ -35,9 +38,7 @@
  * vtkOriginalCellIds.
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
- * where it was not computed), Rescue (unsigned char, cells: how an element that would have become
- * invalid was saved, 0 not needed, 1 relaxation, 2 other treatment, 3 other correction, 4 other
- * fate, 5 nodes left off the surface), every array of the input, and a summary in its field data.
+ * where it was not computed), every array of the input, and a summary in its field data.
  *
  * On several ranks each gives its piece of the grid, and what it has of the surface. The result, as
  * a mesh, is that of the whole grid on one rank; only the numbering differs. Nodes that pieces

@@ -39,11 +39,12 @@ inline Rescue RescueBy(Rung rung)
   }
 }
 
-/// The last rung of an element of the band.
+/// The last rung of an element of the band; of one that went, that of its column.
 inline Rescue RescueOf(const TrimBand& near, int element)
 {
   const Rescue byColumn = RescueBy(near.Trimmed.RescuedBy[near.Structure.Column[element]]);
-  const bool relaxed = !near.Trimmed.Relaxed.empty() && near.Trimmed.Relaxed[element];
+  const bool relaxed =
+    near.Trimmed.Kept[element] && !near.Trimmed.Relaxed.empty() && near.Trimmed.Relaxed[element];
   return byColumn == Rescue::None && relaxed ? Rescue::Relaxation : byColumn;
 }
 

@@ -1,5 +1,6 @@
 #include "StatusArrays.h"
 
+#include "Rescue.h"
 #include "Status.h"
 
 #include <vtkCellData.h>
@@ -136,6 +137,24 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
   }
   cellData->AddArray(status);
   cellData->AddArray(fraction);
+}
+
+void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
+{
+  auto array = MakeArray<vtkUnsignedCharArray>("Rescue", ids.size());
+  unsigned char* values = array->GetPointer(0);
+  std::fill(values, values + ids.size(), static_cast<unsigned char>(Rescue::None));
+  const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
+  for (int e = 0; e < elements; ++e)
+  {
+    const Id cell = result.Near->Mesh.Elements[e].Global;
+    const Rescue rescue = RescueOf(*result.Near, e);
+    if (cell >= 0 && rescue != Rescue::None)
+    {
+      ids.ForPlaces(cell, [=](Id place) { values[place] = static_cast<unsigned char>(rescue); });
+    }
+  }
+  cellData->AddArray(array);
 }
 
 }

@@ -47,6 +47,9 @@ void AddPointStatuses(
 /// ElementStatus and EliminatedFraction of the cells `ids`.
 void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData);
 
+/// Rescue of the cells `ids`.
+void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cellData);
+
 }
 
 #endif

@@ -13,7 +13,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -125,23 +124,6 @@ void AddQuality(const HexMesh& mesh, const MeshBlocks& blocks, const Ranks& rank
   output->GetCellData()->AddArray(scaled);
 }
 
-/// Rescue: the rung of the validity ladder that saved the element.
-void AddRescue(const TrimResult& result, const KeptMesh& kept, vtkUnstructuredGrid* output)
-{
-  const Id count = static_cast<Id>(kept.Cells.size());
-  vtkNew<vtkUnsignedCharArray> rescue;
-  rescue->SetName("Rescue");
-  rescue->SetNumberOfValues(count);
-  unsigned char* values = rescue->GetPointer(0);
-  for (Id i = 0; i < count; ++i)
-  {
-    values[i] = kept.BandElement[i] < 0
-      ? static_cast<unsigned char>(Rescue::None)
-      : static_cast<unsigned char>(RescueOf(*result.Near, kept.BandElement[i]));
-  }
-  output->GetCellData()->AddArray(rescue);
-}
-
 void SummariseTouched(const TrimResult& result, Summary& summary)
 {
   const auto& near = *result.Near;
@@ -192,8 +174,7 @@ void CountRescues(const TrimResult& result, Summary& summary)
   const auto& trimmed = result.Near->Trimmed;
   for (int e = 0; e < result.Near->Mesh.NumberOfElements(); ++e)
   {
-    summary.RescuedByRelaxation +=
-      trimmed.Kept[e] && RescueOf(*result.Near, e) == Rescue::Relaxation;
+    summary.RescuedByRelaxation += RescueOf(*result.Near, e) == Rescue::Relaxation;
   }
   for (const Rung rung : trimmed.RescuedBy)
   {
@@ -252,7 +233,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   AddPointFindings(result.Found, kept.PointIds(), output->GetPointData());
   AddCellFindings(result.Found, kept.CellIds(), output->GetCellData());
   ColourByStatus(output);
-  AddRescue(result, kept, output);
+  AddRescues(result, kept.CellIds(), output->GetCellData());
   Summary summary;
   AddQuality(mesh, blocks, ranks, result, kept, options.QualityOfAllElements, summary, output);
   Summarise(ranks, result, kept, surface, summary);
@@ -270,6 +251,7 @@ void WriteStatusGrid(
   AddPointFindings(result.Found, points, output->GetPointData());
   const auto cells = Selection::All(input->GetNumberOfCells());
   AddCellStatuses(result, cells, output->GetCellData());
+  AddRescues(result, cells, output->GetCellData());
   AddCellFindings(result.Found, cells, output->GetCellData());
   ColourByStatus(output);
 }

@@ -56,7 +56,8 @@ window.python("check_equal(hovered['NodeStatus'], '1', 'status of the node')\n"
               "check_equal(hovered['CorrectionApplied'], '3', 'its correction')")
 window.hover("Cells", 0.46, 0.5)
 window.python("check_equal(hovered['ElementStatus'], '2', 'status of the element')\n"
-              "check_equal(hovered['EliminatedFraction'], '0.3', 'its share beyond')")
+              "check_equal(hovered['EliminatedFraction'], '0.3', 'its share beyond')\n"
+              "check_equal(hovered['Rescue'], '0', 'its rescue')")
 window.action("ShowStatuses")
 window.python("check_equal(shown_elements(), 12 * 24, 'elements in the view')")
 window.action("ShowSummary")

@@ -135,6 +135,10 @@ void CheckArrays(const Trial& trial, Report& report)
     RequireArray(pd, port.Name, "CorrectionApplied", VTK_UNSIGNED_CHAR, 1, report);
     RequireArray(cd, port.Name, "ElementStatus", VTK_UNSIGNED_CHAR, 1, report);
     RequireArray(cd, port.Name, "EliminatedFraction", VTK_FLOAT, 1, report);
+    if (!trial.MayDivide)
+    {
+      RequireArray(cd, port.Name, "Rescue", VTK_UNSIGNED_CHAR, 1, report);
+    }
   }
   RequireArray(trial.Trimmed->GetPointData(), "port 0", "vtkOriginalPointIds", -1, 1, report);
   RequireArray(trial.Trimmed->GetCellData(), "port 0", "vtkOriginalCellIds", -1, 1, report);
@@ -147,6 +151,44 @@ void CheckArrays(const Trial& trial, Report& report)
     if (!array || array->GetNumberOfTuples() != 1 || array->GetNumberOfComponents() != 1)
     {
       report.Fail("arrays", std::string("summary ") + name + " is missing or not one value");
+    }
+  }
+}
+
+void CheckRescues(const Evidence& e, Report& report)
+{
+  vtkDataArray* kept = e.Case.Trimmed->GetCellData()->GetArray("Rescue");
+  vtkDataArray* whole = e.Case.Whole->GetCellData()->GetArray("Rescue");
+  if (!kept || !whole)
+  {
+    report.Fail("Rescue", "missing on a port");
+    return;
+  }
+  for (Id c = 0; c < kept->GetNumberOfTuples(); ++c)
+  {
+    if (kept->GetComponent(c, 0) != whole->GetComponent(e.CellOf[c], 0))
+    {
+      report.Fail("Rescue", Cell(e.CellOf[c]) + ": the ports differ", kept->GetComponent(c, 0),
+        whole->GetComponent(e.CellOf[c], 0));
+    }
+  }
+  Id count[6] = { 0, 0, 0, 0, 0, 0 };
+  for (Id c = 0; c < whole->GetNumberOfTuples(); ++c)
+  {
+    ++count[std::min(5, static_cast<int>(whole->GetComponent(c, 0)))];
+  }
+  // The summary counts elements where nodes were relaxed, columns elsewhere.
+  const char* const names[6] = { "", "RescuedByRelaxation", "RescuedByTreatment",
+    "RescuedByCorrection", "RescuedByFate", "RescuedByLeaving" };
+  for (int rung = 1; rung < 6; ++rung)
+  {
+    const double told = e.Number(names[rung]);
+    const bool agree =
+      rung == 1 ? told == static_cast<double>(count[rung]) : (told > 0) == (count[rung] > 0);
+    if (!agree)
+    {
+      report.Fail("Rescue", std::string("against ") + names[rung] + " of the summary",
+        static_cast<double>(count[rung]), told);
     }
   }
 }

@@ -124,6 +124,8 @@ private:
 void CheckArrays(const Trial& trial, Report& report);
 /// NodeStatus and SignedDistance by the oracle, ElementStatus by NodeStatus.
 void CheckStatuses(const Evidence& evidence, Report& report);
+/// Rescue: the same on both ports, and as the summary counts it.
+void CheckRescues(const Evidence& evidence, Report& report);
 /// V^e by stratified sampling of at most `maximumCells` cut elements.
 void CheckFractions(const Evidence& evidence, Report& report, int maximumCells = 60);
 /// Displacement against coordinates, CorrectionApplied, bit identity, type III on mesh edges.

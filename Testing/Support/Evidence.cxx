@@ -233,6 +233,7 @@ void JudgeAll(const Evidence& evidence, Report& report)
     return;
   }
   CheckStatuses(evidence, report);
+  CheckRescues(evidence, report);
   CheckFractions(evidence, report);
   CheckMoves(evidence, report);
   CheckBoundary(evidence, report);

@@ -72,6 +72,8 @@ void AddStatuses(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* input,
     [&](vtkIdType c, int) { return cellX(c) < 3 ? 0
                               : cellX(c) > 3    ? 1
                                                 : 0.6; });
+  Fill<vtkUnsignedCharArray>(
+    cd, "Rescue", 1, m, [&](vtkIdType c, int) { return cells[c] == 2 || cells[c] == 3; });
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
@@ -136,7 +138,9 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
     { "Treated", 8 }, { "MovedNodes", 15 }, { "Pentahedra", 0 }, { "Wedges", 0 },
     { "CertifiedElements", 8 }, { "TouchedElements", 8 }, { "MinimumScaledJacobian", 1 },
     { "MinimumIntegrationPointJacobian", 1 }, { "MaximumDistanceToSurface", 0 },
-    { "Volume", CutAt * 4 * 0.8 }, { "NodeBandwidth", 20 + 4 + 1 } };
+    { "Volume", CutAt * 4 * 0.8 }, { "NodeBandwidth", 20 + 4 + 1 }, { "RescuedByRelaxation", 2 },
+    { "RescuedByTreatment", 0 }, { "RescuedByCorrection", 0 }, { "RescuedByFate", 0 },
+    { "RescuedByLeaving", 0 } };
   for (const auto& entry : summary)
   {
     Fill<vtkDoubleArray>(grid->GetFieldData(), entry.first.c_str(), 1, 1,
@@ -209,6 +213,12 @@ std::vector<Fault> StatusFaults()
       [](Grid*, Grid* w) { SetValue(w->GetPointData(), "NodeStatus", 4, 2); } },
     { "NodeStatus", "ports differ",
       [](Grid* t, Grid*) { SetValue(t->GetPointData(), "NodeStatus", 0, 2); } },
+    { "Rescue", "ports differ",
+      [](Grid* t, Grid*) { SetValue(t->GetCellData(), "Rescue", 1, 2); } },
+    { "Rescue", "one more than the summary counts",
+      [](Grid*, Grid* w) { SetValue(w->GetCellData(), "Rescue", 4, 1); } },
+    { "Rescue", "a rung that the summary does not have",
+      [](Grid*, Grid* w) { SetValue(w->GetCellData(), "Rescue", 5, 4); } },
     { "SignedDistance", "wrong by a hundredth",
       [](Grid*, Grid* w) { SetValue(w->GetPointData(), "SignedDistance", 3, -0.41); } },
     { "SignedDistance", "missing at a cut element",
