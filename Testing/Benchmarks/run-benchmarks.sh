@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian 12), builds Release with the benchmarks, and runs them.
-# Arguments: names of benchmarks, e.g. ClosestPoint; none: all.
+# Arguments: names of benchmarks (ClosestPoint, LineIntersection, Trim, Window); none: all.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../Plugin/setup.sh"
 
@@ -8,11 +8,21 @@ install_packages "$project/Testing/Benchmarks/debian-packages.txt"
 configure_project -DBUILD_TESTING=ON -DNURBSTRIM_BENCHMARKS=ON
 cmake --build "$build" --target benchmarks
 if [ $# -eq 0 ]; then
-  set -- "$build"/bin/Benchmark*
-else
-  set -- "${@/#/$build/bin/Benchmark}"
+  set -- ClosestPoint LineIntersection Trim Window
 fi
+# The real window, with nothing of the user's own settings.
+run_window() (
+  export NURBSTRIM_DATA="$project/Data" NURBSTRIM_OUTPUT="$build/benchmark-window"
+  export PYTHONPATH="$project/Testing/Plugin:$project/Testing/Benchmarks"
+  export PV_PLUGIN_PATH="$build/lib" HOME="$NURBSTRIM_OUTPUT"
+  mkdir -p "$NURBSTRIM_OUTPUT"
+  sh "$project/Plugin/with-display.sh" python3 "$project/Testing/Benchmarks/BenchmarkWindow.py"
+)
 for benchmark in "$@"; do
-  echo "=== $(basename "$benchmark")"
-  "$benchmark"
+  echo "=== $benchmark"
+  if [ "$benchmark" = Window ]; then
+    run_window
+  else
+    "$build/bin/Benchmark$benchmark"
+  fi
 done
