@@ -140,6 +140,7 @@ struct vtkTrimHexahedralGrid::Cache
     const bool read = nurbs::ReadTrimmingSurface(data, this->OwnFaces, error);
     if (!read && (ranks.Alone() || data->GetNumberOfElements(vtkDataObject::POINT) > 0))
     {
+      error = "The trimming surface is not valid: " + error + ".";
       return false;
     }
     if (!read)

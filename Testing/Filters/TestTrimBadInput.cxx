@@ -6,6 +6,7 @@
 #include "RunTrim.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
@@ -14,6 +15,7 @@
 #include <vtkPoints.h>
 #include <vtkTrimHexahedralGrid.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -36,6 +38,28 @@ std::string Lower(std::string text)
   return text;
 }
 
+// One line that ends in a full stop and says what to do.
+void JudgeForm(const std::string& name, const std::string& message)
+{
+  const std::size_t start = message.find("): ");
+  const std::string text = start == std::string::npos ? "" : message.substr(start + 3);
+  const std::size_t end = text.find_last_not_of('\n');
+  if (text.find('\n') <= end || end == std::string::npos || text[end] != '.')
+  {
+    std::printf("FAIL %s: not one sentence: %s\n", name.c_str(), message.c_str());
+    ++Wrong;
+  }
+  const std::vector<const char*> remedies = { "connect", "repair", "remove", "rewrite", "convert",
+    "give", "make it", "need", "has to", "have to", "must", "extend", "correct", "scale" };
+  const bool helps = std::any_of(remedies.begin(), remedies.end(),
+    [&text](const char* remedy) { return text.find(remedy) != std::string::npos; });
+  if (!helps)
+  {
+    std::printf("FAIL %s: nothing to do in: %s\n", name.c_str(), message.c_str());
+    ++Wrong;
+  }
+}
+
 // words: alternatives separated by "|"; one of each must be in the message.
 void Judge(const std::string& name, vtkDataObject* grid, vtkDataObject* surface,
   const std::vector<std::string>& words)
@@ -50,6 +74,7 @@ void Judge(const std::string& name, vtkDataObject* grid, vtkDataObject* surface,
   {
     filter->SetInputDataObject(1, surface);
   }
+  filter->ProduceOffcutOn();
   filter->Update();
   const auto errors = listener.Errors();
   if (errors.size() != 1)
@@ -62,6 +87,7 @@ void Judge(const std::string& name, vtkDataObject* grid, vtkDataObject* surface,
     ++Wrong;
   }
   const std::string message = errors.empty() ? "" : Lower(errors[0]);
+  JudgeForm(name, message);
   for (const std::string& word : words)
   {
     bool named = false;
@@ -77,7 +103,7 @@ void Judge(const std::string& name, vtkDataObject* grid, vtkDataObject* surface,
       ++Wrong;
     }
   }
-  for (int port = 0; port < 2; ++port)
+  for (int port = 0; port < 3; ++port)
   {
     auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port));
     if (output && (output->GetNumberOfPoints() > 0 || output->GetNumberOfCells() > 0))
@@ -122,7 +148,8 @@ void TestSurfaces(const Mesh& mesh)
     };
   };
   const std::vector<Case> cases = {
-    { "no NURBS at all", { "nurbs" }, [](vtkPolyData* d) { d->GetFieldData()->Initialize(); } },
+    { "no NURBS at all", { "trimming surface", "nurbs" },
+      [](vtkPolyData* d) { d->GetFieldData()->Initialize(); } },
     { "no degrees", { "degree" }, drop("NURBSDegrees") },
     { "no control points", { "control" }, drop("NURBSControlPoints") },
     { "no knots", { "knot" }, drop("NURBSKnotsV") },
@@ -144,7 +171,14 @@ void TestSurfaces(const Mesh& mesh)
     { "NaN coordinate of a control point", { "control|point" },
       set("NURBSControlPoints", 2, 1, NaN) },
     { "NaN weight", { "weight|control" }, set("NURBSControlPoints", 2, 3, NaN) },
-    { "zero weight", { "weight", "positive|above zero" }, set("NURBSControlPoints", 1, 3, 0) },
+    { "zero weight", { "trimming surface", "(1, 0)", "weight", "above zero" },
+      set("NURBSControlPoints", 1, 3, 0) },
+    { "infinite weight", { "weight|control" },
+      set("NURBSControlPoints", 2, 3, std::numeric_limits<double>::infinity()) },
+    { "infinite coordinate of a control point", { "control|point", "(0, 1)" },
+      set("NURBSControlPoints", 2, 0, -std::numeric_limits<double>::infinity()) },
+    { "a control point far beyond the grid", { "control point", "length unit" },
+      set("NURBSControlPoints", 2, 0, 1e30) },
     { "negative weight", { "weight", "positive|above zero" }, set("NURBSControlPoints", 1, 3, -1) },
   };
   for (const Case& test : cases)
@@ -179,7 +213,8 @@ void TestLoopsAndShells(const Mesh& mesh)
   SetField(bad, "NURBSControlPoints", 0, 3, -2);
   shell->SetBlock(0, GoodPlane(mesh));
   shell->SetBlock(1, bad);
-  Judge("second face of a shell has a bad weight", mesh.Grid, shell, { "weight" });
+  Judge("second face of a shell has a bad weight", mesh.Grid, shell,
+    { "trimming surface", "block 1", "weight" });
 }
 
 void TestGrids(const Mesh& mesh)
@@ -193,6 +228,8 @@ void TestGrids(const Mesh& mesh)
   };
   Judge("no surface", mesh.Grid, nullptr, { "surface" });
   Judge("no grid", nullptr, plane, { "grid|input" });
+  vtkNew<vtkUnstructuredGrid> empty;
+  Judge("a grid without cells", empty, plane, { "grid", "no cells" });
 
   auto grid = copy();
   grid->GetPoints()->SetPoint(17, 1, NaN, 0);
@@ -223,48 +260,109 @@ void TestGrids(const Mesh& mesh)
   const vtkIdType shortOne[7] = { 0, 1, 22, 21, 357, 358, 379 };
   grid->InsertNextCell(VTK_HEXAHEDRON, 7, shortOne);
   Judge("a hexahedron of seven nodes", grid, plane, { "hexahedr|node|point" });
+  grid = copy();
+  const vtkIdType repeated[8] = { 0, 1, 22, 22, 357, 358, 379, 379 };
+  grid->InsertNextCell(VTK_HEXAHEDRON, 8, repeated);
+  Judge("a node twice in a hexahedron", grid, plane,
+    { "wedge", std::to_string(mesh.Grid->GetNumberOfCells()) });
 }
 
-// The message gives a point where the surface ends: on the surface, within the grid.
+void TestPointsAndArrays(const Mesh& mesh)
+{
+  const auto plane = GoodPlane(mesh);
+  const auto copy = [&mesh]()
+  {
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    grid->DeepCopy(mesh.Grid);
+    return grid;
+  };
+  auto grid = copy();
+  vtkNew<vtkPoints> whole;
+  whole->SetDataType(VTK_INT);
+  whole->DeepCopy(grid->GetPoints());
+  whole->SetDataType(VTK_INT);
+  whole->SetNumberOfPoints(grid->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    whole->SetPoint(i, grid->GetPoint(i));
+  }
+  grid->SetPoints(whole);
+  Judge("points of whole numbers", grid, plane, { "float or double" });
+
+  grid = copy();
+  vtkNew<vtkDoubleArray> tooShort;
+  tooShort->SetName("thickness");
+  tooShort->SetNumberOfValues(3);
+  tooShort->Fill(1);
+  grid->GetCellData()->AddArray(tooShort);
+  Judge("an array of three values", grid, plane, { "thickness", "3", "corrupt" });
+
+  grid = copy();
+  grid->GetPoints()->SetPoint(3, 1e200, 0, 0);
+  Judge("a node beyond all bounds", grid, plane, { "1e+200", "repair" });
+  grid = copy();
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    grid->GetPoints()->SetPoint(i, 1, 2, 3);
+  }
+  Judge("all nodes at one place", grid, plane, { "one place", "1 2 3" });
+}
+
+// The message gives a point where the surface ends: both surfaces are upright and end at a line
+// whose distance from the middle of the sheet is known.
 void TestEnds(const Mesh& mesh)
 {
   Placement at;
   at.X = at.Y = 0;
-  for (const Surface& surface : { EndingPlane(mesh.Box, at), EndingTrimLoop(mesh.Box, at) })
+  const std::pair<Surface, double> ends[] = { { EndingPlane(mesh.Box, at), 0.2 * mesh.Box.HalfY },
+    { EndingTrimLoop(mesh.Box, at), 0 } };
+  for (const auto& end : ends)
   {
-    Judge(surface.Name, mesh.Grid, surface.Data, { "end" });
+    const Surface& surface = end.first;
+    Judge(surface.Name, mesh.Grid, surface.Data, { "ends inside the grid, at (" });
     const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
     const std::string text = outcome.Errors.empty() ? "" : outcome.Errors[0];
-    // Three numbers in a row that are a point near the surface, within the grid.
-    bool found = false;
-    for (std::size_t i = 0; i < text.size() && !found; ++i)
-    {
-      double x, y, z;
-      const char* from = text.c_str() + i;
-      found = (std::sscanf(from, "%lf %lf %lf", &x, &y, &z) == 3 ||
-                std::sscanf(from, "%lf , %lf , %lf", &x, &y, &z) == 3) &&
-        x >= -1 && x <= 21 && y >= -1 && y <= 17 && std::abs(z) < 1 &&
-        std::abs(surface.Signed(Vec3(x, y, z))) < 1.5;
-    }
+    const std::size_t place = std::min(text.find(", at (") + 6, text.size());
+    double x = 0, y = 0, z = 0;
+    const bool found = std::sscanf(text.c_str() + place, "%lf, %lf, %lf", &x, &y, &z) == 3 &&
+      std::abs(surface.Signed(Vec3(x, y, z))) < 1e-6 &&
+      std::abs(std::hypot(x - mesh.Box.Centre[0], y - mesh.Box.Centre[1]) - end.second) < 1e-6 &&
+      std::abs(z) < 1;
     if (!found)
     {
-      std::printf("FAIL %s: no point of the surface in: %s\n", surface.Name.c_str(), text.c_str());
+      std::printf("FAIL %s: not where it ends: %s\n", surface.Name.c_str(), text.c_str());
       ++Wrong;
     }
   }
 }
 
-// No error: an empty grid has an empty result.
-void TestEmpty(const Mesh& mesh)
+// No error: a surface beside the grid keeps or eliminates it whole, by the side it lies on.
+void TestMissed(const Mesh& mesh)
 {
-  Mesh empty = mesh;
-  empty.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  const Outcome outcome =
-    RunTrim(empty, MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
-  if (outcome.Case.Trimmed->GetNumberOfCells() != 0 || outcome.Errors.size() > 1)
+  for (const double x : { -3.0, 23.0 })
   {
-    std::printf("FAIL empty grid\n");
-    ++Wrong;
+    for (const bool invert : { false, true })
+    {
+      TrimOptions options;
+      options.InvertSide = invert;
+      const Outcome outcome =
+        RunTrim(mesh, PlaneThrough(Vec3(x, 8, 0), Vec3::UnitX(), 100), options);
+      const std::string name = "missed at " + std::to_string(x) + (invert ? ", inverted" : "");
+      // The side that the normal points to goes: all of the grid lies there if x is below it.
+      const vtkIdType expected = (x < 0) == invert ? mesh.Grid->GetNumberOfCells() : 0;
+      const vtkIdType cells = outcome.Case.Trimmed->GetNumberOfCells();
+      if (!outcome.Errors.empty() || outcome.Warnings.size() != 1 ||
+        outcome.Warnings[0].find("misses the grid") == std::string::npos)
+      {
+        std::printf("FAIL %s: not one warning alone\n", name.c_str());
+        ++Wrong;
+      }
+      if (cells != expected || outcome.Case.Whole->GetNumberOfCells() == 0)
+      {
+        std::printf("FAIL %s: %lld cells\n", name.c_str(), static_cast<long long>(cells));
+        ++Wrong;
+      }
+    }
   }
 }
 }
@@ -273,10 +371,11 @@ int main()
 {
   const Mesh mesh = MakeMesh("sheet2");
   TestGrids(mesh);
+  TestPointsAndArrays(mesh);
   TestSurfaces(mesh);
   TestLoopsAndShells(mesh);
   TestEnds(mesh);
-  TestEmpty(mesh);
+  TestMissed(mesh);
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
