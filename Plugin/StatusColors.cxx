@@ -52,7 +52,13 @@ const char* const Colors = R"json({
         "3", "invalid" ],
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.99, 0.72, 0.26,  0.89, 0.40, 0.10,
         0.84, 0.19, 0.15 ],
-      "IndexedOpacities" : [ 1, 1, 1, 1 ] } }
+      "IndexedOpacities" : [ 1, 1, 1, 1 ] } },
+    "CornerLost" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "none", "1", "corner lost" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.84, 0.19, 0.15 ],
+      "IndexedOpacities" : [ 1, 1 ] } }
   }
 })json";
 

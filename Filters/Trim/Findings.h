@@ -42,6 +42,9 @@ struct Findings
   std::vector<std::pair<Id, Shortfall>> ShortfallsOfOffcut; ///< by element of the input
   /// Distance to the surface of the nodes that should lie on it and were left off.
   std::vector<std::pair<Id, float>> DistancesLeft;
+  /// Nodes at which kept part and offcut do not add up, see FindCornersLost; none if no offcut is
+  /// asked for.
+  std::vector<std::pair<Id, bool>> CornersLost;
 };
 
 }

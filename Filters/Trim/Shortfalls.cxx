@@ -95,13 +95,13 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
     [&inOffcut](int e) { return inOffcut[e] != 0; });
 }
 
-std::vector<int> FindCornersLost(const TrimBand& near)
+std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
 {
   const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
   const std::vector<char> inOffcut = FindUsed(near.Mesh, near.Rest);
   // Else the constraint of a node forgets the sides that go whole with what is cut off.
   const std::vector<unsigned char> allKept(near.Mesh.NumberOfNodes(), NodeKeep);
-  std::vector<int> lost;
+  std::vector<std::pair<int, bool>> lost;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
     const auto faces = near.Mesh.FacesOfNode(n);
@@ -115,7 +115,7 @@ std::vector<int> FindCornersLost(const TrimBand& near)
     const auto constraint = ConstrainNode(near.Mesh, near.Structure, allKept, n);
     if (!inOffcut[n] || constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed)
     {
-      lost.push_back(n);
+      lost.emplace_back(n, true);
     }
   }
   return lost;

@@ -27,9 +27,9 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
 /**
  * Nodes at the border of the model that moved for the kept part, though the offcut has no
  * element there to follow, or would have needed the corner: kept part and offcut do not add up
- * to the whole at them. Ascending band nodes.
+ * to the whole at them. Ascending band nodes, each with true.
  */
-std::vector<int> FindCornersLost(const TrimBand& near);
+std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near);
 
 }
 

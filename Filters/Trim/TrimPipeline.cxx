@@ -346,6 +346,8 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
       near.CornersLost = FindCornersLost(near);
       result.Found.ShortfallsOfOffcut =
         ById(near.ShortfallsOfRest, [&near](int e) { return near.Mesh.Elements[e].Global; });
+      result.Found.CornersLost =
+        ById(near.CornersLost, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     }
   }
   AddWarnings(mesh, piece, result);

@@ -56,7 +56,7 @@ struct TrimBand
   // What follows is empty unless the offcut is asked for.
   Offcut Rest;
   std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;
-  std::vector<int> CornersLost; ///< see FindCornersLost
+  std::vector<std::pair<int, bool>> CornersLost; ///< see FindCornersLost
 };
 
 struct TrimResult

@@ -149,7 +149,7 @@ void WarnOfCornersLost(TrimResult& result)
     result.Warnings.push_back(std::to_string(lost.size()) +
       " nodes at corners or on the border of the model moved for the trimmed grid alone: there it "
       "does not add up to the whole with the offcut. Refine the mesh there. The first is at " +
-      PlaceText(result.Near->Mesh.Point[lost.front()]) + ".");
+      PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
   }
 }
 

@@ -29,9 +29,11 @@
  *   not opened (see Findings.h);
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
  *   surface, 3 invalid;
- * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere.
+ * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
+ * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a node of the model's border
+ *   moved for port 0 alone, so that the parts do not add up to the whole; 0 elsewhere.
  *
- * Each value of the last three comes with one warning: how many, where, and what to do.
+ * Each value of the last four comes with one warning: how many, where, and what to do.
  *
  * Output port 2, empty unless ProduceOffcut is on: the part that is cut away, fitted to port 0 node
  * by node, with the arrays of port 0 but Rescue. Parts of one input element share its

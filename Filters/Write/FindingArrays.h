@@ -14,7 +14,7 @@ class vtkPointData;
 namespace trim
 {
 
-/// DistanceLeft (float) of the points `ids`.
+/// DistanceLeft (float) and CornerLost (unsigned char) of the points `ids`.
 void AddPointFindings(const Findings& findings, const Selection& ids, vtkPointData* pointData);
 
 /// Feasibility and Shortfall (unsigned char) of the cells `ids`.

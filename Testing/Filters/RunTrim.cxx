@@ -8,6 +8,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkTrimHexahedralGrid.h>
 
+#include <cstdlib>
 #include <cstring>
 
 namespace judge
@@ -92,6 +93,19 @@ Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& opt
   outcome.Errors = listener.Errors();
   outcome.Warnings = listener.Warnings();
   return outcome;
+}
+
+int CountWarned(const Outcome& outcome, const std::string& phrase)
+{
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::size_t start = warning.find("): ");
+    if (warning.find(phrase) != std::string::npos && start != std::string::npos)
+    {
+      return std::atoi(warning.c_str() + start + 3);
+    }
+  }
+  return 0;
 }
 
 std::string Rescues(vtkUnstructuredGrid* trimmed)

@@ -38,6 +38,9 @@ void SetOptions(vtkTrimHexahedralGrid* filter, const TrimOptions& options);
 /// One run with a fresh filter; outputs are detached from it.
 Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& options);
 
+/// The number that the warning with this phrase begins with; 0 without such a warning.
+int CountWarned(const Outcome& outcome, const std::string& phrase);
+
 /// The rungs of the validity ladder that the summary counts, as "name=count ..."; empty: none.
 std::string Rescues(vtkUnstructuredGrid* trimmed);
 

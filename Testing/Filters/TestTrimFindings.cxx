@@ -1,7 +1,7 @@
 /**
  * @file TestTrimFindings.cxx
- * @brief No silence and no false alarms: the arrays Feasibility, Shortfall and DistanceLeft, and
- * the warnings that tell of them.
+ * @brief No silence and no false alarms: the arrays Feasibility, Shortfall, DistanceLeft and
+ * CornerLost, and the warnings that tell of them.
  */
 #include "RunTrim.h"
 
@@ -13,7 +13,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 using namespace judge;
 
@@ -45,6 +44,7 @@ const char* const FeasibilityPhrases[] = { "", "bends with a radius", "less than
 const char* const ShortfallPhrases[] = { "", "below MinimumScaledJacobian", "",
   "distorted beyond repair" };
 const char* const LeftPhrase = "left off the surface";
+const char* const CornerPhrase = "moved for the trimmed grid alone";
 
 std::map<int, int> CountValues(vtkDataArray* array)
 {
@@ -55,20 +55,6 @@ std::map<int, int> CountValues(vtkDataArray* array)
   }
   counts.erase(0);
   return counts;
-}
-
-// The number that the warning with this phrase begins with; 0 without such a warning.
-int CountWarned(const Outcome& outcome, const std::string& phrase)
-{
-  for (const std::string& warning : outcome.Warnings)
-  {
-    const std::size_t start = warning.find("): ");
-    if (warning.find(phrase) != std::string::npos && start != std::string::npos)
-    {
-      return std::atoi(warning.c_str() + start + 3);
-    }
-  }
-  return 0;
 }
 
 // Port 0 says of each cell and point what port 1 says of it.
@@ -94,8 +80,10 @@ void ExpectSameOnBothPorts(const std::string& name, const Outcome& outcome)
   };
   compare(grids[0]->GetCellData(), grids[1]->GetCellData(), "vtkOriginalCellIds", "Feasibility");
   compare(grids[0]->GetCellData(), grids[1]->GetCellData(), "vtkOriginalCellIds", "Shortfall");
-  compare(
-    grids[0]->GetPointData(), grids[1]->GetPointData(), "vtkOriginalPointIds", "DistanceLeft");
+  for (const char* array : { "DistanceLeft", "CornerLost" })
+  {
+    compare(grids[0]->GetPointData(), grids[1]->GetPointData(), "vtkOriginalPointIds", array);
+  }
 }
 
 // Whatever is in the arrays is in a warning, with the same number, and the other way round.
@@ -126,6 +114,8 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
   }
   Expect(CountWarned(outcome, LeftPhrase) == left, name + ": nodes left");
   Expect((left > 0) == (shortfall[2] > 0), name + ": elements with nodes left");
+  auto corners = CountValues(outcome.Case.Whole->GetPointData()->GetArray("CornerLost"));
+  Expect(CountWarned(outcome, CornerPhrase) == corners[1], name + ": corners lost");
   for (int value = 1; value <= 5; ++value)
   {
     if (feasibility[value] == 0)
@@ -319,6 +309,39 @@ void TestLeft()
     Expect(distance == 0 || std::abs(distance - real) < 1e-5, "left: a wrong distance");
   }
 }
+
+// Less than an element is cut off a corner: the corner's nodes move, and no element is there to
+// take what they leave behind.
+void TestCornerLost()
+{
+  const Mesh sheet = Sheet(30, 20, 2, Vec3(1, 1, 0.4));
+  const Surface plane = PlaneThrough(Vec3(29.8, 19.8, 0), Vec3(1, 1, 0), 200);
+  TrimOptions options;
+  const Outcome without = RunTrim(sheet, plane, options);
+  ExpectWarned("corner without the offcut", without);
+  Expect(CountWarned(without, CornerPhrase) == 0, "a corner lost of an offcut nobody asked for");
+  options.ProduceOffcut = true;
+  const Outcome outcome = RunTrim(sheet, plane, options);
+  ExpectWarned("corner", outcome);
+  Expect(CountWarned(outcome, CornerPhrase) == 3, "corner: not the three nodes of its edge");
+  vtkUnstructuredGrid* whole = outcome.Case.Whole;
+  vtkDataArray* lost = whole->GetPointData()->GetArray("CornerLost");
+  for (vtkIdType i = 0; i < whole->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 p(whole->GetPoint(i));
+    const bool corner = p.x() > 29.9 && p.y() > 19.9;
+    Expect((lost->GetComponent(i, 0) != 0) == corner,
+      "corner: CornerLost of point " + std::to_string(i));
+  }
+  bool placed = false;
+  for (const std::string& warning : outcome.Warnings)
+  {
+    placed = placed || warning.find("The first is at (30, 20, -0.4)") != std::string::npos;
+  }
+  Expect(placed,
+    "corner: no place in the warning: " +
+      (outcome.Warnings.empty() ? "" : outcome.Warnings.back()));
+}
 }
 
 int main()
@@ -330,6 +353,7 @@ int main()
   TestStretched();
   TestShortfalls();
   TestLeft();
+  TestCornerLost();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

@@ -7,13 +7,16 @@
  */
 #include "RunTrim.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
+#include <map>
+#include <set>
 
 using namespace judge;
 
@@ -99,10 +102,39 @@ void CheckCells(const Evidence& kept, const Evidence& rest, Report& report)
   }
 }
 
-bool Says(const Outcome& outcome, const char* phrase)
+// What the warnings count is in the arrays: corners on port 1, elements of the offcut on port 2,
+// where parts of one element share its id.
+void CheckWarnings(const Outcome& outcome, Report& report)
 {
-  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
-    [phrase](const std::string& warning) { return warning.find(phrase) != std::string::npos; });
+  int lost = 0;
+  vtkDataArray* corners = outcome.Case.Whole->GetPointData()->GetArray("CornerLost");
+  for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
+  {
+    lost += corners->GetComponent(i, 0) != 0;
+  }
+  const int lostWarned = CountWarned(outcome, "does not add up");
+  if (lost != lostWarned)
+  {
+    report.Fail("CornerLost", "against the warning", lost, lostWarned);
+  }
+  vtkDataArray* shortfall = outcome.Offcut->GetCellData()->GetArray("Shortfall");
+  vtkDataArray* ids = outcome.Offcut->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::map<int, std::set<double>> elements;
+  for (vtkIdType i = 0; i < shortfall->GetNumberOfTuples(); ++i)
+  {
+    elements[static_cast<int>(shortfall->GetComponent(i, 0))].insert(ids->GetComponent(i, 0));
+  }
+  const std::map<int, const char*> phrases = { { 1, "of the offcut stay below" },
+    { 3, "of the offcut are distorted" } };
+  for (const auto& phrase : phrases)
+  {
+    const int warned = CountWarned(outcome, phrase.second);
+    if (static_cast<int>(elements[phrase.first].size()) != warned)
+    {
+      report.Fail("Shortfall of the offcut", phrase.second,
+        static_cast<double>(elements[phrase.first].size()), warned);
+    }
+  }
 }
 
 void CheckVolumes(const Evidence& kept, const Evidence& rest, Report& report)
@@ -165,7 +197,8 @@ void Judge(const Outcome& outcome, Report& report, Totals& totals)
   CheckCertificate(rest, report, totals);
   CheckSharedNodes(kept, rest, report);
   CheckCells(kept, rest, report);
-  const bool cornersLost = Says(outcome, "does not add up");
+  CheckWarnings(outcome, report);
+  const bool cornersLost = CountWarned(outcome, "does not add up") > 0;
   totals.CornersLost += cornersLost;
   if (!cornersLost && kept.Case.Input->Flat)
   {

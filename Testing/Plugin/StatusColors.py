@@ -14,6 +14,7 @@ NAMES = {
                     "3", "narrow hole", "4", "edge crossed twice", "5", "cut-out not opened"],
     "Shortfall": ["0", "none", "1", "below the quality floor", "2", "left off the surface",
                   "3", "invalid"],
+    "CornerLost": ["0", "none", "1", "corner lost"],
 }
 
 
