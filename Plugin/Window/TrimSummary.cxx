@@ -20,6 +20,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -126,6 +127,7 @@ TrimSummary::TrimSummary(QWidget* parent)
 void TrimSummary::Fill()
 {
   const std::vector<pqPipelineSource*> trims = AllTrims();
+  const int columnsBefore = this->Table->columnCount();
   this->Table->clear();
   this->Table->setRowCount(static_cast<int>(Entries.size()));
   this->Table->setColumnCount(static_cast<int>(trims.size()) + 1);
@@ -149,8 +151,27 @@ void TrimSummary::Fill()
   columns << (trims.empty() ? "Meaning (no trim was applied yet)" : "Meaning");
   this->Table->setHorizontalHeaderLabels(columns);
   this->Table->setVerticalHeaderLabels(rows);
+  for (int row = 0; row < rows.size(); ++row)
+  {
+    this->Table->verticalHeaderItem(row)->setToolTip(Entries[row].Meaning);
+  }
   this->Table->resizeColumnsToContents();
   this->Table->resizeRowsToContents();
+  if (this->isFloating() && this->Table->columnCount() > columnsBefore)
+  {
+    this->ShowAllColumns();
+  }
+}
+
+void TrimSummary::ShowAllColumns()
+{
+  const QRect room = pqCoreUtilities::mainWidget()->geometry();
+  const int width = std::max(this->width(), std::min(this->SizeOfAll().width(), room.width()));
+  this->resize(width, this->height());
+  if (this->geometry().right() > room.right())
+  {
+    this->move(room.right() - width, this->y());
+  }
 }
 
 QSize TrimSummary::SizeOfAll() const

@@ -26,6 +26,7 @@ public:
 
 private:
   void Fill();
+  void ShowAllColumns(); ///< widens the window as far as the main window allows
   void Copy() const;
   QSize SizeOfAll() const; ///< in which the whole table can be seen
 

@@ -76,6 +76,12 @@ window.event(MAIN + "/FileSaveServerStateDialog", "filesSelected",
 window.action("CompareCorrectionTypes")
 window.python("check_comparison(kept=12 * 24, volumes=(12 * 6, 11.7 * 6, 11.7 * 6))")
 
+# The table has grown with the trims, and shows them all.
+window.action("ShowSummary")
+window.expect(SUMMARY, "columnCount", "5")
+window.expect(SUMMARY + "/qt_scrollarea_hcontainer/1QScrollBar0", "maximum", "0")
+window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
+
 # The help button opens the page of the filter, with its pictures.
 window.event(MAIN + "/propertiesDock/propertiesPanel/Help", "activate")
 window.pause(1500)

@@ -46,6 +46,10 @@ window.set_choice("LineType", "Polyline")
 window.expect_visible("InteractiveSpline/PointsTable", False)
 window.expect_visible("InteractivePolyLine/PointsTable", True)
 window.apply()
+# The mesh that the line was drawn on stays in view.
+window.python("shown = GetActiveView().Representations\n"
+              "inputs = [r.Input.GetXMLName() for r in shown if r.Visibility and hasattr(r, 'Input')]\n"
+              "check_equal(sorted(inputs), ['TrimLineSource', 'XMLUnstructuredGridReader'], 'shown')")
 window.python("values = {name: active().FieldData[name] for name in ('Direction', 'Length')}\n"
               "check_equal(values['Direction'].GetRange(2)[0], 1.0, 'direction of the sheet')\n"
               "check_close(values['Length'].GetRange(0)[0], 0.55, 'length through the sheet')")
