@@ -27,18 +27,6 @@ Vec3 FaceNormal(const Band& band, const BandFace& face)
   return normal.normalized();
 }
 
-bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatus)
-{
-  for (int i = 0; i < face.Count; ++i)
-  {
-    if (nodeStatus[face.Node[i]] != NodeEliminate)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// The edges of a face that meet at a node.
 std::array<int, 2> EdgesAt(const Band& band, const BandFace& face, int node)
 {
@@ -100,6 +88,18 @@ void SetKind(const Band& band, int node, NodeConstraint& constraint)
   }
 }
 
+}
+
+bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatus)
+{
+  for (int i = 0; i < face.Count; ++i)
+  {
+    if (nodeStatus[face.Node[i]] != NodeEliminate)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 NodeConstraint ConstrainNode(

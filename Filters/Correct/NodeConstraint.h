@@ -34,6 +34,9 @@ struct NodeConstraint
   bool SharpCorner = false;    ///< its ridge turns by more than a vertex of a smooth border
 };
 
+/// True for a face all of whose nodes lie beyond the surface: it goes with what is cut off.
+bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatus);
+
 /**
  * The constraint of one node. Exterior faces that lie wholly beyond the surface do not hold a
  * node: they go with what is cut off.

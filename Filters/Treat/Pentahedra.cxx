@@ -2,6 +2,7 @@
 
 #include "Decision.h"
 #include "DisjointSets.h"
+#include "NodeConstraint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +100,8 @@ std::array<int, 2> EndsOf(const Band& band, const ExposedEdge& edge)
   return { node[AxisEnds[edge.Axis][0][edge.Corner]], node[AxisEnds[edge.Axis][1][edge.Corner]] };
 }
 
-std::vector<ExposedEdge> FindExposed(
-  const Band& band, const Columns& columns, const std::vector<char>& kept)
+std::vector<ExposedEdge> FindExposed(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept)
 {
   std::vector<ExposedEdge> exposed;
   for (int e = 0; e < band.NumberOfElements(); ++e)
@@ -124,7 +125,10 @@ std::vector<ExposedEdge> FindExposed(
         {
           const auto& face = band.Faces[element.Face[slot]];
           const auto end = face.Node.begin() + face.Count;
-          cutFaces += IsCutFace(face, kept) && std::find(face.Node.begin(), end, a) != end &&
+          const bool ofBoundary = IsCutFace(face, kept) ||
+            (face.Exterior && GoesWhole(face, nodeStatus) &&
+              !columns.IsLayerFace(band, element.Face[slot]));
+          cutFaces += ofBoundary && std::find(face.Node.begin(), end, a) != end &&
             std::find(face.Node.begin(), end, b) != end;
         }
         if (cutFaces == 2 && OnlyKeptAt(band, kept, e, a, b))
@@ -214,13 +218,13 @@ void GroupChains(const Band& band, const std::vector<char>& kept,
 }
 
 /// In a sheet the pillars are those of its columns.
-std::vector<ExposedPillar> GroupExposed(
-  const Band& band, const Columns& columns, const std::vector<char>& kept)
+std::vector<ExposedPillar> GroupExposed(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept)
 {
   std::vector<ExposedPillar> pillars;
   std::map<int, ExposedPillar> ofColumns;
   std::vector<ExposedEdge> ofBlocks;
-  for (const auto& edge : FindExposed(band, columns, kept))
+  for (const auto& edge : FindExposed(band, columns, nodeStatus, kept))
   {
     if (!columns.HasThickness(edge.Element))
     {
@@ -340,14 +344,14 @@ Optimization Resolve(Optimization asked, TreatmentChoice choice)
 }
 
 Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& kept, Optimization asked, const std::vector<TreatmentChoice>& choice,
-  Moves& moves)
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, Optimization asked,
+  const std::vector<TreatmentChoice>& choice, Moves& moves)
 {
   Pentahedra result;
   result.Exposed.assign(band.NumberOfElements(), 0);
   result.FlatCorner.assign(band.NumberOfElements(), 0);
   std::vector<char> isWedge(band.NumberOfElements(), 0);
-  for (const auto& pillar : GroupExposed(band, columns, kept))
+  for (const auto& pillar : GroupExposed(band, columns, nodeStatus, kept))
   {
     const auto& edges = pillar.Edges;
     const auto chosen = ChoiceFor(band, columns, pillar, choice);

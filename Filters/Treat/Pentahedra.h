@@ -3,7 +3,8 @@
  * @brief Elements that became pentahedra (paper, section 2.4, Fig. 7): distributed or degenerated.
  *
  * Where the staircase of kept elements steps, an element shows two adjacent facets to the new
- * boundary, and the edge A-B between them belongs to no other kept element. Once all its nodes
+ * boundary, and the edge A-B between them belongs to no other kept element. A facet on the border
+ * of the mesh that lies beyond the surface counts as one of the new boundary. Once all its nodes
  * lie on the surface the corner at A is nearly a straight angle. *Distribute* puts A and B in
  * the middle of their neighbours along the surface, *degenerate* drops them: a wedge is left.
  */
@@ -56,8 +57,8 @@ struct Pentahedra
  * @param choice by pillar (index: smallest node of the pillar).
  */
 Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& kept, Optimization asked, const std::vector<TreatmentChoice>& choice,
-  Moves& moves);
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, Optimization asked,
+  const std::vector<TreatmentChoice>& choice, Moves& moves);
 
 }
 

@@ -18,6 +18,8 @@ constexpr int MostFloorTrials = 16;
 constexpr double SmallestGoal = 0.05;
 /// Elements up to which the relaxation takes its time, again and again.
 constexpr int MostThorough = 40;
+/// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
+constexpr double AimedFloor = 0.3;
 /// What elements are polished to at last, as far as the nodes round them can give it, where a
 /// lower floor is asked for: the floor is what they must reach.
 constexpr double PolishedGoal = 0.6;
@@ -62,6 +64,8 @@ public:
     , Surface(surface)
     , Options(options)
     , Quality(band, options.Treatment, options.QualityFloor)
+    , Aim(options.QualityFloor > 0.0 ? std::max(options.QualityFloor, AimedFloor) : 0.0)
+    , Aimed(band, options.Treatment, this->Aim)
     , Mover(band, columns, nodeStatus, surface, precision)
     , Rungs(band.NumberOfElements(), Rung::None)
   {
@@ -134,14 +138,14 @@ private:
       this->Options.CorrectionType, set.Corrections);
     if (this->Options.CorrectionType != Correction::Eliminate)
     {
-      trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
-        this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
+      trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
+        this->NodeStatus, trimmed.Kept, this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
       this->RelaxBad(trimmed);
     }
     return trimmed;
   }
 
-  /// Relaxes round what is invalid or below the floor.
+  /// Relaxes round what is invalid or below the aim.
   void RelaxBad(TrimmedBand& trimmed) const
   {
     trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
@@ -149,12 +153,12 @@ private:
     {
       trimmed.Relaxed[e] = 1;
     }
-    for (const int e : this->Quality.FindBelowFloor(trimmed))
+    for (const int e : this->Aimed.FindBelowFloor(trimmed))
     {
       trimmed.Relaxed[e] = 1;
     }
     const auto bad = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), 1);
-    this->RelaxRound(trimmed.Relaxed, std::max(this->Options.QualityFloor, SmallestGoal),
+    this->RelaxRound(trimmed.Relaxed, std::max(this->Aim, SmallestGoal),
       bad > MostThorough ? Brief : Thorough, trimmed);
   }
 
@@ -235,7 +239,7 @@ private:
     std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
     for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
     {
-      const std::vector<int> below = this->Quality.FindBelowFloor(trimmed);
+      const std::vector<int> below = this->Aimed.FindBelowFloor(trimmed);
       const auto next = std::find_if(
         below.begin(), below.end(), [&](int e) { return !tried[this->TheColumns.Column[e]]; });
       if (next == below.end())
@@ -294,7 +298,8 @@ private:
     other.Invalid = this->Quality.FindInvalid(other);
     if (other.Invalid.size() > trimmed.Invalid.size() ||
       this->CountLeft(other) > this->CountLeft(trimmed) ||
-      this->Quality.Deficit(other) >= 0.999 * this->Quality.Deficit(trimmed))
+      this->Quality.Deficit(other) > this->Quality.Deficit(trimmed) ||
+      this->Aimed.Deficit(other) >= 0.999 * this->Aimed.Deficit(trimmed))
     {
       return false;
     }
@@ -597,6 +602,8 @@ private:
   const nurbs::TrimmingSurface& Surface;
   LadderOptions Options;
   BandQuality Quality;
+  double Aim; // scaled Jacobian
+  BandQuality Aimed;
   NodeMover Mover;
   Choices Set;
   std::vector<Rung> Rungs;
