@@ -28,6 +28,8 @@ public:
   {
   }
 
+  double GetFloor() const { return this->Floor; }
+
   /// Kept elements that the trim made invalid, ascending.
   std::vector<int> FindInvalid(const TrimmedBand& trimmed) const;
 

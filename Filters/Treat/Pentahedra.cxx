@@ -100,8 +100,25 @@ std::array<int, 2> EndsOf(const Band& band, const ExposedEdge& edge)
   return { node[AxisEnds[edge.Axis][0][edge.Corner]], node[AxisEnds[edge.Axis][1][edge.Corner]] };
 }
 
+/// Faces of the new boundary: between kept and eliminated elements, and, if asked for, sides on
+/// the border of the mesh that lie beyond the surface.
+std::vector<char> BoundaryFaces(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, bool lostSides)
+{
+  std::vector<char> ofBoundary(band.Faces.size());
+  for (std::size_t f = 0; f < band.Faces.size(); ++f)
+  {
+    const auto& face = band.Faces[f];
+    ofBoundary[f] = IsCutFace(face, kept) ||
+      (lostSides && face.Exterior && GoesWhole(face, nodeStatus) &&
+        !columns.IsLayerFace(band, static_cast<int>(f)));
+  }
+  return ofBoundary;
+}
+
+/// @param newBoundary whether each face is one of the new boundary.
 std::vector<ExposedEdge> FindExposed(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept)
+  const std::vector<char>& kept, const std::vector<char>& newBoundary)
 {
   std::vector<ExposedEdge> exposed;
   for (int e = 0; e < band.NumberOfElements(); ++e)
@@ -125,10 +142,8 @@ std::vector<ExposedEdge> FindExposed(const Band& band, const Columns& columns,
         {
           const auto& face = band.Faces[element.Face[slot]];
           const auto end = face.Node.begin() + face.Count;
-          const bool ofBoundary = IsCutFace(face, kept) ||
-            (face.Exterior && GoesWhole(face, nodeStatus) &&
-              !columns.IsLayerFace(band, element.Face[slot]));
-          cutFaces += ofBoundary && std::find(face.Node.begin(), end, a) != end &&
+          cutFaces += newBoundary[element.Face[slot]] &&
+            std::find(face.Node.begin(), end, a) != end &&
             std::find(face.Node.begin(), end, b) != end;
         }
         if (cutFaces == 2 && OnlyKeptAt(band, kept, e, a, b))
@@ -219,12 +234,12 @@ void GroupChains(const Band& band, const std::vector<char>& kept,
 
 /// In a sheet the pillars are those of its columns.
 std::vector<ExposedPillar> GroupExposed(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept)
+  const std::vector<char>& kept, const std::vector<char>& newBoundary)
 {
   std::vector<ExposedPillar> pillars;
   std::map<int, ExposedPillar> ofColumns;
   std::vector<ExposedEdge> ofBlocks;
-  for (const auto& edge : FindExposed(band, columns, nodeStatus, kept))
+  for (const auto& edge : FindExposed(band, columns, kept, newBoundary))
   {
     if (!columns.HasThickness(edge.Element))
     {
@@ -351,7 +366,10 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
   result.Exposed.assign(band.NumberOfElements(), 0);
   result.FlatCorner.assign(band.NumberOfElements(), 0);
   std::vector<char> isWedge(band.NumberOfElements(), 0);
-  for (const auto& pillar : GroupExposed(band, columns, nodeStatus, kept))
+  // A straight corner that stays is one between facets of the cut.
+  const bool lostSides = asked == Optimization::Degenerate;
+  for (const auto& pillar :
+    GroupExposed(band, columns, kept, BoundaryFaces(band, columns, nodeStatus, kept, lostSides)))
   {
     const auto& edges = pillar.Edges;
     const auto chosen = ChoiceFor(band, columns, pillar, choice);

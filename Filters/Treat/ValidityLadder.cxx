@@ -64,8 +64,8 @@ public:
     , Surface(surface)
     , Options(options)
     , Quality(band, options.Treatment, options.QualityFloor)
-    , Aim(options.QualityFloor > 0.0 ? std::max(options.QualityFloor, AimedFloor) : 0.0)
-    , Aimed(band, options.Treatment, this->Aim)
+    , Aimed(band, options.Treatment,
+        options.QualityFloor > 0.0 ? std::max(options.QualityFloor, AimedFloor) : 0.0)
     , Mover(band, columns, nodeStatus, surface, precision)
     , Rungs(band.NumberOfElements(), Rung::None)
   {
@@ -76,7 +76,7 @@ public:
 
   TrimmedBand Climb(const std::function<bool()>& aborted)
   {
-    TrimmedBand trimmed = this->Attempt();
+    TrimmedBand trimmed = this->Attempt(this->Quality);
     for (int climb = 0; climb < LongestClimb && !aborted(); ++climb)
     {
       const std::vector<int> bad = this->FindBadColumns(trimmed);
@@ -88,9 +88,9 @@ public:
       {
         this->StepUp(trimmed, column);
       }
-      trimmed = this->Attempt();
+      trimmed = this->Attempt(this->Quality);
     }
-    this->LeaveInvalid(trimmed, aborted);
+    this->LeaveInvalid(this->Quality, trimmed, aborted);
     this->RaiseToFloor(trimmed, aborted);
     this->LeaveBelowFloor(trimmed, aborted);
     this->Polish(trimmed);
@@ -119,7 +119,8 @@ private:
     return set;
   }
 
-  TrimmedBand Attempt() const
+  /// @param goal what elements are relaxed to.
+  TrimmedBand Attempt(const BandQuality& goal) const
   {
     const Choices set = this->WithDemands();
     TrimmedBand trimmed;
@@ -140,25 +141,25 @@ private:
     {
       trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
         this->NodeStatus, trimmed.Kept, this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
-      this->RelaxBad(trimmed);
+      this->RelaxBad(goal, trimmed);
     }
     return trimmed;
   }
 
-  /// Relaxes round what is invalid or below the aim.
-  void RelaxBad(TrimmedBand& trimmed) const
+  /// Relaxes round what is invalid or short of the goal.
+  void RelaxBad(const BandQuality& goal, TrimmedBand& trimmed) const
   {
     trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
     for (const int e : this->Quality.FindInvalid(trimmed))
     {
       trimmed.Relaxed[e] = 1;
     }
-    for (const int e : this->Aimed.FindBelowFloor(trimmed))
+    for (const int e : goal.FindBelowFloor(trimmed))
     {
       trimmed.Relaxed[e] = 1;
     }
     const auto bad = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), 1);
-    this->RelaxRound(trimmed.Relaxed, std::max(this->Aim, SmallestGoal),
+    this->RelaxRound(trimmed.Relaxed, std::max(goal.GetFloor(), SmallestGoal),
       bad > MostThorough ? Brief : Thorough, trimmed);
   }
 
@@ -233,9 +234,13 @@ private:
   }
 
   /// The other correction, and then the other fates, for columns that relaxation could not raise
-  /// to the floor. A trial is kept only where it helps and spoils nothing.
+  /// to the aim. A trial is kept only where it helps and spoils nothing.
   void RaiseToFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
+    if (!this->Aimed.FindBelowFloor(trimmed).empty())
+    {
+      this->TryForFloor(trimmed);
+    }
     std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
     for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
     {
@@ -253,15 +258,27 @@ private:
       for (const Rung rung : { Rung::Correction, Rung::Fate, Rung::FateAround })
       {
         const Choices before = this->Set;
-        if ((few || rung == Rung::Correction) && this->SetForFloor(trimmed, column, rung) &&
-          this->TryForFloor(trimmed))
+        if ((!few && rung != Rung::Correction) || !this->SetForFloor(trimmed, column, rung) ||
+          !this->TryForFloor(trimmed))
         {
-          this->Rungs[column] = rung;
+          this->Set = before;
+          continue;
+        }
+        this->Rungs[column] = rung;
+        if (!this->IsShort(trimmed, column))
+        {
           break;
         }
-        this->Set = before;
       }
     }
+  }
+
+  /// Whether a column has an element below the aim.
+  bool IsShort(const TrimmedBand& trimmed, int column) const
+  {
+    const std::vector<int> below = this->Aimed.FindBelowFloor(trimmed);
+    return std::any_of(
+      below.begin(), below.end(), [&](int e) { return this->TheColumns.Column[e] == column; });
   }
 
   /// Sets one rung for a column below the floor; false if it has no such choice.
@@ -291,10 +308,10 @@ private:
     }
   }
 
-  /// Takes the trial into `trimmed` if it is nearer to the floor, and no worse otherwise.
+  /// Takes the trial into `trimmed` if it is nearer to the aim, and no worse otherwise.
   bool TryForFloor(TrimmedBand& trimmed) const
   {
-    TrimmedBand other = this->Attempt();
+    TrimmedBand other = this->Attempt(this->Aimed);
     other.Invalid = this->Quality.FindInvalid(other);
     if (other.Invalid.size() > trimmed.Invalid.size() ||
       this->CountLeft(other) > this->CountLeft(trimmed) ||
@@ -348,8 +365,8 @@ private:
       {
         return;
       }
-      trimmed = this->Attempt();
-      this->LeaveInvalid(trimmed, aborted);
+      trimmed = this->Attempt(this->Aimed);
+      this->LeaveInvalid(this->Aimed, trimmed, aborted);
     }
   }
 
@@ -431,7 +448,8 @@ private:
 
   /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
   /// they were. The set of such nodes only grows, and an element that has only such is as it came.
-  void LeaveInvalid(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  void LeaveInvalid(
+    const BandQuality& goal, TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
     while (!aborted())
     {
@@ -453,7 +471,7 @@ private:
       {
         return;
       }
-      trimmed = this->Attempt();
+      trimmed = this->Attempt(goal);
     }
   }
 
@@ -602,7 +620,6 @@ private:
   const nurbs::TrimmingSurface& Surface;
   LadderOptions Options;
   BandQuality Quality;
-  double Aim; // scaled Jacobian
   BandQuality Aimed;
   NodeMover Mover;
   Choices Set;

@@ -8,6 +8,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkTrimHexahedralGrid.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -141,7 +142,7 @@ Outcome RunAndJudge(
   return outcome;
 }
 
-void JudgeBothSides(const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report)
+double JudgeBothSides(const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report)
 {
   const Outcome kept = RunTrim(mesh, surface, options);
   options.InvertSide = !options.InvertSide;
@@ -155,7 +156,7 @@ void JudgeBothSides(const Mesh& mesh, const Surface& surface, TrimOptions option
   }
   if (!kept.Clean() || !offcut.Clean())
   {
-    return;
+    return std::nan("");
   }
   const Evidence a(kept.Case, report), b(offcut.Case, report);
   for (const Evidence* e : { &a, &b })
@@ -172,6 +173,7 @@ void JudgeBothSides(const Mesh& mesh, const Surface& surface, TrimOptions option
   {
     CheckPair(a, b, report);
   }
+  return std::fmin(a.Number("MinimumScaledJacobian"), b.Number("MinimumScaledJacobian"));
 }
 
 }

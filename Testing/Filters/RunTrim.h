@@ -48,8 +48,12 @@ std::string Rescues(vtkUnstructuredGrid* trimmed);
 Outcome RunAndJudge(
   const Mesh& mesh, const Surface& surface, const TrimOptions& options, Report& report);
 
-/// The trim and its counterpart with InvertSide, each judged, then both together.
-void JudgeBothSides(const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report);
+/**
+ * The trim and its counterpart with InvertSide, each judged, then both together.
+ * @return the lowest scaled Jacobian of the elements that either touched; NaN: there are none.
+ */
+double JudgeBothSides(
+  const Mesh& mesh, const Surface& surface, TrimOptions options, Report& report);
 
 }
 

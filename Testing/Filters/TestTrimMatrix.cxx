@@ -108,11 +108,16 @@ int main(int argc, char* argv[])
         options.Optimization = treatment.Optimization;
         Report report(meshName + " " + name + " " + std::to_string(treatment.Correction) + " " +
           std::to_string(treatment.Optimization));
-        JudgeBothSides(mesh, surface, options, report);
+        const double lowest = JudgeBothSides(mesh, surface, options, report);
+        const bool ordinary = IsOrdinary(name, mesh, options.Optimization);
         const auto left = report.Notes().find(LeftOff);
-        if (left != report.Notes().end() && IsOrdinary(name, mesh, options.Optimization))
+        if (ordinary && left != report.Notes().end())
         {
           report.Fail("left off the surface on an ordinary trim", "points", left->second, 0);
+        }
+        if (ordinary && options.CorrectionType != 1 && options.Optimization == 2 && lowest < 0.3)
+        {
+          report.Fail("scaled Jacobian of an ordinary trim", "lowest", lowest, 0.3);
         }
         ++trials;
         bad += report.Failures() > 0;
