@@ -27,6 +27,7 @@ add_library(NURBSTrimStages STATIC
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx
   Treat/TrimmedBand.cxx
+  Treat/TrialTrim.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx
   Renumber/PillarGraph.cxx

@@ -1,8 +1,5 @@
 #include "ValidityLadder.h"
 
-#include "BandQuality.h"
-#include "Relaxation.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,18 +11,12 @@ namespace
 constexpr int LongestClimb = 40;
 /// How many columns below the quality floor are tried with the other correction.
 constexpr int MostFloorTrials = 16;
-/// What invalid elements are relaxed to where no floor is asked for.
-constexpr double SmallestGoal = 0.05;
-/// Elements up to which the relaxation takes its time, again and again.
-constexpr int MostThorough = 40;
 /// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
 constexpr double AimedFloor = 0.3;
-/// What elements are polished to at last, as far as the nodes round them can give it, where a
-/// lower floor is asked for: the floor is what they must reach.
-constexpr double PolishedGoal = 0.6;
-/// Below this the nodes on the cut move along it too: then the offcut of another run, with the
-/// side inverted, need not fit node by node.
-constexpr double PolishedOnCutGoal = 0.5;
+/// Columns below that aim, but not below the floor, that are worth other choices.
+constexpr int MostAimedColumns = 3;
+/// A choice that leaves more than this of what misses the floor is none.
+constexpr double LeastProgress = 0.999;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
 constexpr double SmallestShare = 0.15;
@@ -43,14 +34,6 @@ void AddUnique(std::vector<int>& list, int value)
   }
 }
 
-/// Everything the ladder may set.
-struct Choices
-{
-  std::vector<Fate> Fates;                 // by column
-  std::vector<PillarChoice> Corrections;   // by pillar
-  std::vector<TreatmentChoice> Treatments; // by pillar
-};
-
 class Ladder
 {
 public:
@@ -60,13 +43,11 @@ public:
     : TheBand(band)
     , TheColumns(columns)
     , Shares(shares)
-    , NodeStatus(nodeStatus)
-    , Surface(surface)
     , Options(options)
     , Quality(band, options.Treatment, options.QualityFloor)
     , Aimed(band, options.Treatment,
         options.QualityFloor > 0.0 ? std::max(options.QualityFloor, AimedFloor) : 0.0)
-    , Mover(band, columns, nodeStatus, surface, precision)
+    , Trial(band, columns, shares, nodeStatus, surface, precision, options)
     , Rungs(band.NumberOfElements(), Rung::None)
   {
     this->Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
@@ -76,7 +57,7 @@ public:
 
   TrimmedBand Climb(const std::function<bool()>& aborted)
   {
-    TrimmedBand trimmed = this->Attempt(this->Quality);
+    TrimmedBand trimmed = this->Trial.Make(this->Set, this->Quality);
     for (int climb = 0; climb < LongestClimb && !aborted(); ++climb)
     {
       const std::vector<int> bad = this->FindBadColumns(trimmed);
@@ -88,140 +69,18 @@ public:
       {
         this->StepUp(trimmed, column);
       }
-      trimmed = this->Attempt(this->Quality);
+      trimmed = this->Trial.Make(this->Set, this->Quality);
     }
     this->LeaveInvalid(this->Quality, trimmed, aborted);
     this->RaiseToFloor(trimmed, aborted);
     this->LeaveBelowFloor(trimmed, aborted);
-    this->Polish(trimmed);
+    this->Trial.Polish(this->Set, trimmed);
     trimmed.RescuedBy = this->Rungs;
     trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
     return trimmed;
   }
 
 private:
-  Choices WithDemands() const
-  {
-    Choices set = this->Set;
-    const Demands& demands = this->Options.ForOffcut;
-    for (std::size_t c = 0; c < demands.KeepColumn.size(); ++c)
-    {
-      set.Fates[c] = demands.KeepColumn[c] ? Fate::Keep : set.Fates[c];
-    }
-    for (std::size_t p = 0; p < demands.LeavePillar.size(); ++p)
-    {
-      if (demands.LeavePillar[p])
-      {
-        set.Corrections[p] = { CorrectionChoice::Leave, 0.0 };
-        set.Treatments[p] = TreatmentChoice::LeaveCorner;
-      }
-    }
-    return set;
-  }
-
-  /// @param goal what elements are relaxed to.
-  TrimmedBand Attempt(const BandQuality& goal) const
-  {
-    const Choices set = this->WithDemands();
-    TrimmedBand trimmed;
-    trimmed.Kept = Decide(this->TheBand, this->TheColumns, this->Shares, this->NodeStatus,
-      this->Surface, this->Options.EliminationFraction, set.Fates,
-      this->Options.CorrectionType != Correction::Eliminate);
-    if (this->Options.CorrectionType == Correction::Eliminate)
-    {
-      trimmed.Moving.assign(this->TheBand.NumberOfNodes(), 0);
-    }
-    else
-    {
-      trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept, this->NodeStatus);
-    }
-    trimmed.NodeMoves = MoveNodes(this->TheBand, this->TheColumns, this->Mover, trimmed.Moving,
-      this->Options.CorrectionType, set.Corrections);
-    if (this->Options.CorrectionType != Correction::Eliminate)
-    {
-      trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
-        this->NodeStatus, trimmed.Kept, this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
-      this->RelaxBad(goal, trimmed);
-    }
-    return trimmed;
-  }
-
-  /// Relaxes round what is invalid or short of the goal.
-  void RelaxBad(const BandQuality& goal, TrimmedBand& trimmed) const
-  {
-    trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
-    for (const int e : this->Quality.FindInvalid(trimmed))
-    {
-      trimmed.Relaxed[e] = 1;
-    }
-    for (const int e : goal.FindBelowFloor(trimmed))
-    {
-      trimmed.Relaxed[e] = 1;
-    }
-    const auto bad = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), 1);
-    this->RelaxRound(trimmed.Relaxed, std::max(goal.GetFloor(), SmallestGoal),
-      bad > MostThorough ? Brief : Thorough, trimmed);
-  }
-
-  /// Relaxes once more, to a higher goal, if a floor is asked for at all.
-  void Polish(TrimmedBand& trimmed) const
-  {
-    if (this->Options.QualityFloor <= 0.0 || this->Options.QualityFloor >= PolishedGoal ||
-      this->Options.CorrectionType == Correction::Eliminate)
-    {
-      return;
-    }
-    const Moves before = trimmed.NodeMoves;
-    this->PolishTo(PolishedGoal, false, trimmed);
-    this->PolishTo(PolishedOnCutGoal, true, trimmed);
-    if (this->Quality.FindInvalid(trimmed).size() > trimmed.Invalid.size())
-    {
-      trimmed.NodeMoves = before;
-    }
-  }
-
-  /// Relaxes what is short of the goal and was not so before.
-  void PolishTo(double goal, bool onCutToo, TrimmedBand& trimmed) const
-  {
-    std::vector<char> active(this->TheBand.NumberOfElements(), 0);
-    for (const int e : this->Quality.FindShortOf(trimmed, goal))
-    {
-      active[e] = 1;
-    }
-    this->RelaxRound(active, PolishedGoal, Brief, trimmed, onCutToo);
-  }
-
-  void RelaxRound(const std::vector<char>& active, double quality, const RelaxationEffort& effort,
-    TrimmedBand& trimmed, bool onCutToo = true) const
-  {
-    if (std::none_of(active.begin(), active.end(), [](char c) { return c; }))
-    {
-      return;
-    }
-    const int count = this->TheBand.NumberOfElements();
-    std::vector<RelaxedElement> elements(count);
-    for (int e = 0; e < count; ++e)
-    {
-      if (trimmed.Kept[e])
-      {
-        const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-        elements[e] = { final.Count, final.Node };
-      }
-    }
-    const Choices set = this->WithDemands();
-    std::vector<char> onCut = FindCutNodes(this->TheBand, trimmed.Kept);
-    std::vector<char> fixed(this->TheBand.NumberOfNodes(), 0);
-    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
-    {
-      const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
-      onCut[n] = onCut[n] || (trimmed.Moving[n] && corrected);
-      fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
-        set.Corrections[this->TheColumns.Pillar[n]].Correction == CorrectionChoice::Leave;
-    }
-    Relax(this->TheBand, this->Mover, elements, active, fixed, onCut,
-      { quality, this->Options.QualityFloor, effort }, trimmed.NodeMoves);
-  }
-
   /// Nodes of the new boundary that are not on the surface.
   int CountLeft(const TrimmedBand& trimmed) const
   {
@@ -244,31 +103,59 @@ private:
     std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
     for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
     {
-      const std::vector<int> below = this->Aimed.FindBelowFloor(trimmed);
-      const auto next = std::find_if(
-        below.begin(), below.end(), [&](int e) { return !tried[this->TheColumns.Column[e]]; });
-      if (next == below.end())
+      const std::vector<int> below = this->Quality.FindBelowFloor(trimmed);
+      int column = this->NextColumn(below, tried);
+      if (column < 0)
+      {
+        column = this->NextColumn(this->FindFewShort(trimmed), tried);
+      }
+      if (column < 0)
       {
         return;
       }
-      const int column = this->TheColumns.Column[*next];
       tried[column] = 1;
       // Where many are below, other fates would not end it.
-      const bool few = below.size() <= MostFloorTrials;
-      for (const Rung rung : { Rung::Correction, Rung::Fate, Rung::FateAround })
+      this->RaiseColumn(trimmed, column, below.size() <= MostFloorTrials);
+    }
+  }
+
+  /// The first column of a list of elements that was not tried; -1: none.
+  int NextColumn(const std::vector<int>& elements, const std::vector<char>& tried) const
+  {
+    const auto next = std::find_if(
+      elements.begin(), elements.end(), [&](int e) { return !tried[this->TheColumns.Column[e]]; });
+    return next == elements.end() ? -1 : this->TheColumns.Column[*next];
+  }
+
+  /// Elements below the aim, if they are of a few columns only: a border that is short of it all
+  /// along is not worth the time.
+  std::vector<int> FindFewShort(const TrimmedBand& trimmed) const
+  {
+    const std::vector<int> below = this->Aimed.FindBelowFloor(trimmed);
+    std::vector<int> columns;
+    for (const int e : below)
+    {
+      AddUnique(columns, this->TheColumns.Column[e]);
+    }
+    return columns.size() <= MostAimedColumns ? below : std::vector<int>();
+  }
+
+  /// Climbs the rungs of one column until it reaches the aim.
+  void RaiseColumn(TrimmedBand& trimmed, int column, bool otherFates)
+  {
+    for (const Rung rung : { Rung::Correction, Rung::Fate, Rung::FateAround })
+    {
+      const Choices before = this->Set;
+      if ((!otherFates && rung != Rung::Correction) || !this->SetForFloor(trimmed, column, rung) ||
+        !this->TryForFloor(trimmed))
       {
-        const Choices before = this->Set;
-        if ((!few && rung != Rung::Correction) || !this->SetForFloor(trimmed, column, rung) ||
-          !this->TryForFloor(trimmed))
-        {
-          this->Set = before;
-          continue;
-        }
-        this->Rungs[column] = rung;
-        if (!this->IsShort(trimmed, column))
-        {
-          break;
-        }
+        this->Set = before;
+        continue;
+      }
+      this->Rungs[column] = rung;
+      if (!this->IsShort(trimmed, column))
+      {
+        return;
       }
     }
   }
@@ -311,12 +198,18 @@ private:
   /// Takes the trial into `trimmed` if it is nearer to the aim, and no worse otherwise.
   bool TryForFloor(TrimmedBand& trimmed) const
   {
-    TrimmedBand other = this->Attempt(this->Aimed);
+    TrimmedBand other = this->Trial.Make(this->Set, this->Aimed);
     other.Invalid = this->Quality.FindInvalid(other);
     if (other.Invalid.size() > trimmed.Invalid.size() ||
-      this->CountLeft(other) > this->CountLeft(trimmed) ||
-      this->Quality.Deficit(other) > this->Quality.Deficit(trimmed) ||
-      this->Aimed.Deficit(other) >= 0.999 * this->Aimed.Deficit(trimmed))
+      this->CountLeft(other) > this->CountLeft(trimmed))
+    {
+      return false;
+    }
+    const double before = this->Quality.Deficit(trimmed);
+    const double after = this->Quality.Deficit(other);
+    if (after > before ||
+      (after > LeastProgress * before &&
+        this->Aimed.Deficit(other) > LeastProgress * this->Aimed.Deficit(trimmed)))
     {
       return false;
     }
@@ -365,7 +258,7 @@ private:
       {
         return;
       }
-      trimmed = this->Attempt(this->Aimed);
+      trimmed = this->Trial.Make(this->Set, this->Aimed);
       this->LeaveInvalid(this->Aimed, trimmed, aborted);
     }
   }
@@ -471,7 +364,7 @@ private:
       {
         return;
       }
-      trimmed = this->Attempt(goal);
+      trimmed = this->Trial.Make(this->Set, goal);
     }
   }
 
@@ -616,12 +509,10 @@ private:
   const Band& TheBand;
   const Columns& TheColumns;
   const VolumeShares& Shares;
-  const std::vector<unsigned char>& NodeStatus;
-  const nurbs::TrimmingSurface& Surface;
-  LadderOptions Options;
+  const LadderOptions& Options;
   BandQuality Quality;
   BandQuality Aimed;
-  NodeMover Mover;
+  TrialTrim Trial;
   Choices Set;
   std::vector<Rung> Rungs;
 };

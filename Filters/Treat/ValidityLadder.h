@@ -12,31 +12,13 @@
 #ifndef ValidityLadder_h
 #define ValidityLadder_h
 
-#include "Decision.h"
-#include "TrimmedBand.h"
+#include "TrialTrim.h"
 
 #include <functional>
 #include <vector>
 
 namespace trim
 {
-
-/// What has to be so for the sake of the offcut, whatever the ladder does; empty: nothing.
-struct Demands
-{
-  std::vector<char> KeepColumn;  ///< by column
-  std::vector<char> LeavePillar; ///< by pillar: its nodes stay where they are
-};
-
-struct LadderOptions
-{
-  Correction CorrectionType = Correction::Project; ///< Eliminate, Project or Slide
-  Optimization Treatment = Optimization::Degenerate;
-  double EliminationFraction = 0.5;
-  /// Scaled Jacobian that touched elements have to reach, but for straight corners; 0: none.
-  double QualityFloor = 0.2;
-  Demands ForOffcut;
-};
 
 /**
  * @param precision absolute distance up to which a node is on the surface.

@@ -1,0 +1,156 @@
+#include "TrialTrim.h"
+
+#include <algorithm>
+
+namespace trim
+{
+namespace
+{
+
+/// What invalid elements are relaxed to where no floor is asked for.
+constexpr double SmallestGoal = 0.05;
+/// Elements up to which the relaxation takes its time, again and again.
+constexpr int MostThorough = 40;
+/// What elements are polished to at last, as far as the nodes round them can give it, where a
+/// lower floor is asked for: the floor is what they must reach.
+constexpr double PolishedGoal = 0.6;
+/// Below this the nodes on the cut move along it too: then the offcut of another run, with the
+/// side inverted, need not fit node by node.
+constexpr double PolishedOnCutGoal = 0.5;
+
+}
+
+TrialTrim::TrialTrim(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double precision, const LadderOptions& options)
+  : TheBand(band)
+  , TheColumns(columns)
+  , Shares(shares)
+  , NodeStatus(nodeStatus)
+  , Surface(surface)
+  , Options(options)
+  , Quality(band, options.Treatment, options.QualityFloor)
+  , Mover(band, columns, nodeStatus, surface, precision)
+{
+}
+
+Choices TrialTrim::WithDemands(Choices set) const
+{
+  const Demands& demands = this->Options.ForOffcut;
+  for (std::size_t c = 0; c < demands.KeepColumn.size(); ++c)
+  {
+    set.Fates[c] = demands.KeepColumn[c] ? Fate::Keep : set.Fates[c];
+  }
+  for (std::size_t p = 0; p < demands.LeavePillar.size(); ++p)
+  {
+    if (demands.LeavePillar[p])
+    {
+      set.Corrections[p] = { CorrectionChoice::Leave, 0.0 };
+      set.Treatments[p] = TreatmentChoice::LeaveCorner;
+    }
+  }
+  return set;
+}
+
+TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal) const
+{
+  const Choices set = this->WithDemands(choices);
+  TrimmedBand trimmed;
+  trimmed.Kept = Decide(this->TheBand, this->TheColumns, this->Shares, this->NodeStatus,
+    this->Surface, this->Options.EliminationFraction, set.Fates,
+    this->Options.CorrectionType != Correction::Eliminate);
+  if (this->Options.CorrectionType == Correction::Eliminate)
+  {
+    trimmed.Moving.assign(this->TheBand.NumberOfNodes(), 0);
+  }
+  else
+  {
+    trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept, this->NodeStatus);
+  }
+  trimmed.NodeMoves = MoveNodes(this->TheBand, this->TheColumns, this->Mover, trimmed.Moving,
+    this->Options.CorrectionType, set.Corrections);
+  if (this->Options.CorrectionType != Correction::Eliminate)
+  {
+    trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
+      this->NodeStatus, trimmed.Kept, this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
+    this->RelaxBad(set, goal, trimmed);
+  }
+  return trimmed;
+}
+
+/// Relaxes round what is invalid or short of the goal.
+void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const
+{
+  trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
+  for (const int e : this->Quality.FindInvalid(trimmed))
+  {
+    trimmed.Relaxed[e] = 1;
+  }
+  for (const int e : goal.FindBelowFloor(trimmed))
+  {
+    trimmed.Relaxed[e] = 1;
+  }
+  const auto bad = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), 1);
+  this->RelaxRound(set, trimmed.Relaxed, std::max(goal.GetFloor(), SmallestGoal),
+    bad > MostThorough ? Brief : Thorough, trimmed);
+}
+
+void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
+{
+  if (this->Options.QualityFloor <= 0.0 || this->Options.QualityFloor >= PolishedGoal ||
+    this->Options.CorrectionType == Correction::Eliminate)
+  {
+    return;
+  }
+  const Moves before = trimmed.NodeMoves;
+  const Choices set = this->WithDemands(choices);
+  this->PolishTo(set, PolishedGoal, false, trimmed);
+  this->PolishTo(set, PolishedOnCutGoal, true, trimmed);
+  if (this->Quality.FindInvalid(trimmed).size() > trimmed.Invalid.size())
+  {
+    trimmed.NodeMoves = before;
+  }
+}
+
+/// Relaxes what is short of the goal and was not so before.
+void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const
+{
+  std::vector<char> active(this->TheBand.NumberOfElements(), 0);
+  for (const int e : this->Quality.FindShortOf(trimmed, goal))
+  {
+    active[e] = 1;
+  }
+  this->RelaxRound(set, active, PolishedGoal, Brief, trimmed, onCutToo);
+}
+
+void TrialTrim::RelaxRound(const Choices& set, const std::vector<char>& active, double quality,
+  const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo) const
+{
+  if (std::none_of(active.begin(), active.end(), [](char c) { return c; }))
+  {
+    return;
+  }
+  const int count = this->TheBand.NumberOfElements();
+  std::vector<RelaxedElement> elements(count);
+  for (int e = 0; e < count; ++e)
+  {
+    if (trimmed.Kept[e])
+    {
+      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+      elements[e] = { final.Count, final.Node };
+    }
+  }
+  std::vector<char> onCut = FindCutNodes(this->TheBand, trimmed.Kept);
+  std::vector<char> fixed(this->TheBand.NumberOfNodes(), 0);
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
+    onCut[n] = onCut[n] || (trimmed.Moving[n] && corrected);
+    fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
+      set.Corrections[this->TheColumns.Pillar[n]].Correction == CorrectionChoice::Leave;
+  }
+  Relax(this->TheBand, this->Mover, elements, active, fixed, onCut,
+    { quality, this->Options.QualityFloor, effort }, trimmed.NodeMoves);
+}
+
+}

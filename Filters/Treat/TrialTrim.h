@@ -1,0 +1,82 @@
+/**
+ * @file TrialTrim.h
+ * @brief One pass through the steps of Fig. 8, decide, correct and treat, under given choices.
+ */
+#ifndef TrialTrim_h
+#define TrialTrim_h
+
+#include "BandQuality.h"
+#include "Decision.h"
+#include "Relaxation.h"
+#include "TrimmedBand.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/// What has to be so for the sake of the offcut, whatever the ladder does; empty: nothing.
+struct Demands
+{
+  std::vector<char> KeepColumn;  ///< by column
+  std::vector<char> LeavePillar; ///< by pillar: its nodes stay where they are
+};
+
+struct LadderOptions
+{
+  Correction CorrectionType = Correction::Project; ///< Eliminate, Project or Slide
+  Optimization Treatment = Optimization::Degenerate;
+  double EliminationFraction = 0.5;
+  /// Scaled Jacobian that touched elements have to reach, but for straight corners; 0: none.
+  double QualityFloor = 0.2;
+  Demands ForOffcut;
+};
+
+/// Everything the ladder may set.
+struct Choices
+{
+  std::vector<Fate> Fates;                 ///< by column
+  std::vector<PillarChoice> Corrections;   ///< by pillar
+  std::vector<TreatmentChoice> Treatments; ///< by pillar
+};
+
+/**
+ * Trims the band as often as it is asked to, each time from the start. What it is given must
+ * outlive it.
+ */
+class TrialTrim
+{
+public:
+  /// @param precision absolute distance up to which a node is on the surface.
+  TrialTrim(const Band& band, const Columns& columns, const VolumeShares& shares,
+    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+    double precision, const LadderOptions& options);
+
+  /// The demands go before the choices.
+  /// @param goal what elements are relaxed to.
+  TrimmedBand Make(const Choices& choices, const BandQuality& goal) const;
+
+  /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
+  /// by TrimmedBand::Invalid; no more may become so.
+  void Polish(const Choices& choices, TrimmedBand& trimmed) const;
+
+private:
+  Choices WithDemands(Choices choices) const;
+  void RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const;
+  void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
+  void RelaxRound(const Choices& set, const std::vector<char>& active, double quality,
+    const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const VolumeShares& Shares;
+  const std::vector<unsigned char>& NodeStatus;
+  const nurbs::TrimmingSurface& Surface;
+  const LadderOptions& Options;
+  BandQuality Quality;
+  NodeMover Mover;
+};
+
+}
+
+#endif
