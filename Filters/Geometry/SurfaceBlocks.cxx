@@ -385,23 +385,13 @@ double FreeOf(const SurfaceBlock& block, const SurfaceBlock& other, double tilt)
 
 }
 
-/**
- * The distance within which a foot in the block is the closest point. On the rectangle of the block
- * and its neighbours the distance is convex as long as the point stays within the reach of each
- * of them; all other blocks are kept off by FreeOf.
- */
-double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, double ring) const
+/// No edge, crease or trim loop runs through the blocks.
+bool SurfaceBlocks::IsSmooth(const SurfaceModel& model, int face, const BlockRange& range) const
 {
-  const SurfaceBlock& block = this->Blocks[index];
-  const Grid& grid = this->Grids[block.Face];
-  const FaceData& data = model.Data[block.Face];
-  const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
-  const double sizeU = block.Xu, sizeV = std::hypot(block.Xv, block.Yv);
-  const double wide = ring * std::max(sizeU, sizeV);
-  int i0, i1, j0, j1;
-  FindRing(grid.BreaksU, i, wide * block.Width.x() / sizeU, i0, i1);
-  FindRing(grid.BreaksV, j, wide * block.Width.y() / sizeV, j0, j1);
-  const Vec2 low(grid.BreaksU[i0], grid.BreaksV[j0]), high(grid.BreaksU[i1], grid.BreaksV[j1]);
+  const Grid& grid = this->Grids[face];
+  const FaceData& data = model.Data[face];
+  const Vec2 low(grid.BreaksU[range.FirstU], grid.BreaksV[range.FirstV]);
+  const Vec2 high(grid.BreaksU[range.EndU], grid.BreaksV[range.EndV]);
   const auto isSmooth = [](const KnotSpans& spans, double from, double to)
   {
     for (std::size_t k = 0; k < spans.Breaks.size(); ++k)
@@ -413,8 +403,26 @@ double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, dou
     }
     return true;
   };
-  if (!isSmooth(data.SpansU, low.x(), high.x()) || !isSmooth(data.SpansV, low.y(), high.y()) ||
-    (!data.Loops.Empty() && data.Loops.Classify(low, high) != TrimState::Inside))
+  return isSmooth(data.SpansU, low.x(), high.x()) && isSmooth(data.SpansV, low.y(), high.y()) &&
+    (data.Loops.Empty() || data.Loops.Classify(low, high) == TrimState::Inside);
+}
+
+/**
+ * The distance within which a foot in the block is the closest point. On the rectangle of the block
+ * and its neighbours the distance is convex as long as the point stays within the reach of each
+ * of them; all other blocks are kept off by FreeOf.
+ */
+double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, double ring) const
+{
+  const SurfaceBlock& block = this->Blocks[index];
+  const Grid& grid = this->Grids[block.Face];
+  const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
+  const double sizeU = block.Xu, sizeV = std::hypot(block.Xv, block.Yv);
+  const double wide = ring * std::max(sizeU, sizeV);
+  int i0, i1, j0, j1;
+  FindRing(grid.BreaksU, i, wide * block.Width.x() / sizeU, i0, i1);
+  FindRing(grid.BreaksV, j, wide * block.Width.y() / sizeV, j0, j1);
+  if (!this->IsSmooth(model, block.Face, { i0, i1, j0, j1 }))
   {
     return 0;
   }
@@ -647,6 +655,90 @@ bool FollowFace(
   return false;
 }
 
+/// Squared distance from p to the skew box of a block, never too large.
+float SquaredDistanceToBlock(const SurfaceBlock& block, const Vec3& p)
+{
+  const Eigen::Vector3f d = (p - block.Center).cast<float>();
+  const float slack = 4e-7f * d.cwiseAbs().sum();
+  const Eigen::Vector3f x(block.AcrossV().dot(d), block.Y.dot(d), block.Z.dot(d));
+  const Eigen::Array3f gap =
+    ((block.Low - x).cwiseMax(x - block.High).array() - slack).cwiseMax(0.0f);
+  // The first two axes are askew: only the longer of their gaps counts.
+  const float across = std::max(gap[0], gap[1]);
+  return (across * across + gap[2] * gap[2]) * (1 - 1e-6f);
+}
+
+}
+
+/**
+ * True if no other point of the surface is certainly nearer to p than a foot in a block: the blocks
+ * that reach into the ball about p up to the foot lie in a rectangle over which the distance to p
+ * is convex.
+ */
+bool SurfaceBlocks::IsClosest(
+  const SurfaceModel& model, const Vec3& p, const SurfacePoint& foot, int index) const
+{
+  const int face = this->Blocks[index].Face;
+  const Grid& grid = this->Grids[face];
+  const auto columnOf = [&grid](int block) { return (block - grid.First) % grid.CountU; };
+  const auto rowOf = [&grid](int block) { return (block - grid.First) / grid.CountU; };
+  const int column = columnOf(index), row = rowOf(index);
+  BlockRange range{ column, column + 1, row, row + 1 };
+  const TreePoint point(p);
+  int stack[TreeStackSize];
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const TreeNode& node = this->Nodes[stack[--size]];
+    const Eigen::Array4f distances = point.SquaredDistances(node);
+    for (int c = 0; c < 4; ++c)
+    {
+      const int child = node.Child[c];
+      if (child == TreeNode::Empty || distances[c] > foot.Squared)
+      {
+        continue;
+      }
+      if (child >= 0)
+      {
+        stack[size++] = child;
+      }
+      else if (SquaredDistanceToBlock(this->Blocks[~child], p) <= foot.Squared)
+      {
+        if (this->Blocks[~child].Face != face)
+        {
+          return false;
+        }
+        range.Add(columnOf(~child), rowOf(~child));
+      }
+    }
+  }
+  return this->IsSmooth(model, face, range) && this->IsConvex(model, p, foot.Point, face, range);
+}
+
+/// Whether the distance to p is convex over the blocks, as BlockReach tells.
+bool SurfaceBlocks::IsConvex(const SurfaceModel& model, const Vec3& p, const Vec3& foot, int face,
+  const BlockRange& range) const
+{
+  constexpr float Most = 0.9999f; // the rest is for rounding
+  const Grid& grid = this->Grids[face];
+  for (int j = range.FirstV; j < range.EndV; ++j)
+  {
+    for (int i = range.FirstU; i < range.EndU; ++i)
+    {
+      const int index = grid.First + i + j * grid.CountU;
+      const SurfaceBlock& block = this->Blocks[index];
+      const BlockReach reach = this->ReachOf(model, index);
+      const Eigen::Vector3f d = (p - block.Center).cast<float>();
+      const Eigen::Vector3f x(block.X.dot(d), block.Y.dot(d), block.Z.dot(d));
+      if (!(reach.Cost.dot(x.cwiseAbs()) < Most) ||
+        !((foot - block.Center).norm() < Most * reach.Radius))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePoint& start) const
@@ -678,9 +770,9 @@ bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePo
     return false;
   }
   start = foot;
-  const double clearance =
-    this->ClearanceOf(model, this->BlockAt(face, place.SpanU, place.SpanV, place.S, place.T));
-  return foot.Squared < clearance * clearance;
+  const int block = this->BlockAt(face, place.SpanU, place.SpanV, place.S, place.T);
+  const double clearance = this->ClearanceOf(model, block);
+  return foot.Squared < clearance * clearance || this->IsClosest(model, p, foot, block);
 }
 
 }

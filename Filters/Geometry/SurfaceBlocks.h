@@ -7,6 +7,7 @@
  * lies in a block and the point is within the block's clearance, it is the closest point of the
  * whole surface: over the block and those around it the squared distance is convex, and all else is
  * farther away. The clearance is found when it is first asked for; it depends on the surface alone.
+ * From beyond it the same is tried for the one point: with the blocks that it can reach.
  */
 #ifndef SurfaceBlocks_h
 #define SurfaceBlocks_h
@@ -14,6 +15,7 @@
 #include "BlockReach.h"
 #include "PatchTree.h"
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 
@@ -35,6 +37,20 @@ struct alignas(64) SurfaceBlock
   int Face;
 
   Eigen::Vector3f AcrossV() const { return (this->Yv * this->X - this->Xv * this->Y).normalized(); }
+};
+
+/// A rectangle of blocks of one face; the ends are not in it.
+struct BlockRange
+{
+  int FirstU, EndU, FirstV, EndV;
+
+  void Add(int i, int j)
+  {
+    this->FirstU = std::min(this->FirstU, i);
+    this->EndU = std::max(this->EndU, i + 1);
+    this->FirstV = std::min(this->FirstV, j);
+    this->EndV = std::max(this->EndV, j + 1);
+  }
 };
 
 class SurfaceBlocks
@@ -75,6 +91,11 @@ private:
   BlockReach ReachOf(const SurfaceModel& model, int block) const;
   double ClearanceOf(const SurfaceModel& model, int block) const;
   double MeasureClearance(const SurfaceModel& model, int block, double ring) const;
+  bool IsSmooth(const SurfaceModel& model, int face, const BlockRange& range) const;
+  bool IsConvex(const SurfaceModel& model, const Vec3& p, const Vec3& foot, int face,
+    const BlockRange& range) const;
+  bool IsClosest(
+    const SurfaceModel& model, const Vec3& p, const SurfacePoint& foot, int index) const;
   int NearBlock(const Vec3& p) const;
   int BlockAt(int face, int spanU, int spanV, double s, double t) const;
 
