@@ -89,8 +89,7 @@ std::vector<int> Rows(const std::vector<double>& values)
 }
 
 /// Numbers by rows along the columns of `axes`, the first outermost.
-std::vector<int> SortAlong(
-  int count, const std::function<Vec3(int)>& position, const Eigen::Matrix3d& axes)
+std::vector<int> SortAlong(int count, const NodePlaces& position, const Eigen::Matrix3d& axes)
 {
   std::array<std::vector<int>, 3> rows;
   std::vector<double> values(count);
@@ -124,8 +123,7 @@ std::vector<int> SortAlong(
 }
 
 /// The columns of a frame in the order of the part's extent along them, longest first.
-Eigen::Matrix3d ByExtent(
-  const Eigen::Matrix3d& frame, int count, const std::function<Vec3(int)>& position)
+Eigen::Matrix3d ByExtent(const Eigen::Matrix3d& frame, int count, const NodePlaces& position)
 {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
@@ -146,7 +144,7 @@ Eigen::Matrix3d ByExtent(
   return sorted;
 }
 
-Eigen::Matrix3d PrincipalAxes(int count, const std::function<Vec3(int)>& position)
+Eigen::Matrix3d PrincipalAxes(int count, const NodePlaces& position)
 {
   Vec3 mean = Vec3::Zero();
   for (int i = 0; i < count; ++i)
@@ -348,8 +346,7 @@ int LeastDegree(const Csr& csr)
 }
 
 /// Nodes at one end of the longest axis.
-std::vector<int> WholeSide(
-  int count, const std::function<Vec3(int)>& position, const Vec3& axis, double width)
+std::vector<int> WholeSide(int count, const NodePlaces& position, const Vec3& axis, double width)
 {
   double low = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count; ++i)
@@ -439,7 +436,7 @@ int NodeBandwidth(const NodeGraph& graph)
   return WidestElement(graph, [](int node) { return node; });
 }
 
-Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int)>& position)
+Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const NodePlaces& position)
 {
   const int* nodes = graph.Connectivity.data() + graph.Offset[graph.Offset.size() / 2 - 1];
   const Vec3 u = (position(nodes[1]) - position(nodes[0])).normalized();
@@ -450,8 +447,8 @@ Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int
   return frame;
 }
 
-std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int)>& position,
-  const std::function<bool()>& aborted)
+std::vector<int> OrderNodes(
+  const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted)
 {
   const int count = graph.NumberOfNodes;
   Best best{ Identity(count), 0 };

@@ -28,6 +28,22 @@ struct NodeGraph
   std::vector<int> Connectivity; ///< node numbers as they came
 };
 
+/// Where the nodes of a graph are: points of the mesh.
+class NodePlaces
+{
+public:
+  NodePlaces(const HexMesh& mesh, const Id* ids)
+    : Mesh(mesh)
+    , Ids(ids)
+  {
+  }
+  Vec3 operator()(int node) const { return this->Mesh.Point(this->Ids[node]); }
+
+private:
+  const HexMesh& Mesh;
+  const Id* Ids;
+};
+
 /// Largest difference of node numbers within an element, under number[node].
 int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number);
 
@@ -35,7 +51,7 @@ int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number);
 int NodeBandwidth(const NodeGraph& graph);
 
 /// The frame of one element's edges: the rows of a regular mesh that lies askew.
-Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int)>& position);
+Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const NodePlaces& position);
 
 /**
  * New number of each node.
@@ -43,8 +59,8 @@ Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const std::function<Vec3(int
  * @param position of each node; neighbours in a row of a regular mesh should have equal
  * coordinates, so the positions before the correction serve better than those after.
  */
-std::vector<int> OrderNodes(const NodeGraph& graph, const std::function<Vec3(int)>& position,
-  const std::function<bool()>& aborted);
+std::vector<int> OrderNodes(
+  const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted);
 
 }
 

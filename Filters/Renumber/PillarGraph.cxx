@@ -205,7 +205,7 @@ std::vector<int> PillarGraph::ReverseCuthillMcKee(
   return order;
 }
 
-int PillarGraph::Bandwidth(const std::vector<int>& order) const
+int PillarGraph::Bandwidth(const std::vector<int>& order, int enough) const
 {
   std::vector<int> first(order.size());
   int next = 0;
@@ -215,7 +215,7 @@ int PillarGraph::Bandwidth(const std::vector<int>& order) const
     next += this->ThePillars.Start[p + 1] - this->ThePillars.Start[p];
   }
   int widest = 0;
-  for (std::size_t p = 0; p < order.size(); ++p)
+  for (std::size_t p = 0; p < order.size() && widest < enough; ++p)
   {
     for (int k = this->Start[p]; k < this->Start[p + 1]; ++k)
     {

@@ -39,8 +39,9 @@ public:
   std::vector<int> ReverseCuthillMcKee(
     const std::vector<int>& roots, const std::vector<int>& rank) const;
 
-  /// The node bandwidth that an order gives, but for the layers of one element.
-  int Bandwidth(const std::vector<int>& order) const;
+  /// The node bandwidth that an order gives, but for the layers of one element; once it is no less
+  /// than `enough`, any such value.
+  int Bandwidth(const std::vector<int>& order, int enough) const;
 
 private:
   void Link(const std::vector<int>& offset, const std::vector<int>& member);

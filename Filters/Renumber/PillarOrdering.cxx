@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 namespace trim
@@ -17,7 +18,7 @@ namespace
 /// Orderings are applied to their own result up to this often.
 constexpr int MostRounds = 2;
 
-std::vector<Vec3> Centres(const Pillars& pillars, const std::function<Vec3(int)>& position)
+std::vector<Vec3> Centres(const Pillars& pillars, const NodePlaces& position)
 {
   std::vector<Vec3> centres(pillars.Count);
   for (int p = 0; p < pillars.Count; ++p)
@@ -84,7 +85,7 @@ std::vector<int> Inverse(const std::vector<int>& order)
 class Search
 {
 public:
-  Search(const NodeGraph& graph, const Pillars& pillars, const std::function<Vec3(int)>& position,
+  Search(const NodeGraph& graph, const Pillars& pillars, const NodePlaces& position,
     const std::function<bool()>& aborted)
     : Graph(graph)
     , Pillar(graph, pillars)
@@ -94,7 +95,7 @@ public:
     , Best(pillars.Count)
   {
     std::iota(this->Best.begin(), this->Best.end(), 0);
-    this->Bandwidth = this->Pillar.Bandwidth(this->Best);
+    this->Bandwidth = this->Pillar.Bandwidth(this->Best, std::numeric_limits<int>::max());
   }
 
   std::vector<int> Run()
@@ -122,7 +123,7 @@ private:
 
   void Offer(std::vector<int> order)
   {
-    const int bandwidth = this->Pillar.Bandwidth(order);
+    const int bandwidth = this->Pillar.Bandwidth(order, this->Bandwidth);
     if (bandwidth < this->Bandwidth)
     {
       this->Bandwidth = bandwidth;
@@ -133,12 +134,15 @@ private:
   void OfferSorts()
   {
     this->Longest = ByExtent(PrincipalAxes(this->Points), this->Points);
+    std::vector<Eigen::Matrix3d> tried;
     for (const Eigen::Matrix3d& frame : { Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
            ElementAxes(this->Graph, this->Position), this->Longest })
     {
-      if (!this->Done())
+      const Eigen::Matrix3d axes = ByExtent(frame, this->Points);
+      if (!this->Done() && std::find(tried.begin(), tried.end(), axes) == tried.end())
       {
-        this->Offer(SortByRows(this->Points, ByExtent(frame, this->Points)));
+        this->Offer(SortByRows(this->Points, axes));
+        tried.push_back(axes);
       }
     }
   }
@@ -184,7 +188,7 @@ private:
 
   const NodeGraph& Graph;
   const PillarGraph Pillar;
-  const std::function<Vec3(int)>& Position;
+  const NodePlaces& Position;
   const std::function<bool()>& Aborted;
   const std::vector<Vec3> Points; ///< the centres of the pillars
   Eigen::Matrix3d Longest;
@@ -195,8 +199,8 @@ private:
 
 }
 
-std::vector<int> OrderByPillars(const NodeGraph& graph, const std::function<Vec3(int)>& position,
-  const std::function<bool()>& aborted)
+std::vector<int> OrderByPillars(
+  const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted)
 {
   const Pillars pillars = FindPillars(graph, position);
   std::vector<int> number(graph.NumberOfNodes);

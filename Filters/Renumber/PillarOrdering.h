@@ -11,8 +11,8 @@ namespace trim
 {
 
 /// New number of each node; the numbers as they came where nothing found is better.
-std::vector<int> OrderByPillars(const NodeGraph& graph, const std::function<Vec3(int)>& position,
-  const std::function<bool()>& aborted);
+std::vector<int> OrderByPillars(
+  const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted);
 
 }
 

@@ -24,8 +24,7 @@ constexpr std::array<Edges, 3> HexahedronEdges = { { { { { 0, 1 }, { 3, 2 }, { 4
 constexpr Edges WedgeEdges = { { { 0, 3 }, { 1, 4 }, { 2, 5 }, { 2, 5 } } };
 
 /// The edges of the direction whose edge at the first node is the shortest.
-const Edges& ShortestEdges(
-  const int* nodes, int count, const std::function<Vec3(int)>& position, Vec3& direction)
+const Edges& ShortestEdges(const int* nodes, int count, const NodePlaces& position, Vec3& direction)
 {
   const Vec3 first = position(nodes[0]);
   if (count == 6)
@@ -49,7 +48,7 @@ const Edges& ShortestEdges(
 }
 
 /// Nodes by pillar, and in each by their height along `up`.
-void Arrange(const std::function<Vec3(int)>& position, const Vec3& up, Pillars& pillars)
+void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
 {
   pillars.Start.assign(pillars.Count + 1, 0);
   for (const int pillar : pillars.Pillar)
@@ -95,7 +94,7 @@ Pillars SingleNodes(int numberOfNodes)
   return pillars;
 }
 
-Pillars FindPillars(const NodeGraph& graph, const std::function<Vec3(int)>& position)
+Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position)
 {
   DisjointSets<int> sets(graph.NumberOfNodes);
   Vec3 up = Vec3::Zero();

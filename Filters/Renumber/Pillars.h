@@ -23,7 +23,7 @@ struct Pillars
   std::vector<int> Node;   ///< nodes by pillar, from one skin to the other
 };
 
-Pillars FindPillars(const NodeGraph& graph, const std::function<Vec3(int)>& position);
+Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position);
 
 /// Every node for itself.
 Pillars SingleNodes(int numberOfNodes);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace trim
@@ -33,24 +35,80 @@ void RadixSort(std::vector<std::uint64_t>& items)
   }
 }
 
-/// Row of each point along one axis; returns how many rows there are.
-int FindRows(const std::vector<nurbs::Vec3>& points, const nurbs::Vec3& axis, std::vector<int>& row)
+/// Coordinates of points along an axis, rounded to steps of their extent.
+class Coordinates
 {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const auto& point : points)
+public:
+  Coordinates(const std::vector<nurbs::Vec3>& points, const nurbs::Vec3& axis)
+    : Points(points)
+    , Axis(axis)
   {
-    const double value = point.dot(axis);
-    low = std::min(low, value);
-    high = std::max(high, value);
+    double high = -this->Low;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->Low = std::min(this->Low, this->Value(i));
+      high = std::max(high, this->Value(i));
+    }
+    this->Scale = high > this->Low ? (Steps - 1.0) / (high - this->Low) : 0.0;
   }
-  const double scale = high > low ? (Steps - 1.0) / (high - low) : 0.0;
-  std::vector<std::uint64_t> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
+
+  double Value(std::size_t i) const { return this->Points[i].dot(this->Axis); }
+  std::uint64_t StepOf(double value) const
   {
-    const double value = std::clamp((points[i].dot(axis) - low) * scale, 0.0, Steps - 1.0);
-    items[i] = (static_cast<std::uint64_t>(value) << 32) | i;
+    return static_cast<std::uint64_t>(
+      std::clamp((value - this->Low) * this->Scale, 0.0, Steps - 1.0));
   }
+
+private:
+  const std::vector<nurbs::Vec3>& Points;
+  const nurbs::Vec3 Axis;
+  double Low = std::numeric_limits<double>::infinity();
+  double Scale = 0.0;
+};
+
+/// The different values of a regular mesh's coordinates, which are few.
+class FewValues
+{
+public:
+  /// Number of a value in the order of their coming, -1: there are too many.
+  int Add(double value)
+  {
+    if (!this->Values.empty() && value == this->Values[this->Last])
+    {
+      return this->Last;
+    }
+    std::uint64_t bits;
+    const double positive = value + 0.0; // no negative zero
+    std::memcpy(&bits, &positive, sizeof(bits));
+    std::size_t slot = (bits * 0x9e3779b97f4a7c15u) >> (64 - Bits);
+    while (this->Slots[slot] >= 0 && this->Values[this->Slots[slot]] != value)
+    {
+      slot = (slot + 1) % this->Slots.size();
+    }
+    if (this->Slots[slot] < 0)
+    {
+      if (this->Values.size() >= Most)
+      {
+        return -1;
+      }
+      this->Slots[slot] = static_cast<int>(this->Values.size());
+      this->Values.push_back(value);
+    }
+    return this->Last = this->Slots[slot];
+  }
+
+  std::vector<double> Values;
+
+private:
+  static constexpr int Bits = 14;
+  static constexpr std::size_t Most = std::size_t(1) << (Bits - 2);
+  std::vector<int> Slots = std::vector<int>(std::size_t(1) << Bits, -1);
+  int Last = 0;
+};
+
+/// Rows of items, each a step in the upper and an index in the lower half; returns how many.
+int FindRows(std::vector<std::uint64_t>& items, std::vector<int>& row)
+{
   RadixSort(items);
   int current = 0;
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -62,6 +120,48 @@ int FindRows(const std::vector<nurbs::Vec3>& points, const nurbs::Vec3& axis, st
     row[items[i] & 0xffffffffu] = current;
   }
   return current + 1;
+}
+
+/// The rows by those of the values, if these are few; else 0.
+int FindRowsOfFew(const Coordinates& coordinates, std::vector<int>& row)
+{
+  FewValues few;
+  for (std::size_t i = 0; i < row.size(); ++i)
+  {
+    row[i] = few.Add(coordinates.Value(i));
+    if (row[i] < 0)
+    {
+      return 0;
+    }
+  }
+  std::vector<std::uint64_t> items;
+  for (const double value : few.Values)
+  {
+    items.push_back((coordinates.StepOf(value) << 32) | items.size());
+  }
+  std::vector<int> rowOfValue(items.size());
+  const int rows = FindRows(items, rowOfValue);
+  for (int& r : row)
+  {
+    r = rowOfValue[r];
+  }
+  return rows;
+}
+
+/// Row of each point along one axis; returns how many rows there are.
+int FindRows(const std::vector<nurbs::Vec3>& points, const nurbs::Vec3& axis, std::vector<int>& row)
+{
+  const Coordinates coordinates(points, axis);
+  if (const int rows = FindRowsOfFew(coordinates, row))
+  {
+    return rows;
+  }
+  std::vector<std::uint64_t> items(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    items[i] = (coordinates.StepOf(coordinates.Value(i)) << 32) | i;
+  }
+  return FindRows(items, row);
 }
 
 }

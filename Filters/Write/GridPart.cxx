@@ -154,8 +154,7 @@ void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& 
 void RenumberPart(const HexMesh& mesh, const Progress& progress, GridPart& part)
 {
   const auto number = OrderNodes(
-    part.Graph, [&](int i) { return mesh.Point(part.Points[i]); },
-    [&progress] { return progress(-1.0); });
+    part.Graph, NodePlaces(mesh, part.Points.data()), [&progress] { return progress(-1.0); });
   for (const Id point : part.Points)
   {
     part.Number[point] = number[part.Number[point]];
