@@ -4,9 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trim
 {
+namespace
+{
+
+/// In single precision, a little larger.
+Eigen::AlignedBox3f RoundOutwards(const Box3& box)
+{
+  constexpr float unit = 2.0f * std::numeric_limits<float>::epsilon();
+  constexpr float least = std::numeric_limits<float>::min();
+  const Eigen::Vector3f low = box.min().cast<float>();
+  const Eigen::Vector3f high = box.max().cast<float>();
+  return { (low.array() - unit * low.array().abs() - least).matrix(),
+    (high.array() + unit * high.array().abs() + least).matrix() };
+}
+
+}
 
 Box3 CellBox(const HexMesh& mesh, Id cell)
 {
@@ -36,6 +52,8 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
   MeshBlocks blocks;
   const Id count = (mesh.NumberOfCells + MeshBlocks::CellsPerBlock - 1) / MeshBlocks::CellsPerBlock;
   blocks.Boxes.resize(count);
+  blocks.RunBoxes.resize(
+    (mesh.NumberOfCells + MeshBlocks::CellsPerRun - 1) / MeshBlocks::CellsPerRun);
   blocks.Volumes.resize(mesh.NumberOfCells);
   std::vector<double> largest(count, 0.0);
   vtkSMPTools::For(0, count, 256,
@@ -44,6 +62,7 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
       for (Id b = begin; b < end; ++b)
       {
         const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+        Box3 run;
         for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
         {
           ElementPoints points;
@@ -55,7 +74,13 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
           }
           blocks.Volumes[c] = std::abs(VolumeOf(points, nodes));
           largest[b] = std::max(largest[b], box.diagonal().squaredNorm());
-          blocks.Boxes[b].extend(box);
+          run.extend(box);
+          if ((c + 1) % MeshBlocks::CellsPerRun == 0 || c + 1 == last)
+          {
+            blocks.RunBoxes[c / MeshBlocks::CellsPerRun] = RoundOutwards(run);
+            blocks.Boxes[b].extend(run);
+            run.setEmpty();
+          }
         }
       }
     });

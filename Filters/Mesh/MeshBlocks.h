@@ -16,7 +16,6 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace trim
@@ -26,8 +25,10 @@ using nurbs::Box3;
 struct MeshBlocks
 {
   static constexpr Id CellsPerBlock = 64;
+  static constexpr Id CellsPerRun = 8;
 
   std::vector<Box3> Boxes;
+  std::vector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
   std::vector<double> Volumes; ///< of every cell, >= 0
   Box3 Bounds;                 ///< of all points used by cells
   double LargestDiagonal = 0;  ///< of the boxes of single cells
@@ -66,25 +67,17 @@ template <typename Test>
 std::vector<Id> FindCells(
   const HexMesh& mesh, const MeshBlocks& blocks, const Test& test, CellSearch search)
 {
-  constexpr Id runLength = 8;
   const Id count = blocks.NumberOfBlocks();
   std::vector<std::vector<Id>> found(count);
   const auto searchRun = [&](Id first, Id last, std::vector<Id>& cells)
   {
-    std::array<Box3, runLength> boxes;
-    Box3 all;
-    for (Id c = first; c < last; ++c)
-    {
-      boxes[c - first] = CellBox(mesh, c);
-      all.extend(boxes[c - first]);
-    }
-    if (!test(all))
+    if (!test(blocks.RunBoxes[first / MeshBlocks::CellsPerRun].template cast<double>()))
     {
       return;
     }
     for (Id c = first; c < last; ++c)
     {
-      if (search == CellSearch::WholeRuns || test(boxes[c - first]))
+      if (search == CellSearch::WholeRuns || test(CellBox(mesh, c)))
       {
         cells.push_back(c);
       }
@@ -100,9 +93,9 @@ std::vector<Id> FindCells(
           continue;
         }
         const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-        for (Id c = MeshBlocks::FirstCell(b); c < last; c += runLength)
+        for (Id c = MeshBlocks::FirstCell(b); c < last; c += MeshBlocks::CellsPerRun)
         {
-          searchRun(c, std::min(last, c + runLength), found[b]);
+          searchRun(c, std::min(last, c + MeshBlocks::CellsPerRun), found[b]);
         }
       }
     });

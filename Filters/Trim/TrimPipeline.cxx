@@ -188,8 +188,20 @@ std::vector<Id> FindNearCells(
   return FindCells(mesh, blocks, near, CellSearch::WholeRuns);
 }
 
+/// The closest point to a node of the band; most are known from the classification.
+nurbs::Foot FootOf(
+  const Band& band, int node, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
+{
+  const Id id = band.GlobalNode[node];
+  const auto at = static_cast<std::size_t>(id >= 0 ? known.Find(id) : 0);
+  return id >= 0 && at < known.Ids.size() && known.Ids[at] == id
+    ? known.Feet[at]
+    : surface.ClosestPoint(band.Point[node]);
+}
+
 /// Mean shift of the surface from skin to skin, in elements; 0 without thickness.
-double ColumnShift(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface)
+double ColumnShift(const Band& band, const Columns& columns, const NodeFeet& known,
+  const nurbs::TrimmingSurface& surface)
 {
   double shift = 0.0;
   int count = 0;
@@ -221,7 +233,7 @@ double ColumnShift(const Band& band, const Columns& columns, const nurbs::Trimmi
     }
     thickness /= axisEdges;
     lateral /= lateralEdges;
-    const Vec3 normal = surface.ClosestPoint(band.Point[element.Node[0]]).Normal;
+    const Vec3 normal = FootOf(band, element.Node[0], known, surface).Normal;
     const double sine = std::abs(normal.dot(thickness.normalized()));
     const double tangent = sine / std::sqrt(std::max(1e-12, 1.0 - sine * sine));
     shift += std::min(10.0, layers[columns.Column[e]] * thickness.norm() * tangent / lateral);
@@ -254,7 +266,7 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
     }
   }
   near->SheetAxis = near->Structure.Axis;
-  if (ColumnShift(near->Mesh, near->Structure, surface) > LargestColumnShift ||
+  if (ColumnShift(near->Mesh, near->Structure, result.Nodes.Near, surface) > LargestColumnShift ||
     !near->Structure.Complete(near->Mesh, 2))
   {
     near->Structure = NoColumns(near->Mesh);
