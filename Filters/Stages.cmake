@@ -36,10 +36,10 @@ add_library(NURBSTrimStages STATIC
   Renumber/RowSort.cxx
   Write/ArrayRanges.cxx
   Write/FindingArrays.cxx
+  Write/FreshArray.cxx
   Write/GatherAttributes.cxx
   Write/GridPart.cxx
   Write/OffcutGrid.cxx
-  Write/OrderlessSum.cxx
   Write/StatusArrays.cxx
   Write/Summary.cxx
   Write/TrimmedGrid.cxx

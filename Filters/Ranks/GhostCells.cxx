@@ -121,8 +121,10 @@ OwnCells TakeOwnCells(vtkUnstructuredGrid* input, const HexMesh& mesh)
     CopyPoints<vtkFloatArray>(mesh.PointsFloat, own.Points, grid);
   }
   CopyCells(mesh, own, input->GetCellTypesArray(), grid);
-  GatherAttributes(input->GetPointData(), own.Points, grid->GetPointData());
-  GatherAttributes(input->GetCellData(), own.Cells, grid->GetCellData());
+  GatherAttributes(input->GetPointData(), own.Points.data(), static_cast<Id>(own.Points.size()),
+    grid->GetPointData());
+  GatherAttributes(
+    input->GetCellData(), own.Cells.data(), static_cast<Id>(own.Cells.size()), grid->GetCellData());
   grid->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   grid->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   grid->GetFieldData()->ShallowCopy(input->GetFieldData());

@@ -1,13 +1,11 @@
 #include "FindingArrays.h"
 
+#include "FreshArray.h"
+
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <algorithm>
 
 namespace trim
 {
@@ -20,12 +18,8 @@ void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed
   const Selection& ids, vtkDataSetAttributes* data)
 {
   using Stored = typename Array::ValueType;
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(ids.size());
+  const auto array = MakeZeros<Array>(name, ids.size());
   Stored* values = array->GetPointer(0);
-  vtkSMPTools::For(0, ids.size(), 100000,
-    [values](Id begin, Id end) { std::fill(values + begin, values + end, Stored(0)); });
   for (const auto& item : listed)
   {
     const auto value = static_cast<Stored>(item.second);

@@ -1,5 +1,7 @@
 #include "GatherAttributes.h"
 
+#include "FreshArray.h"
+
 #include <vtkAbstractArray.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -14,13 +16,14 @@ namespace
 {
 
 /// Whole tuples by memory copy: Debian's VTK copies value by value and is not optimised.
-void GatherRaw(vtkDataArray* source, const std::vector<vtkIdType>& ids, vtkDataArray* target)
+void GatherRaw(vtkDataArray* source, const vtkIdType* ids, vtkIdType count, vtkDataArray* target)
 {
   const std::size_t size = static_cast<std::size_t>(source->GetNumberOfComponents()) *
     static_cast<std::size_t>(source->GetDataTypeSize());
   const char* from = static_cast<const char*>(source->GetVoidPointer(0));
   char* to = static_cast<char*>(target->GetVoidPointer(0));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), 50000,
+  PreferLargePages(to, size * static_cast<std::size_t>(count));
+  vtkSMPTools::For(0, count, 50000,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -31,19 +34,18 @@ void GatherRaw(vtkDataArray* source, const std::vector<vtkIdType>& ids, vtkDataA
 }
 
 vtkSmartPointer<vtkAbstractArray> Gather(
-  vtkAbstractArray* source, const std::vector<vtkIdType>& ids)
+  vtkAbstractArray* source, const vtkIdType* ids, vtkIdType count)
 {
   auto target = vtkSmartPointer<vtkAbstractArray>::Take(source->NewInstance());
   target->SetName(source->GetName());
   target->SetNumberOfComponents(source->GetNumberOfComponents());
   target->CopyComponentNames(source);
   target->CopyInformation(source->GetInformation());
-  const auto count = static_cast<vtkIdType>(ids.size());
   target->SetNumberOfTuples(count);
   auto* data = vtkDataArray::SafeDownCast(source);
   if (data && data->HasStandardMemoryLayout() && data->GetDataType() != VTK_BIT)
   {
-    GatherRaw(data, ids, vtkDataArray::SafeDownCast(target));
+    GatherRaw(data, ids, count, vtkDataArray::SafeDownCast(target));
     return target;
   }
   // Not GetTuples: that of VTK 9.2's string arrays forgets all components but the first.
@@ -57,11 +59,11 @@ vtkSmartPointer<vtkAbstractArray> Gather(
 }
 
 void GatherAttributes(
-  vtkDataSetAttributes* source, const std::vector<vtkIdType>& ids, vtkDataSetAttributes* target)
+  vtkDataSetAttributes* source, const vtkIdType* ids, vtkIdType count, vtkDataSetAttributes* target)
 {
   for (int i = 0; i < source->GetNumberOfArrays(); ++i)
   {
-    const int index = target->AddArray(Gather(source->GetAbstractArray(i), ids));
+    const int index = target->AddArray(Gather(source->GetAbstractArray(i), ids, count));
     const int role = source->IsArrayAnAttribute(i);
     if (role >= 0)
     {

@@ -8,16 +8,14 @@
 
 #include <vtkType.h>
 
-#include <vector>
-
 class vtkDataSetAttributes;
 
 namespace trim
 {
 
-/// target gets, for each array of source, the tuples at `ids`, in this order.
-void GatherAttributes(
-  vtkDataSetAttributes* source, const std::vector<vtkIdType>& ids, vtkDataSetAttributes* target);
+/// target gets, for each array of source, the tuples at the `count` `ids`, in this order.
+void GatherAttributes(vtkDataSetAttributes* source, const vtkIdType* ids, vtkIdType count,
+  vtkDataSetAttributes* target);
 
 }
 

@@ -6,12 +6,9 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -22,47 +19,13 @@ namespace trim
 namespace
 {
 
-/// Copies with conversion, by all threads.
-template <typename From, typename To>
-void CopyValues(const From* from, Id count, To* to)
-{
-  vtkSMPTools::For(0, count, 4 * PartGrain,
-    [=](Id begin, Id end) { std::copy(from + begin, from + end, to + begin); });
-}
-
-template <typename ArrayType>
-void WriteCells(const GridPart& part, vtkUnstructuredGrid* output)
-{
-  const auto& graph = part.Graph;
-  const Id count = static_cast<Id>(part.Cells.size());
-  const Id size = static_cast<Id>(graph.Connectivity.size());
-  vtkNew<ArrayType> offsets;
-  vtkNew<ArrayType> connectivity;
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(size);
-  CopyValues(graph.Offset.data(), count + 1, offsets->GetPointer(0));
-  CopyValues(graph.Connectivity.data(), size, connectivity->GetPointer(0));
-  vtkNew<vtkUnsignedCharArray> types;
-  types->SetNumberOfValues(count);
-  unsigned char* type = types->GetPointer(0);
-  for (Id i = 0; i < count; ++i)
-  {
-    type[i] = graph.Offset[i + 1] - graph.Offset[i] == 8 ? VTK_HEXAHEDRON : VTK_WEDGE;
-  }
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  output->SetCells(types, cells);
-}
-
 /// Coordinates in the precision of the input; those of unmoved points bit by bit.
 template <typename ArrayType, typename Value>
-void WritePoints(
+void WriteCoordinates(
   const Value* from, const GridPart& part, const MovedNodes& moved, vtkUnstructuredGrid* output)
 {
-  const Id count = static_cast<Id>(part.Points.size());
-  vtkNew<ArrayType> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(count);
+  const Id count = part.Points.size();
+  const auto coordinates = MakeArray<ArrayType>(nullptr, count, 3);
   Value* to = coordinates->GetPointer(0);
   vtkSMPTools::For(0, count, PartGrain,
     [&](Id begin, Id end)
@@ -88,20 +51,6 @@ void WritePoints(
   output->SetPoints(points);
 }
 
-void AddOriginalIds(const GridPart& part, vtkUnstructuredGrid* output)
-{
-  const auto add = [](const char* name, const std::vector<Id>& ids, vtkDataSetAttributes* data)
-  {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetName(name);
-    array->SetNumberOfValues(static_cast<Id>(ids.size()));
-    CopyValues(ids.data(), static_cast<Id>(ids.size()), array->GetPointer(0));
-    data->AddArray(array);
-  };
-  add("vtkOriginalPointIds", part.Points, output->GetPointData());
-  add("vtkOriginalCellIds", part.Cells, output->GetCellData());
-}
-
 }
 
 void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& part)
@@ -109,18 +58,7 @@ void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& 
   const auto isSet = [flags](Id p) { return flags[p].load(std::memory_order_relaxed) != 0; };
   const Id runs = (count + PartGrain - 1) / PartGrain;
   std::vector<Id> first(runs + 1, 0);
-  const auto forRuns = [&](const auto& action)
-  {
-    vtkSMPTools::For(0, runs, 1,
-      [&](Id begin, Id end)
-      {
-        for (Id run = begin; run < end; ++run)
-        {
-          action(run, run * PartGrain, std::min(count, (run + 1) * PartGrain));
-        }
-      });
-  };
-  forRuns(
+  ForRuns(count,
     [&](Id run, Id begin, Id end)
     {
       Id set = 0;
@@ -134,9 +72,10 @@ void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& 
   {
     first[run + 1] += first[run];
   }
-  part.Points.resize(first.back());
+  part.Points.Resize(first.back());
   part.Number.resize(count);
-  forRuns(
+  Id* points = part.Points.data();
+  ForRuns(count,
     [&](Id run, Id begin, Id end)
     {
       Id next = first[run];
@@ -145,60 +84,83 @@ void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& 
         part.Number[p] = isSet(p) ? static_cast<int>(next) : -1;
         if (isSet(p))
         {
-          part.Points[next++] = p;
+          points[next++] = p;
         }
       }
     });
 }
 
-void RenumberPart(const HexMesh& mesh, const Progress& progress, GridPart& part)
+void TakeNumbers(const std::vector<int>& number, GridPart& part)
 {
-  const auto number = OrderNodes(
-    part.Graph, NodePlaces(mesh, part.Points.data()), [&progress] { return progress(-1.0); });
   for (const Id point : part.Points)
   {
     part.Number[point] = number[part.Number[point]];
   }
+  Id* points = part.Points.data();
   for (std::size_t point = 0; point < part.Number.size(); ++point)
   {
     if (part.Number[point] >= 0)
     {
-      part.Points[part.Number[point]] = static_cast<Id>(point);
+      points[part.Number[point]] = static_cast<Id>(point);
     }
   }
-  vtkSMPTools::For(0, static_cast<Id>(part.Graph.Connectivity.size()), 4 * PartGrain,
-    [&](Id begin, Id end)
-    {
-      for (Id i = begin; i < end; ++i)
-      {
-        part.Graph.Connectivity[i] = number[part.Graph.Connectivity[i]];
-      }
-    });
 }
 
-void WritePart(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart& part,
+void WritePoints(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart& part,
   const MovedNodes& moved, vtkUnstructuredGrid* output)
 {
   if (mesh.PointsDouble)
   {
-    WritePoints<vtkDoubleArray>(mesh.PointsDouble, part, moved, output);
+    WriteCoordinates<vtkDoubleArray>(mesh.PointsDouble, part, moved, output);
   }
   else if (mesh.PointsFloat)
   {
-    WritePoints<vtkFloatArray>(mesh.PointsFloat, part, moved, output);
+    WriteCoordinates<vtkFloatArray>(mesh.PointsFloat, part, moved, output);
   }
-  if (mesh.Offsets64)
-  {
-    WriteCells<vtkTypeInt64Array>(part, output);
-  }
-  else
-  {
-    WriteCells<vtkTypeInt32Array>(part, output);
-  }
-  GatherAttributes(input->GetPointData(), part.Points, output->GetPointData());
-  GatherAttributes(input->GetCellData(), part.Cells, output->GetCellData());
-  AddOriginalIds(part, output);
+  GatherAttributes(
+    input->GetPointData(), part.Points.data(), part.Points.size(), output->GetPointData());
+  GatherAttributes(
+    input->GetCellData(), part.Cells.data(), part.Cells.size(), output->GetCellData());
+  output->GetPointData()->AddArray(part.Points.Array());
+  output->GetCellData()->AddArray(part.Cells.Array());
 }
+
+template <typename ArrayType>
+Id TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
+  vtkSmartPointer<ArrayType> connectivity, vtkUnstructuredGrid* output)
+{
+  const Id count = part.Cells.size();
+  const auto types = MakeArray<vtkUnsignedCharArray>(nullptr, count);
+  unsigned char* type = types->GetPointer(0);
+  const auto* offset = offsets->GetPointer(0);
+  const auto* nodes = connectivity->GetPointer(0);
+  std::atomic<Id> widest{ 0 };
+  ForRuns(count,
+    [&](Id, Id begin, Id end)
+    {
+      Id own = 0;
+      for (Id i = begin; i < end; ++i)
+      {
+        const auto size = offset[i + 1] - offset[i];
+        const auto range = std::minmax_element(nodes + offset[i], nodes + offset[i + 1]);
+        own = std::max(own, static_cast<Id>(*range.second - *range.first));
+        type[i] = size == 8 ? VTK_HEXAHEDRON : VTK_WEDGE;
+      }
+      Id seen = widest.load();
+      while (own > seen && !widest.compare_exchange_weak(seen, own))
+      {
+      }
+    });
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  output->SetCells(types, cells);
+  return widest;
+}
+
+template Id TakeElements(const GridPart& part, vtkSmartPointer<vtkTypeInt64Array> offsets,
+  vtkSmartPointer<vtkTypeInt64Array> connectivity, vtkUnstructuredGrid* output);
+template Id TakeElements(const GridPart& part, vtkSmartPointer<vtkTypeInt32Array> offsets,
+  vtkSmartPointer<vtkTypeInt32Array> connectivity, vtkUnstructuredGrid* output);
 
 void ColourByStatus(vtkUnstructuredGrid* grid)
 {

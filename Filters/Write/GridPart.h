@@ -9,16 +9,21 @@
 #ifndef GridPart_h
 #define GridPart_h
 
+#include "FreshArray.h"
 #include "NodeOrdering.h"
 #include "Selection.h"
 #include "StatusArrays.h"
 #include "TrimPipeline.h"
 
 #include <vtkSMPTools.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 class vtkUnstructuredGrid;
@@ -26,81 +31,139 @@ class vtkUnstructuredGrid;
 namespace trim
 {
 
+/// Work for a thread at a time, in cells or points.
+constexpr Id PartGrain = 30000;
+
 struct GridPart
 {
-  std::vector<Id> Cells;   ///< input ids, ascending
-  std::vector<Id> Points;  ///< input ids, by new number
+  IdList Cells{ "vtkOriginalCellIds" };   ///< input ids, ascending
+  IdList Points{ "vtkOriginalPointIds" }; ///< input ids, by new number
   std::vector<int> Number; ///< of each input point: its new number, -1: it is not in the part
-  NodeGraph Graph;         ///< the elements, in new numbers
+  std::vector<Id> Offset;  ///< nodes of the cells before each run of PartGrain cells, and of all
 
   Selection CellIds() const { return Selection::Ascending(this->Cells); }
   Selection PointIds() const { return Selection::Numbered(this->Points, this->Number); }
 };
 
+/// Calls action(run, begin, end) for all runs of PartGrain items, by all threads.
+template <typename Action>
+void ForRuns(Id count, const Action& action)
+{
+  vtkSMPTools::For(0, (count + PartGrain - 1) / PartGrain, 1,
+    [&](Id begin, Id end)
+    {
+      for (Id run = begin; run < end; ++run)
+      {
+        action(run, run * PartGrain, std::min(count, (run + 1) * PartGrain));
+      }
+    });
+}
+
 /// Lists the flagged points, ascending, and numbers them.
 void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& part);
 
-/// Work for a thread at a time, in cells or points.
-constexpr Id PartGrain = 30000;
-
 /**
- * Fills Points, ascending, Number and Graph.
+ * Fills Points, ascending, Number and Offset.
  *
  * @param nodesOf (i, nodes): the nodes of cell i of the part, in input ids; returns their number.
  */
 template <typename NodesOf>
 void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
 {
-  const Id count = static_cast<Id>(part.Cells.size());
-  auto& graph = part.Graph;
-  graph.Offset.resize(count + 1);
-  graph.Offset[0] = 0;
-  {
-    const std::unique_ptr<std::atomic<unsigned char>[]> used(
-      new std::atomic<unsigned char>[mesh.NumberOfPoints] {});
-    vtkSMPTools::For(0, count, PartGrain,
-      [&](Id begin, Id end)
-      {
-        std::array<Id, 8> nodes;
-        for (Id i = begin; i < end; ++i)
-        {
-          const int size = nodesOf(i, nodes);
-          for (int k = 0; k < size; ++k)
-          {
-            used[nodes[k]].store(1, std::memory_order_relaxed);
-          }
-          graph.Offset[i + 1] = size;
-        }
-      });
-    NumberFlagged(used.get(), mesh.NumberOfPoints, part);
-  }
-  for (Id i = 0; i < count; ++i)
-  {
-    graph.Offset[i + 1] += graph.Offset[i];
-  }
-  graph.NumberOfNodes = static_cast<int>(part.Points.size());
-  graph.Connectivity.resize(graph.Offset.back());
-  vtkSMPTools::For(0, count, PartGrain,
-    [&](Id begin, Id end)
+  const Id count = part.Cells.size();
+  part.Offset.assign((count + PartGrain - 1) / PartGrain + 1, 0);
+  const std::unique_ptr<std::atomic<unsigned char>[]> used(
+    new std::atomic<unsigned char>[mesh.NumberOfPoints] {});
+  ForRuns(count,
+    [&](Id run, Id begin, Id end)
     {
       std::array<Id, 8> nodes;
+      Id size = 0;
+      for (Id i = begin; i < end; ++i)
+      {
+        const int number = nodesOf(i, nodes);
+        for (int k = 0; k < number; ++k)
+        {
+          used[nodes[k]].store(1, std::memory_order_relaxed);
+        }
+        size += number;
+      }
+      part.Offset[run + 1] = size;
+    });
+  for (std::size_t run = 1; run < part.Offset.size(); ++run)
+  {
+    part.Offset[run] += part.Offset[run - 1];
+  }
+  NumberFlagged(used.get(), mesh.NumberOfPoints, part);
+}
+
+/// The elements of the part in its numbers.
+template <typename Index, typename NodesOf>
+void NumberElements(
+  const GridPart& part, const NodesOf& nodesOf, Index* offsets, Index* connectivity)
+{
+  ForRuns(part.Cells.size(),
+    [&](Id run, Id begin, Id end)
+    {
+      std::array<Id, 8> nodes;
+      Id next = part.Offset[run];
       for (Id i = begin; i < end; ++i)
       {
         const int size = nodesOf(i, nodes);
+        offsets[i] = static_cast<Index>(next);
         for (int k = 0; k < size; ++k)
         {
-          graph.Connectivity[graph.Offset[i] + k] = part.Number[nodes[k]];
+          connectivity[next + k] = static_cast<Index>(part.Number[nodes[k]]);
         }
+        next += size;
       }
     });
+  offsets[part.Cells.size()] = static_cast<Index>(part.Offset.back());
 }
 
-/// New numbers for the points, so that the band is narrow.
-void RenumberPart(const HexMesh& mesh, const Progress& progress, GridPart& part);
+/// Takes the new numbers of the points, by the old ones.
+void TakeNumbers(const std::vector<int>& number, GridPart& part);
 
-/// Points, cells, the input's attributes and the original ids.
-void WritePart(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart& part,
+/// New numbers for the points, so that the band is narrow.
+template <typename NodesOf>
+void RenumberPart(
+  const HexMesh& mesh, const Progress& progress, GridPart& part, const NodesOf& nodesOf)
+{
+  NodeGraph graph;
+  graph.NumberOfNodes = static_cast<int>(part.Points.size());
+  graph.Offset.resize(part.Cells.size() + 1);
+  graph.Connectivity.resize(part.Offset.back());
+  NumberElements(part, nodesOf, graph.Offset.data(), graph.Connectivity.data());
+  TakeNumbers(
+    OrderNodes(graph, NodePlaces(mesh, part.Points.data()), [&progress] { return progress(-1.0); }),
+    part);
+}
+
+/// Points, the input's attributes and the original ids.
+void WritePoints(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart& part,
   const MovedNodes& moved, vtkUnstructuredGrid* output);
+
+/// Hands over the elements; returns the largest difference of node numbers within one.
+template <typename ArrayType>
+Id TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
+  vtkSmartPointer<ArrayType> connectivity, vtkUnstructuredGrid* output);
+
+/// The elements of the part; returns the largest difference of node numbers within one.
+template <typename NodesOf>
+Id WriteElements(
+  const HexMesh& mesh, const GridPart& part, const NodesOf& nodesOf, vtkUnstructuredGrid* output)
+{
+  const auto write = [&](auto offsets)
+  {
+    using ArrayType = std::remove_reference_t<decltype(*offsets)>;
+    const auto connectivity = MakeArray<ArrayType>(nullptr, part.Offset.back());
+    NumberElements(part, nodesOf, offsets->GetPointer(0), connectivity->GetPointer(0));
+    return TakeElements(part, offsets, connectivity, output);
+  };
+  const Id count = part.Cells.size() + 1;
+  return mesh.Offsets64 ? write(MakeArray<vtkTypeInt64Array>(nullptr, count))
+                        : write(MakeArray<vtkTypeInt32Array>(nullptr, count));
+}
 
 /// What ParaView colours by at first, unless the input has active scalars of its own.
 void ColourByStatus(vtkUnstructuredGrid* grid);

@@ -11,6 +11,7 @@
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,9 +44,10 @@ std::vector<int> FirstParts(const TrimBand& near)
 OffcutMesh CollectCells(const HexMesh& mesh, const TrimResult& result)
 {
   OffcutMesh part;
-  const auto add = [&part](Id cell, int bandPart)
+  std::vector<Id> cells;
+  const auto add = [&part, &cells](Id cell, int bandPart)
   {
-    part.Cells.push_back(cell);
+    cells.push_back(cell);
     part.BandPart.push_back(bandPart);
   };
   const auto elements = result.Near ? result.Near->Mesh.ElementsByCell() : std::vector<int>();
@@ -67,6 +69,8 @@ OffcutMesh CollectCells(const HexMesh& mesh, const TrimResult& result)
     }
     ++next;
   }
+  part.Cells.Resize(static_cast<Id>(cells.size()));
+  std::copy(cells.begin(), cells.end(), part.Cells.data());
   return part;
 }
 
@@ -115,10 +119,10 @@ std::vector<double> AddQuality(const HexMesh& mesh, const TrimResult& result,
 {
   vtkNew<vtkFloatArray> scaled;
   scaled->SetName("ScaledJacobian");
-  scaled->SetNumberOfValues(static_cast<Id>(part.Cells.size()));
+  scaled->SetNumberOfValues(part.Cells.size());
   float* values = scaled->GetPointer(0);
   std::vector<double> volume(part.Cells.size());
-  for (std::size_t i = 0; i < part.Cells.size(); ++i)
+  for (Id i = 0; i < part.Cells.size(); ++i)
   {
     int count = 0;
     const auto points = PointsOfCell(mesh, result, part.Cells[i], part.BandPart[i], count);
@@ -170,19 +174,21 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Rank
   vtkUnstructuredGrid* output)
 {
   OffcutMesh part = CollectCells(mesh, result);
-  NumberPoints(mesh, part,
-    [&](Id i, std::array<Id, 8>& nodes)
-    { return NodesOf(mesh, result, part.Cells[i], part.BandPart[i], nodes); });
+  const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
+  { return NodesOf(mesh, result, part.Cells[i], part.BandPart[i], nodes); };
+  NumberPoints(mesh, part, nodesOf);
   if (options.RenumberNodes && !part.Cells.empty())
   {
-    RenumberPart(mesh, progress, part);
+    RenumberPart(mesh, progress, part, nodesOf);
   }
   if (ranks.Any(progress(0.97)))
   {
     return;
   }
   const MovedNodes moved = MovedNodesOfOffcut(result);
-  WritePart(input, mesh, part, moved, output);
+  Summary summary;
+  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, part, nodesOf, output));
+  WritePoints(input, mesh, part, moved, output);
   AddPointStatuses(result, moved, part.PointIds(), output->GetPointData());
   AddCellStatuses(result, part.CellIds(), output->GetCellData());
   Findings found = result.Found;
@@ -190,10 +196,9 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Rank
   AddPointFindings(found, part.PointIds(), output->GetPointData());
   AddCellFindings(found, part.CellIds(), output->GetCellData());
   ColourByStatus(output);
-  Summary summary;
-  summary.Volume =
-    OrderlessSum(AddQuality(mesh, result, part, options.QualityOfAllElements, output), ranks);
-  summary.NodeBandwidth = ranks.Largest(NodeBandwidth(part.Graph));
+  const auto volume = AddQuality(mesh, result, part, options.QualityOfAllElements, output);
+  summary.Volume = OrderlessSum(
+    part.Cells.size(), [&volume](Id i) { return volume[i]; }, ranks);
   if (result.Near)
   {
     SummariseTouched(*result.Near, summary);

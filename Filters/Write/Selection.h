@@ -5,7 +5,7 @@
 #ifndef Selection_h
 #define Selection_h
 
-#include "HexMesh.h"
+#include "IdList.h"
 
 #include <algorithm>
 #include <vector>
@@ -20,15 +20,15 @@ public:
   static Selection All(Id count) { return Selection(nullptr, count, nullptr); }
 
   /// Ids in ascending order; one may come several times in a row.
-  static Selection Ascending(const std::vector<Id>& ids)
+  static Selection Ascending(const IdList& ids)
   {
-    return Selection(ids.data(), static_cast<Id>(ids.size()), nullptr);
+    return Selection(ids.data(), ids.size(), nullptr);
   }
 
   /// Ids in any order; number[id] is the place of an id in the output, -1: it is not there.
-  static Selection Numbered(const std::vector<Id>& ids, const std::vector<int>& number)
+  static Selection Numbered(const IdList& ids, const std::vector<int>& number)
   {
-    return Selection(ids.data(), static_cast<Id>(ids.size()), &number);
+    return Selection(ids.data(), ids.size(), &number);
   }
 
   Id size() const { return this->Count; }

@@ -1,5 +1,6 @@
 #include "StatusArrays.h"
 
+#include "FreshArray.h"
 #include "Rescue.h"
 #include "Status.h"
 
@@ -20,16 +21,6 @@ namespace
 
 /// Points or cells for a thread at a time.
 constexpr Id Grain = 30000;
-
-template <typename Array>
-vtkNew<Array> MakeArray(const char* name, Id tuples, int components = 1)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
 
 /// The nodes in use that were moved.
 template <typename Flags>
@@ -74,10 +65,10 @@ void AddPointStatuses(
   const TrimResult& result, const MovedNodes& moved, const Selection& ids, vtkPointData* pointData)
 {
   const Id count = ids.size();
-  auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
-  auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
-  auto displacement = MakeArray<vtkFloatArray>("Displacement", count, 3);
-  auto correction = MakeArray<vtkUnsignedCharArray>("CorrectionApplied", count);
+  const auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
+  const auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
+  const auto displacement = MakeZeros<vtkFloatArray>("Displacement", count, 3);
+  const auto correction = MakeZeros<vtkUnsignedCharArray>("CorrectionApplied", count);
   unsigned char* statuses = status->GetPointer(0);
   float* distances = distance->GetPointer(0);
   float* moves = displacement->GetPointer(0);
@@ -90,8 +81,6 @@ void AddPointStatuses(
         statuses[i] = result.Nodes.Status[ids[i]];
         distances[i] = result.Nodes.SignedDistance[ids[i]];
       }
-      std::fill(moves + 3 * begin, moves + 3 * end, 0.0f);
-      std::fill(corrections + begin, corrections + end, static_cast<unsigned char>(0));
     });
   moved.ForPlaces(ids,
     [&](Id place, int node)
@@ -112,8 +101,8 @@ void AddPointStatuses(
 void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
 {
   const Id count = ids.size();
-  auto status = MakeArray<vtkUnsignedCharArray>("ElementStatus", count);
-  auto fraction = MakeArray<vtkFloatArray>("EliminatedFraction", count);
+  const auto status = MakeArray<vtkUnsignedCharArray>("ElementStatus", count);
+  const auto fraction = MakeArray<vtkFloatArray>("EliminatedFraction", count);
   unsigned char* statuses = status->GetPointer(0);
   float* fractions = fraction->GetPointer(0);
   vtkSMPTools::For(0, count, Grain,
@@ -141,9 +130,9 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
 
 void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
 {
-  auto array = MakeArray<vtkUnsignedCharArray>("Rescue", ids.size());
+  static_assert(static_cast<unsigned char>(Rescue::None) == 0, "most of the array is not written");
+  const auto array = MakeZeros<vtkUnsignedCharArray>("Rescue", ids.size());
   unsigned char* values = array->GetPointer(0);
-  std::fill(values, values + ids.size(), static_cast<unsigned char>(Rescue::None));
   const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
   for (int e = 0; e < elements; ++e)
   {

@@ -10,7 +10,6 @@
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkUnstructuredGrid.h>
@@ -52,41 +51,43 @@ int NodesOfKept(
 
 void CollectCells(const HexMesh& mesh, const TrimResult& result, KeptMesh& kept)
 {
-  const auto count =
-    static_cast<std::size_t>(std::count(result.Kept.begin(), result.Kept.end(), char(1)));
-  kept.Cells.resize(count);
-  std::size_t next = 0;
+  kept.Cells.Resize(std::count(result.Kept.begin(), result.Kept.end(), char(1)));
+  kept.BandElement.assign(kept.Cells.size(), -1);
+  const auto band = result.Near ? result.Near->Mesh.ElementsByCell() : std::vector<int>();
+  auto next = band.begin();
+  const auto nextCell = [&]
+  { return next == band.end() ? Id(-1) : result.Near->Mesh.Elements[*next].Global; };
+  Id* cells = kept.Cells.data();
+  Id count = 0;
+  Id inBand = nextCell();
   for (Id c = 0; c < mesh.NumberOfCells; ++c)
   {
     if (result.Kept[c])
     {
-      kept.Cells[next++] = c;
+      cells[count++] = c;
     }
-  }
-  kept.BandElement.assign(count, -1);
-  const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
-  for (int e = 0; e < elements; ++e)
-  {
-    const Id cell = result.Near->Mesh.Elements[e].Global;
-    if (cell >= 0)
+    if (c == inBand)
     {
-      kept.CellIds().ForPlaces(cell, [&kept, e](Id place) { kept.BandElement[place] = e; });
+      if (result.Kept[c])
+      {
+        kept.BandElement[count - 1] = *next;
+      }
+      ++next;
+      inBand = nextCell();
     }
   }
 }
 
-ElementPoints PointsOfKept(
-  const HexMesh& mesh, const TrimResult& result, const KeptMesh& kept, Id i, int& count)
+/// A kept element at its new position, and whether the trim touched it.
+FinalElement ShapeOfKept(const HexMesh& mesh, const TrimResult& result, const KeptMesh& kept, Id i)
 {
-  ElementPoints points;
   if (kept.BandElement[i] >= 0)
   {
-    const auto final = FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]);
-    count = final.Count;
-    return final.Points;
+    return FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]);
   }
-  count = PointsOfCell(mesh, kept.Cells[i], points);
-  return points;
+  FinalElement element;
+  element.Count = PointsOfCell(mesh, kept.Cells[i], element.Points);
+  return element;
 }
 
 /// ScaledJacobian of touched elements, and what the summary says of quality and volume.
@@ -94,33 +95,38 @@ void AddQuality(const HexMesh& mesh, const MeshBlocks& blocks, const Ranks& rank
   const TrimResult& result, const KeptMesh& kept, bool allElements, Summary& summary,
   vtkUnstructuredGrid* output)
 {
-  const Id count = static_cast<Id>(kept.Cells.size());
-  vtkNew<vtkFloatArray> scaled;
-  scaled->SetName("ScaledJacobian");
-  scaled->SetNumberOfValues(count);
+  const Id count = kept.Cells.size();
+  const auto scaled = MakeArray<vtkFloatArray>("ScaledJacobian", count);
   float* values = scaled->GetPointer(0);
-  std::vector<double> volume(count);
+  // Volumes of the elements at the cut; those of all others are known with the mesh.
+  std::vector<double> volume(result.Near ? result.Near->Mesh.NumberOfElements() : 0);
   vtkSMPTools::For(0, count, 10000,
     [&](Id begin, Id end)
     {
+      std::fill(values + begin, values + end, std::numeric_limits<float>::quiet_NaN());
       for (Id i = begin; i < end; ++i)
       {
         if (kept.BandElement[i] < 0 && !allElements)
         {
-          values[i] = std::numeric_limits<float>::quiet_NaN();
-          volume[i] = blocks.Volumes[kept.Cells[i]];
           continue;
         }
-        int nodes = 0;
-        const ElementPoints points = PointsOfKept(mesh, result, kept, i, nodes);
-        const bool touched = kept.BandElement[i] >= 0 &&
-          FinalShape(result.Near->Mesh, result.Near->Trimmed, kept.BandElement[i]).Touched;
-        values[i] = touched || allElements ? static_cast<float>(ScaledJacobian(points, nodes))
-                                           : std::numeric_limits<float>::quiet_NaN();
-        volume[i] = std::abs(VolumeOf(points, nodes));
+        const FinalElement element = ShapeOfKept(mesh, result, kept, i);
+        if (element.Touched || allElements)
+        {
+          values[i] = static_cast<float>(ScaledJacobian(element.Points, element.Count));
+        }
+        if (kept.BandElement[i] >= 0)
+        {
+          volume[kept.BandElement[i]] = std::abs(VolumeOf(element.Points, element.Count));
+        }
       }
     });
-  summary.Volume = OrderlessSum(volume, ranks);
+  const auto volumeOf = [&](Id i)
+  {
+    const int element = kept.BandElement[i];
+    return element >= 0 ? volume[element] : blocks.Volumes[kept.Cells[i]];
+  };
+  summary.Volume = OrderlessSum(count, volumeOf, ranks);
   output->GetCellData()->AddArray(scaled);
 }
 
@@ -189,12 +195,11 @@ void CountRescues(const TrimResult& result, Summary& summary)
 void Summarise(const Ranks& ranks, const TrimResult& result, const KeptMesh& kept,
   const nurbs::TrimmingSurface& surface, Summary& summary)
 {
-  summary.Kept = ranks.Sum(static_cast<Id>(kept.Cells.size()));
+  summary.Kept = ranks.Sum(kept.Cells.size());
   summary.Eliminated = ranks.Sum(static_cast<Id>(result.Kept.size())) - summary.Kept;
   const Id treated =
     std::count(result.ElementStatus.begin(), result.ElementStatus.end(), ElementToTreat);
   summary.Treated = ranks.Sum(treated);
-  summary.NodeBandwidth = ranks.Largest(NodeBandwidth(kept.Graph));
   // The band, and all that is counted in it, is the same on every rank.
   if (result.Near)
   {
@@ -215,26 +220,27 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
 {
   KeptMesh kept;
   CollectCells(mesh, result, kept);
-  NumberPoints(mesh, kept,
-    [&](Id i, std::array<Id, 8>& nodes)
-    { return NodesOfKept(mesh, result, kept.Cells[i], kept.BandElement[i], nodes); });
+  const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
+  { return NodesOfKept(mesh, result, kept.Cells[i], kept.BandElement[i], nodes); };
+  NumberPoints(mesh, kept, nodesOf);
   if (options.RenumberNodes && !progress(0.65))
   {
-    RenumberPart(mesh, progress, kept);
+    RenumberPart(mesh, progress, kept, nodesOf);
   }
   if (ranks.Any(progress(0.85)))
   {
     return;
   }
   const MovedNodes moved = MovedNodesOfKept(result);
-  WritePart(input, mesh, kept, moved, output);
+  Summary summary;
+  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, kept, nodesOf, output));
+  WritePoints(input, mesh, kept, moved, output);
   AddPointStatuses(result, moved, kept.PointIds(), output->GetPointData());
   AddCellStatuses(result, kept.CellIds(), output->GetCellData());
   AddPointFindings(result.Found, kept.PointIds(), output->GetPointData());
   AddCellFindings(result.Found, kept.CellIds(), output->GetCellData());
   ColourByStatus(output);
   AddRescues(result, kept.CellIds(), output->GetCellData());
-  Summary summary;
   AddQuality(mesh, blocks, ranks, result, kept, options.QualityOfAllElements, summary, output);
   Summarise(ranks, result, kept, surface, summary);
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
