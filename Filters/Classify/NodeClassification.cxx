@@ -1,8 +1,8 @@
 #include "NodeClassification.h"
 
-#include "DisjointSets.h"
 #include "ElementTopology.h"
 #include "PieceSides.h"
+#include "SideSets.h"
 
 #include <vtkSMPTools.h>
 
@@ -60,44 +60,17 @@ unsigned char StatusFromFoot(const Foot& foot, double tolerance)
   return foot.SignedDistance < 0.0 ? NodeKeep : NodeEliminate;
 }
 
-/// Joins nodes of one side: all nodes of a cell that the surface does not meet.
-template <typename Index>
-void UniteCells(const HexMesh& mesh, const std::vector<Id>& candidates, DisjointSets<Index>& sets)
-{
-  std::array<Id, 8> nodes;
-  Index root = -1;
-  auto next = candidates.begin();
-  for (Id c = 0; c < mesh.NumberOfCells; ++c)
-  {
-    if (next != candidates.end() && *next == c)
-    {
-      ++next;
-      continue;
-    }
-    const int count = mesh.Cell(c, nodes);
-    // Cells that follow one another are neighbours as a rule, so their root is known.
-    if (root < 0 || !sets.HangsOn(static_cast<Index>(nodes[0]), root))
-    {
-      root = sets.Find(static_cast<Index>(nodes[0]));
-    }
-    for (int i = 1; i < count; ++i)
-    {
-      root = sets.Attach(static_cast<Index>(nodes[i]), root);
-    }
-  }
-}
-
 /// A vote for x by its edge to y, if the surface crosses it; else the two share a side.
 template <typename Index>
 void AskEdge(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, Id x, Id y,
-  std::vector<NodeVote>& votes, DisjointSets<Index>& sets)
+  std::vector<NodeVote>& votes, SideSets<Index>& sets)
 {
   const Vec3 a = mesh.Point(x);
   const Vec3 b = mesh.Point(y);
   const auto hits = surface.Intersect(a, b);
   if (hits.empty())
   {
-    sets.Unite(static_cast<Index>(x), static_cast<Index>(y));
+    sets.Unite(x, y);
     return;
   }
   const unsigned char side = hits.front().Normal.dot(b - a) > 0.0 ? NodeKeep : NodeEliminate;
@@ -112,7 +85,7 @@ void AskEdge(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, Id x, I
 template <typename Index>
 void ResolveBorderNodes(const HexMesh& mesh, const Piece& piece, const std::vector<Id>& candidates,
   const nurbs::TrimmingSurface& surface, const NodeFeet& near, NodeClassification& result,
-  DisjointSets<Index>& sets)
+  SideSets<Index>& sets)
 {
   std::vector<NodeVote> votes;
   std::array<Id, 8> nodes;
@@ -199,7 +172,7 @@ unsigned char SideOfFarPart(const OutermostNodes& nodes, const nurbs::TrimmingSu
 /// where a set has both; `place` is then one of its nodes.
 template <typename Index>
 bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassification& result,
-  DisjointSets<Index>& sets, std::vector<unsigned char>& ofRoot, SurfaceEnd& place)
+  SideSets<Index>& sets, std::vector<unsigned char>& ofRoot, SurfaceEnd& place)
 {
   for (const Id node : near.Ids)
   {
@@ -208,7 +181,7 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
     {
       continue;
     }
-    unsigned char& root = ofRoot[sets.Find(static_cast<Index>(node))];
+    unsigned char& root = ofRoot[sets.Find(node)];
     if (root != NodeUnknown && root != status)
     {
       place = { std::numeric_limits<double>::max(), ToPlace(mesh.Point(node)) };
@@ -219,12 +192,19 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
   return true;
 }
 
-/// Gives nodes the side of their set. Returns, by root, the sets that have none: parts of the mesh
-/// that the surface does not meet.
+/// Gives nodes the side of their set, and far patches theirs. Returns, by root, the sets that have
+/// none: parts of the mesh that the surface does not meet.
 template <typename Index>
 std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
-  const std::vector<unsigned char>& ofRoot, DisjointSets<Index>& sets, NodeClassification& result)
+  const MeshBlocks& blocks, const std::vector<unsigned char>& ofRoot, SideSets<Index>& sets,
+  NodeClassification& result)
 {
+  constexpr unsigned char unknown = NodeUnknown;
+  result.PatchSide.assign(sets.NumberOfRuns(), NodeUnknown);
+  for (Id run = 0; run < sets.NumberOfRuns(); ++run)
+  {
+    result.PatchSide[run] = sets.IsFarPatch(run) ? ofRoot[sets.FindPatch(run)] : unknown;
+  }
   std::vector<std::pair<Id, OutermostNodes>> farParts;
   std::unordered_map<Index, std::size_t> partOfRoot;
   for (Id i = 0; i < mesh.NumberOfPoints; ++i)
@@ -233,7 +213,13 @@ std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
     {
       continue;
     }
-    const Index root = sets.Find(static_cast<Index>(i));
+    const int run = blocks.FirstRunOf(i);
+    result.Status[i] = run == MeshBlocks::NoRun ? unknown : result.PatchSide[run];
+    if (result.Status[i] != NodeUnknown)
+    {
+      continue;
+    }
+    const Index root = sets.Find(i);
     result.Status[i] = ofRoot[root];
     if (ofRoot[root] == NodeUnknown)
     {
@@ -249,21 +235,22 @@ std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
 }
 
 template <typename Index>
-bool CarryStatus(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
-  const NodeFeet& near, NodeClassification& result, DisjointSets<Index>& sets, std::string& error)
+bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  const nurbs::TrimmingSurface& surface, const NodeFeet& near, NodeClassification& result,
+  SideSets<Index>& sets, std::string& error)
 {
-  std::vector<unsigned char> ofRoot(mesh.NumberOfPoints, NodeUnknown);
+  std::vector<unsigned char> ofRoot(sets.Size(), NodeUnknown);
   SurfaceEnd place;
   const bool parted = FindSidesOfSets(mesh, near, result, sets, ofRoot, place);
   JoinedSets joined;
   const bool partedAll = joined.Join(
-    piece, [&sets](Id node) { return sets.Find(static_cast<Index>(node)); }, ofRoot);
+    piece, [&sets](Id node) { return sets.Find(node); }, ofRoot);
   if (piece.All.Any(!parted || !partedAll))
   {
     error = EndOfSurface(piece, near, place);
     return false;
   }
-  auto farParts = AssignSides(mesh, ofRoot, sets, result);
+  auto farParts = AssignSides(mesh, blocks, ofRoot, sets, result);
   joined.ShareOutermost(piece, farParts);
   if (!farParts.empty())
   {
@@ -271,19 +258,19 @@ bool CarryStatus(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     {
       ofRoot[part.first] = SideOfFarPart(part.second, surface);
     }
-    AssignSides(mesh, ofRoot, sets, result);
+    AssignSides(mesh, blocks, ofRoot, sets, result);
   }
   return true;
 }
 
 template <typename Index>
-bool Classify(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
-  const NodeFeet& near, NodeClassification& result, std::string& error)
+bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  const nurbs::TrimmingSurface& surface, const NodeFeet& near, NodeClassification& result,
+  std::string& error)
 {
-  DisjointSets<Index> sets(static_cast<Index>(mesh.NumberOfPoints));
-  UniteCells(mesh, result.CandidateCells, sets);
+  SideSets<Index> sets(mesh, blocks, result.CandidateCells);
   ResolveBorderNodes(mesh, piece, result.CandidateCells, surface, near, result, sets);
-  return CarryStatus(mesh, piece, surface, near, result, sets, error);
+  return CarryStatus(mesh, blocks, piece, surface, near, result, sets, error);
 }
 
 }
@@ -318,9 +305,9 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
     }
   }
   ShareProjections(piece, result);
-  return mesh.NumberOfPoints < std::numeric_limits<vtkTypeInt32>::max()
-    ? Classify<vtkTypeInt32>(mesh, piece, surface, near, result, error)
-    : Classify<vtkTypeInt64>(mesh, piece, surface, near, result, error);
+  return mesh.NumberOfPoints + mesh.NumberOfCells < std::numeric_limits<vtkTypeInt32>::max()
+    ? Classify<vtkTypeInt32>(mesh, blocks, piece, surface, near, result, error)
+    : Classify<vtkTypeInt64>(mesh, blocks, piece, surface, near, result, error);
 }
 
 }

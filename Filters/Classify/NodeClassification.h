@@ -44,7 +44,9 @@ struct NodeClassification
   std::vector<unsigned char> Status; ///< of every node
   std::vector<float> SignedDistance; ///< NaN where the node was not projected
   std::vector<Id> CandidateCells;    ///< whose boxes meet the surface, ascending
-  NodeFeet Near;                     ///< of the nodes of CandidateCells
+  /// Of each run of MeshBlocks::CellsPerPatch cells: the side of all its cells, if that is known.
+  std::vector<unsigned char> PatchSide;
+  NodeFeet Near; ///< of the nodes of CandidateCells
 };
 
 /**

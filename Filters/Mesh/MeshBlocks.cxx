@@ -3,8 +3,10 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace trim
 {
@@ -47,41 +49,150 @@ int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points)
   return count;
 }
 
+namespace
+{
+
+void Lower(std::atomic<int>& value, int other)
+{
+  int seen = value.load(std::memory_order_relaxed);
+  while (other < seen && !value.compare_exchange_weak(seen, other, std::memory_order_relaxed))
+  {
+  }
+}
+
+void PrepareNodes(const HexMesh& mesh, MeshBlocks& blocks)
+{
+  blocks.RunOfNode.reset(new std::atomic<int>[mesh.NumberOfPoints]);
+  vtkSMPTools::For(0, mesh.NumberOfPoints, 100000,
+    [&blocks](Id begin, Id end)
+    {
+      for (Id p = begin; p < end; ++p)
+      {
+        blocks.RunOfNode[p].store(MeshBlocks::NoRun, std::memory_order_relaxed);
+      }
+    });
+}
+
+/// The earlier runs that a patch shares nodes with.
+void LinkPatch(
+  const HexMesh& mesh, const MeshBlocks& blocks, int run, std::vector<std::pair<int, int>>& links)
+{
+  const std::size_t own = links.size();
+  std::array<Id, 8> nodes;
+  const Id last = std::min(mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerPatch);
+  for (Id c = run * MeshBlocks::CellsPerPatch; c < last; ++c)
+  {
+    const int count = mesh.Cell(c, nodes);
+    for (int i = 0; i < count; ++i)
+    {
+      const std::pair<int, int> link(run, blocks.FirstRunOf(nodes[i]));
+      if (link.second != run && std::find(links.begin() + own, links.end(), link) == links.end())
+      {
+        links.push_back(link);
+      }
+    }
+  }
+}
+
+void LinkPatches(const HexMesh& mesh, MeshBlocks& blocks)
+{
+  constexpr Id grain = 1024;
+  const auto runs = static_cast<Id>(blocks.IsPatch.size());
+  std::vector<std::vector<std::pair<int, int>>> links((runs + grain - 1) / grain);
+  vtkSMPTools::For(0, static_cast<Id>(links.size()), 1,
+    [&](Id begin, Id end)
+    {
+      for (Id run = begin * grain; run < std::min(runs, end * grain); ++run)
+      {
+        if (blocks.IsPatch[run])
+        {
+          LinkPatch(mesh, blocks, static_cast<int>(run), links[run / grain]);
+        }
+      }
+    });
+  for (const auto& list : links)
+  {
+    blocks.Links.insert(blocks.Links.end(), list.begin(), list.end());
+  }
+  for (Id p = 0; p < mesh.NumberOfPoints; ++p)
+  {
+    if (blocks.FirstRunOf(p) == MeshBlocks::NoRun)
+    {
+      blocks.UnusedNodes.push_back(p);
+    }
+  }
+}
+
+bool ShareNode(const std::array<Id, 8>& a, int countA, const std::array<Id, 8>& b, int countB)
+{
+  return std::find_first_of(a.begin(), a.begin() + countA, b.begin(), b.begin() + countB) !=
+    a.begin() + countA;
+}
+
+/// What one block of cells tells.
+void MeasureBlock(const HexMesh& mesh, Id block, MeshBlocks& blocks, double& largest)
+{
+  const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
+  Box3 run;
+  std::array<Id, 8> nodes, before;
+  int countBefore = 0;
+  for (Id c = MeshBlocks::FirstCell(block); c < last; ++c)
+  {
+    ElementPoints points;
+    Box3 box;
+    const int count = mesh.Cell(c, nodes);
+    for (int i = 0; i < count; ++i)
+    {
+      points[i] = mesh.Point(nodes[i]);
+      box.extend(points[i]);
+    }
+    blocks.Volumes[c] = std::abs(VolumeOf(points, count));
+    largest = std::max(largest, box.diagonal().squaredNorm());
+    run.extend(box);
+    if ((c + 1) % MeshBlocks::CellsPerRun == 0 || c + 1 == last)
+    {
+      blocks.RunBoxes[c / MeshBlocks::CellsPerRun] = RoundOutwards(run);
+      blocks.Boxes[block].extend(run);
+      run.setEmpty();
+    }
+    const Id patch = c / MeshBlocks::CellsPerPatch;
+    for (int i = 0; i < count; ++i)
+    {
+      Lower(blocks.RunOfNode[nodes[i]], static_cast<int>(patch));
+    }
+    blocks.IsPatch[patch] &=
+      c % MeshBlocks::CellsPerPatch == 0 || ShareNode(nodes, count, before, countBefore);
+    before = nodes;
+    countBefore = count;
+  }
+}
+
+Id Divide(Id count, Id size)
+{
+  return (count + size - 1) / size;
+}
+
+}
+
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
 {
+  static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerPatch == 0 &&
+      MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerRun == 0,
+    "blocks are filled by several threads");
   MeshBlocks blocks;
-  const Id count = (mesh.NumberOfCells + MeshBlocks::CellsPerBlock - 1) / MeshBlocks::CellsPerBlock;
+  const Id count = Divide(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
   blocks.Boxes.resize(count);
-  blocks.RunBoxes.resize(
-    (mesh.NumberOfCells + MeshBlocks::CellsPerRun - 1) / MeshBlocks::CellsPerRun);
+  blocks.RunBoxes.resize(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
+  blocks.IsPatch.assign(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
   std::vector<double> largest(count, 0.0);
+  PrepareNodes(mesh, blocks);
   vtkSMPTools::For(0, count, 256,
     [&](Id begin, Id end)
     {
       for (Id b = begin; b < end; ++b)
       {
-        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-        Box3 run;
-        for (Id c = MeshBlocks::FirstCell(b); c < last; ++c)
-        {
-          ElementPoints points;
-          Box3 box;
-          const int nodes = PointsOfCell(mesh, c, points);
-          for (int i = 0; i < nodes; ++i)
-          {
-            box.extend(points[i]);
-          }
-          blocks.Volumes[c] = std::abs(VolumeOf(points, nodes));
-          largest[b] = std::max(largest[b], box.diagonal().squaredNorm());
-          run.extend(box);
-          if ((c + 1) % MeshBlocks::CellsPerRun == 0 || c + 1 == last)
-          {
-            blocks.RunBoxes[c / MeshBlocks::CellsPerRun] = RoundOutwards(run);
-            blocks.Boxes[b].extend(run);
-            run.setEmpty();
-          }
-        }
+        MeasureBlock(mesh, b, blocks, largest[b]);
       }
     });
   for (Id b = 0; b < count; ++b)
@@ -89,6 +200,7 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
     blocks.Bounds.extend(blocks.Boxes[b]);
     blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, std::sqrt(largest[b]));
   }
+  LinkPatches(mesh, blocks);
   return blocks;
 }
 

@@ -1,7 +1,7 @@
 /**
  * @file MeshBlocks.h
- * @brief Boxes round runs of consecutive cells, so that most of a mesh is answered by the run, and
- * the volumes of the cells.
+ * @brief Boxes round runs of consecutive cells, so that most of a mesh is answered by the run, the
+ * volumes of the cells, and which runs are joined.
  *
  * Depends on the mesh alone, so it is kept while only the surface changes.
  */
@@ -16,6 +16,10 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -29,9 +33,22 @@ struct MeshBlocks
 
   std::vector<Box3> Boxes;
   std::vector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
-  std::vector<double> Volumes; ///< of every cell, >= 0
-  Box3 Bounds;                 ///< of all points used by cells
-  double LargestDiagonal = 0;  ///< of the boxes of single cells
+  std::vector<double> Volumes;               ///< of every cell, >= 0
+
+  /// Whole pieces of the mesh: runs of cells, each but the first of which shares a node with the
+  /// one before. In a mesh in random order there are none.
+  static constexpr Id CellsPerPatch = 16;
+  std::vector<char> IsPatch;                     ///< of each run of so many cells
+  std::unique_ptr<std::atomic<int>[]> RunOfNode; ///< see FirstRunOf
+  std::vector<std::pair<int, int>> Links;        ///< patch and a run before it with a common node
+  std::vector<Id> UnusedNodes;                   ///< ascending
+
+  Box3 Bounds;                ///< of all points used by cells
+  double LargestDiagonal = 0; ///< of the boxes of single cells
+
+  /// The first run of CellsPerPatch cells with a node; NoRun: no cell uses it.
+  int FirstRunOf(Id node) const { return this->RunOfNode[node].load(std::memory_order_relaxed); }
+  static constexpr int NoRun = std::numeric_limits<int>::max();
 
   Id NumberOfBlocks() const { return static_cast<Id>(this->Boxes.size()); }
   static Id FirstCell(Id block) { return block * CellsPerBlock; }

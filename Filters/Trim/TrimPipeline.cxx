@@ -109,6 +109,13 @@ void TurnStatuses(NodeClassification& nodes)
       status = static_cast<unsigned char>(status == NodeKeep ? NodeEliminate : NodeKeep);
     }
   }
+  for (auto& side : nodes.PatchSide)
+  {
+    if (side != NodeUnknown)
+    {
+      side = static_cast<unsigned char>(side == NodeKeep ? NodeEliminate : NodeKeep);
+    }
+  }
   for (auto& distance : nodes.SignedDistance)
   {
     distance = -distance;
@@ -136,15 +143,22 @@ ElementStatus StatusOfCell(const HexMesh& mesh, const TrimResult& result, Id cel
 void ClassifyElements(const HexMesh& mesh, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
-  vtkSMPTools::For(0, mesh.NumberOfCells, 50000,
+  vtkSMPTools::For(0, static_cast<Id>(result.Nodes.PatchSide.size()), 3000,
     [&](Id begin, Id end)
     {
-      for (Id c = begin; c < end; ++c)
+      for (Id run = begin; run < end; ++run)
       {
-        const unsigned char first = result.Nodes.Status[mesh.FirstNode(c)];
-        result.ElementStatus[c] = first == NodeKeep ? ElementKeep
-          : first == NodeEliminate                  ? ElementEliminate
-                                                    : StatusOfCell(mesh, result, c);
+        const Id first = run * MeshBlocks::CellsPerPatch;
+        const Id last = std::min(mesh.NumberOfCells, first + MeshBlocks::CellsPerPatch);
+        const unsigned char side = result.Nodes.PatchSide[run];
+        for (Id c = first; c < last; ++c)
+        {
+          const unsigned char node =
+            side == NodeUnknown ? result.Nodes.Status[mesh.FirstNode(c)] : side;
+          result.ElementStatus[c] = node == NodeKeep ? ElementKeep
+            : node == NodeEliminate                  ? ElementEliminate
+                                                     : StatusOfCell(mesh, result, c);
+        }
       }
     });
   for (const Id c : result.Nodes.CandidateCells)

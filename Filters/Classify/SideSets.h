@@ -1,0 +1,188 @@
+/**
+ * @file SideSets.h
+ * @brief Sets of nodes that lie on one side, because cells that the surface does not meet join
+ * them.
+ *
+ * A patch of the mesh that the surface does not meet is in one set as a whole, so only nodes of
+ * other runs of cells are looked at one by one.
+ */
+#ifndef SideSets_h
+#define SideSets_h
+
+#include "DisjointSets.h"
+#include "MeshBlocks.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <vector>
+
+namespace trim
+{
+
+template <typename Index>
+class SideSets
+{
+public:
+  /// @param candidates cells that the surface may meet, ascending.
+  SideSets(const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& candidates)
+    : Mesh(mesh)
+    , Blocks(blocks)
+    , IsFar(blocks.IsPatch)
+    , Number(static_cast<Index*>(
+               std::calloc(static_cast<std::size_t>(mesh.NumberOfPoints) + 1, sizeof(Index))),
+        &std::free)
+    , Count(static_cast<Index>(blocks.IsPatch.size()))
+    , Sets(0)
+  {
+    if (!this->Number)
+    {
+      throw std::bad_alloc();
+    }
+    for (const Id c : candidates)
+    {
+      this->IsFar[c / MeshBlocks::CellsPerPatch] = 0;
+    }
+    this->NumberSingleNodes();
+    this->Sets = DisjointSets<Index>(this->Count);
+    this->UniteCells(candidates);
+    this->UnitePatches();
+  }
+
+  Index Size() const { return this->Count; }
+  /// The set of a node; it changes as sets are united.
+  Index Find(Id node) { return this->Sets.Find(this->SetOf(node)); }
+  void Unite(Id a, Id b) { this->Sets.Unite(this->SetOf(a), this->SetOf(b)); }
+
+  /// Whether all cells of a run lie on one side; its set.
+  bool IsFarPatch(Id run) const { return this->IsFar[run] != 0; }
+  Index FindPatch(Id run) { return this->Sets.Find(static_cast<Index>(run)); }
+  Id NumberOfRuns() const { return static_cast<Id>(this->IsFar.size()); }
+
+private:
+  /// Node that has a number of its own: its first run of cells is no far patch.
+  bool IsSingle(Id node) const
+  {
+    const int run = this->Blocks.FirstRunOf(node);
+    return run == MeshBlocks::NoRun || !this->IsFar[run];
+  }
+  Index SetOf(Id node) const
+  {
+    return this->IsSingle(node) ? this->Number[node] : Index(this->Blocks.FirstRunOf(node));
+  }
+
+  template <typename Action>
+  void ForCells(Id run, const Action& action) const
+  {
+    std::array<Id, 8> nodes;
+    const Id end = std::min(this->Mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerPatch);
+    for (Id c = run * MeshBlocks::CellsPerPatch; c < end; ++c)
+    {
+      action(c, nodes, this->Mesh.Cell(c, nodes));
+    }
+  }
+
+  void NumberSingleNodes()
+  {
+    for (const Id node : this->Blocks.UnusedNodes)
+    {
+      this->Number[node] = this->Count++;
+    }
+    for (Id run = 0; run < this->NumberOfRuns(); ++run)
+    {
+      if (this->IsFar[run])
+      {
+        continue;
+      }
+      this->ForCells(run,
+        [&](Id, const std::array<Id, 8>& nodes, int count)
+        {
+          for (int i = 0; i < count; ++i)
+          {
+            // Zero is a run's number, or there is no run: so no node of its own has it.
+            if (this->IsSingle(nodes[i]) && this->Number[nodes[i]] == 0)
+            {
+              this->Number[nodes[i]] = this->Count++;
+            }
+          }
+        });
+    }
+  }
+
+  /// Joins the nodes of each cell that the surface does not meet, outside of patches.
+  void UniteCells(const std::vector<Id>& candidates)
+  {
+    auto next = candidates.begin();
+    Index root = -1;
+    for (Id run = 0; run < this->NumberOfRuns(); ++run)
+    {
+      if (this->IsFar[run])
+      {
+        continue;
+      }
+      this->ForCells(run,
+        [&](Id c, const std::array<Id, 8>& nodes, int count)
+        {
+          if (next != candidates.end() && *next == c)
+          {
+            ++next;
+            return;
+          }
+          // Cells that follow one another are neighbours as a rule, so their root is known.
+          const Index first = this->SetOf(nodes[0]);
+          if (root < 0 || !this->Sets.HangsOn(first, root))
+          {
+            root = this->Sets.Find(first);
+          }
+          for (int i = 1; i < count; ++i)
+          {
+            root = this->Sets.Attach(this->SetOf(nodes[i]), root);
+          }
+        });
+    }
+  }
+
+  /// Joins far patches with one another, and with the single nodes that they have.
+  void UnitePatches()
+  {
+    int done = -1; // patch whose single nodes are joined
+    for (const auto& link : this->Blocks.Links)
+    {
+      if (!this->IsFar[link.first])
+      {
+        continue;
+      }
+      if (this->IsFar[link.second])
+      {
+        this->Sets.Unite(Index(link.first), Index(link.second));
+      }
+      else if (done != link.first)
+      {
+        done = link.first;
+        this->ForCells(done,
+          [&](Id, const std::array<Id, 8>& nodes, int count)
+          {
+            for (int i = 0; i < count; ++i)
+            {
+              if (this->IsSingle(nodes[i]))
+              {
+                this->Sets.Unite(Index(done), this->Number[nodes[i]]);
+              }
+            }
+          });
+      }
+    }
+  }
+
+  const HexMesh& Mesh;
+  const MeshBlocks& Blocks;
+  std::vector<char> IsFar;                               ///< of each run of cells
+  std::unique_ptr<Index[], decltype(&std::free)> Number; ///< of single nodes
+  Index Count;
+  DisjointSets<Index> Sets;
+};
+
+}
+
+#endif
