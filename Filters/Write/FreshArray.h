@@ -31,9 +31,14 @@ vtkSmartPointer<Array> MakeArray(const char* name, Id tuples, int components = 1
   return array;
 }
 
-/// Memory that is zero, and not in use before it is written to; throws if there is none.
-void* AllocateZeros(std::size_t bytes);
-void FreeZeros(void* zeros);
+/// Memory that is zero, and not in use before it is written to, and what frees it.
+struct Zeros
+{
+  void* Memory;
+  void (*Free)(void*);
+};
+/// Throws if there is none.
+Zeros AllocateZeros(std::size_t bytes);
 
 /// An array of zeros. They cost no time, and no memory where they are not written to.
 template <typename Array>
@@ -44,10 +49,9 @@ vtkSmartPointer<Array> MakeZeros(const char* name, Id tuples, int components = 1
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetArray(
-    static_cast<Value*>(AllocateZeros(static_cast<std::size_t>(count) * sizeof(Value))), count, 0,
-    Array::VTK_DATA_ARRAY_USER_DEFINED);
-  array->SetArrayFreeFunction(&FreeZeros);
+  const Zeros zeros = AllocateZeros(static_cast<std::size_t>(count) * sizeof(Value));
+  array->SetArray(static_cast<Value*>(zeros.Memory), count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
+  array->SetArrayFreeFunction(zeros.Free);
   return array;
 }
 
