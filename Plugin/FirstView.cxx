@@ -1,5 +1,7 @@
 #include "FirstView.h"
 
+#include "FadingEdges.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
@@ -16,18 +18,6 @@
 namespace
 {
 const char* const Statuses = "ElementStatus";
-
-/// A replacement in the fragment shader of "Surface With Edges". There edist holds the distances,
-/// in pixels, to the sides of the triangle; their sum lies between its least and its largest
-/// height. All on one line: where no edges are drawn, the tag stays, a comment that takes the rest
-/// with it.
-const char* const FadingEdges =
-  R"json({"type" : "fragment", "original" : "//VTK::Edges::Impl", )json"
-  R"json("replacement" : "vec3 bareDiffuse = diffuseColor; )json"
-  R"json(vec3 bareAmbient = ambientColor; //VTK::Edges::Impl )json"
-  R"json(float fade = smoothstep(3.0, 10.0, edist[0] + edist[1] + edist[2]); )json"
-  R"json(diffuseColor = mix(bareDiffuse, diffuseColor, fade); )json"
-  R"json(ambientColor = mix(bareAmbient, ambientColor, fade);"})json";
 
 /// The trim filter whose output a new representation shows, nullptr if it is something else.
 vtkSMSourceProxy* ShownTrim(vtkSMProxy* representation, unsigned int& port)
@@ -59,7 +49,7 @@ void SetFirstView(vtkObject*, unsigned long, void*, void* data)
   {
     return;
   }
-  vtkSMPropertyHelper(representation, "ShaderReplacements").Set(FadingEdges);
+  vtkSMPropertyHelper(representation, "ShaderReplacements").Set(FadingEdges().c_str());
   vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
   if (trim->GetDataInformation(port)->GetArrayInformation(Statuses, vtkDataObject::CELL))
   {

@@ -71,6 +71,11 @@ window.python("view = GetActiveView()\n"
               "view.CameraFocalPoint, view.CameraPosition = [500, 500, 0.5], [500, 500, 3000]\n"
               "view.CameraViewUp = [0, 1, 0]\n"
               "view.StillRender()" % SCALE)
+# Apply with nothing to be done: what playing the step takes by itself.
+for _ in range(ROUNDS):
+    window.python("timing.begin()")
+    window.apply()
+    window.python("timing.end_of_nothing()")
 place = 500
 for _ in range(ROUNDS + 1):
     drag(window, place, place + 30)

@@ -48,6 +48,7 @@ class Timing:
         """sources: whatever is executed; the last one is what is shown."""
         self.what = what
         self.rounds = []
+        self.nothing = []
         self.parts = Parts()
         view = GetActiveView()
         for source in sources:
@@ -60,8 +61,14 @@ class Timing:
         self.parts.spent = {}
         self.started = now()
 
+    def end_of_nothing(self):
+        """What the way of measuring takes by itself, which does not count."""
+        self.nothing.append([b - a for a, b in zip(self.started, now())])
+
     def end(self):
         whole = [b - a for a, b in zip(self.started, now())]
+        if self.nothing:
+            whole = [a - statistics.median(b) for a, b in zip(whole, zip(*self.nothing))]
         spent = dict(self.parts.spent)
         spent["rest"] = tuple(
             whole[i] - sum(part[i] for part in self.parts.spent.values()) for i in (0, 1))

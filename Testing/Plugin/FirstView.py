@@ -6,7 +6,7 @@ import numpy
 from paraview import smstate
 from paraview.simple import (ColorBy, CreateRenderView, Elevation, FindSource, FindViewOrCreate,
                              GetActiveView, GetColorTransferFunction, GetDisplayProperties,
-                             LoadState, OutputPort, PassArrays, ResetCamera, ResetSession,
+                             LoadState, OutputPort, PassArrays, Render, ResetCamera, ResetSession,
                              SaveScreenshot, SaveState, Show, Transform, UnstructuredCellTypes)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -15,11 +15,11 @@ from Checks import LENGTHS, OUTPUT_DIRECTORY, check, check_equal, plane_at, shee
 
 
 def fine_sheet():
-    """The sheet with elements that are less than two pixels wide in the picture."""
+    """The sheet with cubes, each less than two pixels wide in the picture."""
     counts = (400, 240, 1)
     blocks = UnstructuredCellTypes(CellType=12, BlocksDimensions=counts, OutputPrecision=1)
     scaled = Transform(Input=blocks)
-    scaled.Transform.Scale = [length / count for length, count in zip(LENGTHS, counts)]
+    scaled.Transform.Scale = [LENGTHS[0] / counts[0]] * 3
     return PassArrays(Input=scaled)
 
 
@@ -54,6 +54,42 @@ def check_active_scalars():
         check_equal(list(display.ColorArrayName), ["CELLS", "ElementStatus"], "coloured by")
         check_equal(display.Representation, "Surface With Edges", "representation")
         check(display.LookupTable is not None, "no color map")
+
+
+def draws_edges(view):
+    """Are edges drawn of anything that is shown in the view?"""
+    Render(view)
+    actors = view.SMProxy.GetClientSideObject().GetRenderer().GetActors()
+    shown = [actor for actor in actors if actor.GetVisibility()]
+    check(shown, "nothing is shown in the view")
+    return any(actor.GetProperty().GetEdgeVisibility() for actor in shown)
+
+
+def check_faded_edges():
+    """Edges that cannot be seen are not drawn, and the picture is the same, but for the outline: there
+    facets are seen from the side, and what the shader knows of their width is not exact."""
+    view = CreateRenderView(ViewSize=[800, 500])
+    display = Show(OutputPort(trim(fine_sheet(), plane_at(8.3)), 1), view)
+    ResetCamera(view)
+    for parallel in (0, 1):
+        view.CameraParallelProjection = parallel
+        check(not draws_edges(view), "edges of a fine mesh are drawn")
+        without = pixels(view, "first-view-fine.png")
+        # Translation by nothing worth mentioning: then the representation draws them.
+        display.Position = [1e-9, 0, 0]
+        check(draws_edges(view), "edges of a mesh that was moved are not drawn")
+        changed = (pixels(view, "first-view-fine.png") != without).any(axis=1).mean()
+        check(changed < 0.005, "edges that were left out change %g of the picture" % changed)
+        display.Position = [0, 0, 0]
+        check(not draws_edges(view), "edges of a fine mesh are drawn again")
+    display.UseShaderReplacements = 0
+    check(draws_edges(view), "edges that do not fade are not drawn")
+    display.UseShaderReplacements = 1
+    view.CameraParallelScale /= 10
+    check(draws_edges(view), "edges are not drawn when there is room for them")
+    view.CameraParallelProjection = 0
+    view.CameraPosition = [9.0, 6.0, 3.0]
+    check(draws_edges(view), "edges are not drawn from near")
 
 
 def check_edges():
@@ -108,5 +144,6 @@ def check_state():
 
 check_active_scalars()
 check_edges()
+check_faded_edges()
 check_representations()
 check_state()

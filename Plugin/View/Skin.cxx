@@ -1,0 +1,168 @@
+#include "Skin.h"
+
+#include "ElementTopology.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace trim
+{
+namespace
+{
+
+constexpr int NoNode = -1;
+
+/// A facet by its nodes in ascending order; the least one is known otherwise.
+struct SortedFacet
+{
+  std::array<int, 3> Rest;
+  int Face;
+  Id Cell;
+};
+
+/// The nodes of a face in ascending order; a triangle has NoNode at the end.
+std::array<int, 4> SortedNodes(const std::array<Id, 8>& cell, const FaceNodes& face)
+{
+  std::array<int, 4> n = {};
+  for (int i = 0; i < 4; ++i)
+  {
+    n[i] = i < face.Count ? static_cast<int>(cell[face.Node[i]]) : VTK_INT_MAX;
+  }
+  const auto order = [&n](int i, int j)
+  {
+    if (n[j] < n[i])
+    {
+      std::swap(n[i], n[j]);
+    }
+  };
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
+  n[3] = face.Count == 4 ? n[3] : NoNode;
+  return n;
+}
+
+/// Nodes of which one thread looks through the facets at a time.
+struct NodeRange
+{
+  Id Begin, End;
+};
+
+/// Calls action(least node, rest, cell, face) for each facet whose least node is in the range.
+template <typename Action>
+void ForEachFacet(const HexMesh& mesh, const NodeRange& range, const Action& action)
+{
+  std::array<Id, 8> nodes = {};
+  for (Id c = 0; c < mesh.NumberOfCells; ++c)
+  {
+    const int count = mesh.Cell(c, nodes);
+    const auto [least, largest] = std::minmax_element(nodes.begin(), nodes.begin() + count);
+    if (*largest < range.Begin || *least >= range.End)
+    {
+      continue;
+    }
+    const ElementTopology& topology = TopologyOf(count);
+    for (int f = 0; f < topology.NumberOfFaces; ++f)
+    {
+      const auto n = SortedNodes(nodes, topology.Faces[f]);
+      if (n[0] >= range.Begin && n[0] < range.End)
+      {
+        action(n[0], std::array<int, 3>{ n[1], n[2], n[3] }, c, f);
+      }
+    }
+  }
+}
+
+/// The facets with their least node in the range that no other element has.
+void FindSingles(const HexMesh& mesh, const NodeRange& range, std::vector<SkinFacet>& singles)
+{
+  std::vector<std::size_t> begin(range.End - range.Begin + 1, 0);
+  ForEachFacet(mesh, range,
+    [&](Id least, const std::array<int, 3>&, Id, int) { ++begin[least - range.Begin + 1]; });
+  for (std::size_t i = 1; i < begin.size(); ++i)
+  {
+    begin[i] += begin[i - 1];
+  }
+  std::vector<SortedFacet> facets(begin.back());
+  std::vector<std::size_t> next = begin;
+  ForEachFacet(mesh, range,
+    [&](Id least, const std::array<int, 3>& rest, Id cell, int face) {
+      facets[next[least - range.Begin]++] = { rest, face, cell };
+    });
+  for (std::size_t i = 0; i + 1 < begin.size(); ++i)
+  {
+    const auto first = facets.begin() + static_cast<std::ptrdiff_t>(begin[i]);
+    const auto last = facets.begin() + static_cast<std::ptrdiff_t>(begin[i + 1]);
+    for (auto facet = first; facet != last; ++facet)
+    {
+      const auto same = [&facet](const SortedFacet& other)
+      { return &other != &*facet && other.Rest == facet->Rest; };
+      if (std::none_of(first, last, same))
+      {
+        singles.push_back({ facet->Cell, facet->Face });
+      }
+    }
+  }
+}
+
+/// Ranges of nodes with so few facets that a thread's memory holds them.
+std::vector<NodeRange> DivideNodes(const HexMesh& mesh)
+{
+  constexpr Id CellsAtATime = 1000000;
+  const Id threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  const Id count = std::max(threads, (mesh.NumberOfCells + CellsAtATime - 1) / CellsAtATime);
+  std::vector<NodeRange> ranges;
+  for (Id i = 0; i < count; ++i)
+  {
+    ranges.push_back({ mesh.NumberOfPoints * i / count, mesh.NumberOfPoints * (i + 1) / count });
+  }
+  return ranges;
+}
+
+}
+
+std::vector<SkinFacet> FindSkin(const HexMesh& mesh)
+{
+  const std::vector<NodeRange> ranges = DivideNodes(mesh);
+  std::vector<std::vector<SkinFacet>> found(ranges.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        FindSingles(mesh, ranges[i], found[i]);
+      }
+    });
+
+  // By element: each has a bit for each of its faces.
+  std::vector<unsigned char> faces(mesh.NumberOfCells, 0);
+  std::size_t count = 0;
+  for (const auto& part : found)
+  {
+    count += part.size();
+    for (const SkinFacet& facet : part)
+    {
+      faces[facet.Cell] |= static_cast<unsigned char>(1 << facet.Face);
+    }
+  }
+  std::vector<SkinFacet> skin;
+  skin.reserve(count);
+  for (Id c = 0; c < mesh.NumberOfCells; ++c)
+  {
+    for (int f = 0; faces[c] >> f; ++f)
+    {
+      if (faces[c] >> f & 1)
+      {
+        skin.push_back({ c, f });
+      }
+    }
+  }
+  return skin;
+}
+
+}
