@@ -187,18 +187,47 @@ Eigen::AlignedBox3d SheetSkin::WholeBox() const
 }
 
 //------------------------------------------------------------------------------
+void SheetSkin::DivideIntoBlocks()
+{
+  this->Blocks.assign((this->Points.size() + BlockSize - 1) / BlockSize, {});
+  for (size_t i = 0; i < this->Points.size(); ++i)
+  {
+    this->Blocks[i / BlockSize].extend(this->Points[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t SheetSkin::BlockEnd(size_t block) const
+{
+  return std::min(this->Points.size(), (block + 1) * BlockSize);
+}
+
+//------------------------------------------------------------------------------
+double SheetSkin::NearestSquare(const Vec3& place) const
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (size_t block = 0; block < this->Blocks.size(); ++block)
+  {
+    if (this->Blocks[block].squaredExteriorDistance(place) > nearest * (1.0 + 1e-9))
+    {
+      continue;
+    }
+    for (size_t i = block * BlockSize; i < this->BlockEnd(block); ++i)
+    {
+      nearest = std::min(nearest, (this->Points[i] - place).squaredNorm());
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
 Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
 {
   // The nearest nodes alone might be those of a rim, whose normals lie in the sheet.
   std::vector<double> limits; // squares of distances
   for (const Vec3& place : places)
   {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec3& point : this->Points)
-    {
-      nearest = std::min(nearest, (point - place).squaredNorm());
-    }
-    limits.push_back(nearest);
+    limits.push_back(this->NearestSquare(place));
   }
   this->Reduce(limits, vtkCommunicator::MIN_OP);
   for (double& limit : limits)
@@ -207,14 +236,25 @@ Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
   }
   std::vector<double> values(9, 0.0);
   Eigen::Map<Eigen::Matrix3d> sum(values.data());
-  for (size_t i = 0; i < this->Points.size(); ++i)
+  std::vector<size_t> near;
+  for (size_t block = 0; block < this->Blocks.size(); ++block)
   {
+    near.clear();
     for (size_t k = 0; k < places.size(); ++k)
     {
-      if ((this->Points[i] - places[k]).squaredNorm() <= limits[k])
+      // Rounding must not leave out a place.
+      if (this->Blocks[block].squaredExteriorDistance(places[k]) <= limits[k] * (1.0 + 1e-9))
+      {
+        near.push_back(k);
+      }
+    }
+    for (size_t i = block * BlockSize; i < this->BlockEnd(block); ++i)
+    {
+      const auto reaches = [&](size_t k)
+      { return (this->Points[i] - places[k]).squaredNorm() <= limits[k]; };
+      if (std::any_of(near.begin(), near.end(), reaches))
       {
         sum += this->Areas[i] * this->Areas[i].transpose() / this->Areas[i].norm();
-        break;
       }
     }
   }
@@ -245,6 +285,7 @@ SheetSkin BuildSheetSkin(vtkDataObject* data)
   {
     AddGrid(vtkUnstructuredGrid::SafeDownCast(data), skin);
   }
+  skin.DivideIntoBlocks();
   return skin;
 }
 }

@@ -45,7 +45,21 @@ struct SheetSkin
    */
   Vec3 MeanNormal(const std::vector<Vec3>& places, double reach) const;
 
+  /// To be called when Points are complete.
+  void DivideIntoBlocks();
+
 private:
+  /// Nodes that follow each other lie near each other as a rule: what is far from the box of a
+  /// block is far from all of its nodes.
+  static constexpr std::size_t BlockSize = 128;
+  std::vector<Eigen::AlignedBox3d> Blocks;
+
+  /// The number of the node after the last of the block.
+  std::size_t BlockEnd(std::size_t block) const;
+
+  /// The square of the distance to the nearest node.
+  double NearestSquare(const Vec3& place) const;
+
   /// The sum or the least of all ranks' values, each by itself.
   void Reduce(std::vector<double>& values, int operation) const;
 };

@@ -156,8 +156,10 @@ void MakeSkin(vtkUnstructuredGrid* grid, const trim::HexMesh& mesh,
   {
     cells.push_back(facet.Cell);
   }
-  trim::GatherAttributes(grid->GetPointData(), points.Ids, output->GetPointData());
-  trim::GatherAttributes(grid->GetCellData(), cells, output->GetCellData());
+  trim::GatherAttributes(grid->GetPointData(), points.Ids.data(),
+    static_cast<vtkIdType>(points.Ids.size()), output->GetPointData());
+  trim::GatherAttributes(
+    grid->GetCellData(), cells.data(), static_cast<vtkIdType>(cells.size()), output->GetCellData());
   // In place of those of the input, which are ids in what the trim began with.
   AddIds("vtkOriginalPointIds", points.Ids, output->GetPointData());
   AddIds("vtkOriginalCellIds", cells, output->GetCellData());
