@@ -1,7 +1,10 @@
 """A trim through the pipeline: numbers known on paper, arrays and types of the contract."""
+import os
+import re
+
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from Checks import (COUNTS, LENGTHS, arrays_of, check, check_close, check_equal, fetch, plane_at,
+from Checks import (COUNTS, DATA_DIRECTORY, LENGTHS, arrays_of, check, check_close, check_equal, fetch, plane_at,
                     sheet, summary, trim, wave_at)
 
 ELEMENTS = COUNTS[0] * COUNTS[1] * COUNTS[2]
@@ -38,6 +41,19 @@ def check_plane(correction):
     check_equal(found["CertifiedElements"], PER_COLUMN, "CertifiedElements")
     check_close(found["Volume"], 10.3 * SECTION, "volume", 1e-6)
     check(found["MaximumDistanceToSurface"] <= 1e-9 * 24, "nodes off the surface")
+
+
+def check_told():
+    """Each entry of the summary has a line in the window's table and in the README."""
+    project = os.path.dirname(DATA_DIRECTORY)
+    with open(os.path.join(project, "Plugin", "Window", "TrimSummary.cxx")) as file:
+        rows = re.findall(r'\{ "(\w+)", "', file.read())
+    with open(os.path.join(project, "README.md")) as file:
+        readme = file.read()
+    entries = set(summary(trim(sheet(), plane_at(10.3))))
+    check_equal(set(rows), entries, "rows of the window's table")
+    for name in entries:
+        check("`%s`" % name in readme, "the README does not tell of " + name)
 
 
 def check_arrays():
@@ -123,6 +139,7 @@ def check_sequence():
 
 for correction_type in (1, 2, 3):
     check_plane(correction_type)
+check_told()
 check_arrays()
 check_statuses()
 check_sides()

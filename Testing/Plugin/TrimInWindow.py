@@ -60,6 +60,16 @@ window.python("check_equal(hovered['ElementStatus'], '2', 'status of the element
               "check_equal(hovered['Rescue'], '0', 'its rescue')")
 window.action("ShowStatuses")
 window.python("check_equal(shown_elements(), 12 * 24, 'elements in the view')")
+# In the trimmed grid, the node where that one lies now, and the same element.
+window.hover("Points", 0.458, 0.5)
+window.python("check_equal(hovered['NodeStatus'], '1', 'status of the node')\n"
+              "check_equal(hovered['Coords'], '(8.3, 6, 0.5)', 'its place')\n"
+              "check_equal(hovered['CorrectionApplied'], '3', 'its correction')")
+window.hover("Cells", 0.47, 0.5, "window-hover.png")
+window.python("check_equal(hovered['ElementStatus'], '2', 'status of the element')\n"
+              "check_equal(hovered['EliminatedFraction'], '0.3', 'its share beyond')\n"
+              "check_equal(hovered['ScaledJacobian'], '1', 'its quality')\n"
+              "check_equal(hovered['Rescue'], '0', 'its rescue')")
 window.action("ShowSummary")
 window.expect(SUMMARY, "columnCount", "2")
 window.expect(SUMMARY, "modelItemData", "0.0,288")

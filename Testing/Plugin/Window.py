@@ -76,7 +76,7 @@ class Window:
         self.event(browser, "mousePress", "1,1,0,60,10,/" + row)
         self.event(browser, "mouseRelease", "1,0,0,60,10,/" + row)
 
-    def hover(self, kind, x, y):
+    def hover(self, kind, x, y, picture=None):
         """Hovers over what is at this place of the view; kind is Points or Cells."""
         frame = VIEWS + "Frame.0/"
         button = frame + "actionHoveringSurface" + kind
@@ -88,6 +88,8 @@ class Window:
                        "(%g,%g,1,%d,0)" % (x, y, pressed))
         self.pause(1000)
         self.python("hovered = tooltip(%d)" % (kind == "Cells"))
+        if picture:
+            self.picture(picture)
         self.event(button, "set_boolean", "false")
 
     def choose_inputs(self, **rows):
