@@ -3,13 +3,11 @@
  * pieces joined to lines, several lines, units, and files that are not as they should be.
  */
 #include "IgesText.h"
-#include "NURBSFieldData.h"
+#include "LineTesting.h"
 #include "ReadTesting.h"
 #include "vtkTrimLineSource.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkExecutive.h"
-#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 
@@ -37,76 +35,10 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 
-struct LineResult
-{
-  vtkSmartPointer<vtkDataObject> Output;
-  std::vector<NurbsSurface> Surfaces;
-  std::vector<std::string> Errors, Warnings;
-};
-
-using Adjust = std::function<void(vtkTrimLineSource*)>;
-
-LineResult ReadLines(const std::string& path, const Adjust& adjust = Adjust())
-{
-  vtkNew<vtkTrimLineSource> source;
-  vtkNew<ErrorCapture> capture;
-  capture->Watch(source);
-  capture->Watch(source->GetExecutive());
-  source->SetFileName(path.c_str());
-  source->SetDirection(0, 0, 1);
-  source->SetLength(3.0);
-  if (adjust)
-  {
-    adjust(source);
-  }
-  source->Update();
-  LineResult result{ source->GetOutputDataObject(0), {}, capture->Errors, capture->Warnings };
-  std::string error;
-  if (result.Errors.empty())
-  {
-    CHECK(nurbs::ReadTrimmingSurface(result.Output, result.Surfaces, error), path << ": " << error);
-  }
-  return result;
-}
-
-/// Reads without errors and warnings, and checks the number of lines.
-LineResult ReadGood(const std::string& path, size_t lines, const Adjust& adjust = Adjust())
-{
-  const LineResult result = ReadLines(path, adjust);
-  CHECK(result.Errors.empty(), path << ": " << result.Errors[0]);
-  CHECK(result.Warnings.empty(), path << ": " << result.Warnings[0]);
-  CHECK(result.Surfaces.size() == lines, path << ": " << result.Surfaces.size() << " lines");
-  CHECK((vtkPolyData::SafeDownCast(result.Output) != nullptr) == (lines == 1), path << ": type");
-  return result;
-}
-
 std::string Written(const IgesText& iges, const std::string& name)
 {
   iges.Write(OutputPath(name));
   return OutputPath(name);
-}
-
-/// Places on the line itself, the middle of the sweep, ends included.
-std::vector<Vec3> Places(const NurbsSurface& surface, int count = 200)
-{
-  std::vector<Vec3> places;
-  for (int i = 0; i <= count; ++i)
-  {
-    const double u = surface.FirstU() + (surface.LastU() - surface.FirstU()) * i / count;
-    places.push_back(nurbs::Evaluate(surface, u, 0.0));
-  }
-  return places;
-}
-
-/// Largest value of a function that vanishes on the line.
-double LargestResidual(const NurbsSurface& surface, const std::function<double(const Vec3&)>& form)
-{
-  double largest = 0.0;
-  for (const Vec3& place : Places(surface))
-  {
-    largest = std::max(largest, std::abs(form(place)));
-  }
-  return largest;
 }
 
 void CheckEnds(const std::string& what, const NurbsSurface& surface, Vec3 first, Vec3 last)
