@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <random>
 #include <set>
@@ -226,7 +227,7 @@ class PieceComparison
 public:
   PieceComparison(vtkUnstructuredGrid* whole)
     : Whole(whole)
-    , Cells(PlacesOf(whole->GetCellData(), WholeCell))
+    , Cells(PartsOf(whole))
     , Points(PlacesOf(whole->GetPointData(), WholePoint))
   {
   }
@@ -243,12 +244,14 @@ public:
         return "point " + std::to_string(pointIds->GetValue(i)) + ": " + difference;
       }
     }
+    std::map<vtkIdType, std::size_t> parts;
     for (vtkIdType i = 0; i < piece->GetNumberOfCells(); ++i)
     {
-      const std::string difference = this->CompareCell(piece, i, cellIds->GetValue(i), pointIds);
+      const vtkIdType id = cellIds->GetValue(i);
+      const std::string difference = this->CompareCell(piece, i, id, parts[id]++, pointIds);
       if (!difference.empty())
       {
-        return "cell " + std::to_string(cellIds->GetValue(i)) + ": " + difference;
+        return "cell " + std::to_string(id) + ": " + difference;
       }
     }
     return {};
@@ -285,21 +288,35 @@ private:
     return CompareTuples(this->Whole->GetPointData(), this->Points[id], piece->GetPointData(), i);
   }
 
-  std::string CompareCell(
-    vtkUnstructuredGrid* piece, vtkIdType i, vtkIdType id, vtkIdTypeArray* pointIds)
+  /// Each cell of the whole, by its id in the input; in an offcut there may be two parts of one.
+  static std::map<vtkIdType, std::vector<vtkIdType>> PartsOf(vtkUnstructuredGrid* whole)
   {
-    if (id >= static_cast<vtkIdType>(this->Cells.size()) || this->Cells[id] < 0)
+    std::map<vtkIdType, std::vector<vtkIdType>> parts;
+    auto* ids = vtkIdTypeArray::SafeDownCast(whole->GetCellData()->GetArray(WholeCell));
+    for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
+    {
+      parts[ids->GetValue(i)].push_back(i);
+    }
+    return parts;
+  }
+
+  std::string CompareCell(vtkUnstructuredGrid* piece, vtkIdType i, vtkIdType id, std::size_t part,
+    vtkIdTypeArray* pointIds)
+  {
+    const auto parts = this->Cells.find(id);
+    if (parts == this->Cells.end() || part >= parts->second.size())
     {
       return "the whole does not have it";
     }
-    if (!this->CellsSeen.insert(id).second)
+    const vtkIdType place = parts->second[part];
+    if (!this->CellsSeen.insert(place).second)
     {
       return "it is there twice";
     }
     vtkNew<vtkIdList> nodes, expected;
     piece->GetCellPoints(i, nodes);
-    this->Whole->GetCellPoints(this->Cells[id], expected);
-    if (piece->GetCellType(i) != this->Whole->GetCellType(this->Cells[id]))
+    this->Whole->GetCellPoints(place, expected);
+    if (piece->GetCellType(i) != this->Whole->GetCellType(place))
     {
       return "another type";
     }
@@ -310,11 +327,12 @@ private:
         return "other nodes";
       }
     }
-    return CompareTuples(this->Whole->GetCellData(), this->Cells[id], piece->GetCellData(), i);
+    return CompareTuples(this->Whole->GetCellData(), place, piece->GetCellData(), i);
   }
 
   vtkUnstructuredGrid* Whole;
-  std::vector<vtkIdType> Cells, Points;
+  std::map<vtkIdType, std::vector<vtkIdType>> Cells;
+  std::vector<vtkIdType> Points;
   std::set<vtkIdType> CellsSeen, PointsSeen;
 };
 }
@@ -397,6 +415,7 @@ PiecesOutcome TrimPieces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>
     outcome.Trimmed.emplace_back(filter->GetOutput());
     outcome.Statuses.emplace_back(
       vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1)));
+    outcome.Offcuts.emplace_back(vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(2)));
   }
   outcome.Errors = listener.Errors();
   outcome.Warnings = listener.Warnings();

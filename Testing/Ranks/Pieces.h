@@ -35,7 +35,7 @@ std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
 /// What the ranks have made.
 struct PiecesOutcome
 {
-  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Trimmed, Statuses;
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Trimmed, Statuses, Offcuts;
   std::vector<std::string> Errors, Warnings; ///< of all ranks
 };
 

@@ -3,10 +3,12 @@
  * @brief The trim of a grid in pieces against the trim of the whole, bit by bit.
  *
  * TestRanks [ranks [mesh|all [surface|all [partition|all [all|some]]]]]
- * With "some" each combination gets one of the corrections and treatments, in turn.
+ * With "some" each combination gets one of the corrections and treatments, in turn. Every fifth
+ * trim makes an offcut too.
  */
 #include "Pieces.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -19,6 +21,7 @@ namespace
 int Trials = 0;
 int Wrong = 0;
 int Rescued = 0;
+int Offcuts = 0;
 
 const std::vector<std::pair<int, int>> Treatments = { { 2, 2 }, { 2, 1 }, { 3, 2 }, { 2, 0 },
   { 3, 1 }, { 1, 0 }, { 3, 0 } };
@@ -49,6 +52,21 @@ std::vector<vtkSmartPointer<vtkDataObject>> Copies(vtkDataObject* data, std::siz
   return copies;
 }
 
+std::string DifferenceOfOffcuts(const Mesh& mesh, const Outcome& whole, const PiecesOutcome& parts)
+{
+  if (whole.Offcut->GetNumberOfCells() == 0)
+  {
+    const auto hasCells = [](const auto& piece) { return piece->GetNumberOfCells() > 0; };
+    return std::any_of(parts.Offcuts.begin(), parts.Offcuts.end(), hasCells)
+      ? "an offcut that the whole does not have"
+      : "";
+  }
+  ++Offcuts;
+  const std::string difference = DifferenceFromWhole(whole.Offcut, parts.Offcuts);
+  const std::string summary = DifferenceOfSummaries(mesh.Grid, whole.Offcut, parts.Offcuts);
+  return difference + summary == "" ? "" : "offcut: " + difference + summary;
+}
+
 void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   const TrimOptions& options, const std::string& partition, int ranks)
 {
@@ -68,7 +86,8 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   const std::string trimmed = DifferenceFromWhole(whole.Case.Trimmed, parts.Trimmed);
   const std::string statuses = DifferenceFromWhole(whole.Case.Whole, parts.Statuses);
   const std::string summary = DifferenceOfSummaries(mesh.Grid, whole.Case.Trimmed, parts.Trimmed);
-  for (const auto& difference : { trimmed, statuses, summary })
+  const std::string offcut = DifferenceOfOffcuts(mesh, whole, parts);
+  for (const auto& difference : { trimmed, statuses, summary, offcut })
   {
     if (!difference.empty())
     {
@@ -138,6 +157,7 @@ int main(int argc, char* argv[])
             TrimOptions options;
             options.CorrectionType = Treatments[k].first;
             options.Optimization = Treatments[k].second;
+            options.ProduceOffcut = turn % 5 == 2;
             Compare(meshName + " " + kind + " " + partition + " " +
                 std::to_string(options.CorrectionType) + std::to_string(options.Optimization),
               mesh, surface, options, partition, ranks);
@@ -147,7 +167,7 @@ int main(int argc, char* argv[])
     }
   }
   TestPermuted();
-  std::printf(
-    "%d trials on %d ranks, %d of them with rescues, %d wrong\n", Trials, ranks, Rescued, Wrong);
+  std::printf("%d trials on %d ranks, %d of them with rescues, %d with an offcut, %d wrong\n",
+    Trials, ranks, Rescued, Offcuts, Wrong);
   return Wrong > 0;
 }
