@@ -267,7 +267,7 @@ int main(int argc, char* argv[])
     "sheet2", "sheet3", "channel", "irregular", "hole", "block", "dome", "cup", "stretched" }
                                                           : std::vector<std::string>{ chosen };
   const std::vector<const char*> kinds = some
-    ? std::vector<const char*>{ "cylinder", "wavy" }
+    ? std::vector<const char*>{ "cylinder", "plane" }
     : std::vector<const char*>{ "plane", "cylinder", "contour", "wavy" };
   const std::vector<Treatment> treatments =
     some ? std::vector<Treatment>{ { 2, 2 }, { 3, 1 } } : AllTreatments;
