@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace trim
 {
@@ -100,18 +101,55 @@ std::array<int, 2> EndsOf(const Band& band, const ExposedEdge& edge)
   return { node[AxisEnds[edge.Axis][0][edge.Corner]], node[AxisEnds[edge.Axis][1][edge.Corner]] };
 }
 
+/// Faces on the border of the mesh that lie beyond the surface; in a sheet in all its layers, so
+/// that they turn into one wedge each or none does.
+std::vector<char> FindLostSides(
+  const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus)
+{
+  std::vector<char> lost(band.Faces.size(), 0);
+  using Side = std::array<int, 3>; // column and its two pillars
+  const auto sideOf = [&](const BandFace& face) -> Side
+  {
+    int first = columns.Pillar[face.Node[0]];
+    int last = first;
+    for (int i = 1; i < face.Count; ++i)
+    {
+      first = std::min(first, columns.Pillar[face.Node[i]]);
+      last = std::max(last, columns.Pillar[face.Node[i]]);
+    }
+    return { columns.Column[face.Element[0]], first, last };
+  };
+  std::set<Side> staying;
+  for (std::size_t f = 0; f < band.Faces.size(); ++f)
+  {
+    const auto& face = band.Faces[f];
+    if (!face.Exterior || columns.IsLayerFace(band, static_cast<int>(f)))
+    {
+      continue;
+    }
+    lost[f] = GoesWhole(face, nodeStatus);
+    if (!lost[f] && columns.HasThickness(face.Element[0]))
+    {
+      staying.insert(sideOf(face));
+    }
+  }
+  for (std::size_t f = 0; f < band.Faces.size() && !staying.empty(); ++f)
+  {
+    lost[f] = lost[f] && staying.count(sideOf(band.Faces[f])) == 0;
+  }
+  return lost;
+}
+
 /// Faces of the new boundary: between kept and eliminated elements, and, if asked for, sides on
 /// the border of the mesh that lie beyond the surface.
 std::vector<char> BoundaryFaces(const Band& band, const Columns& columns,
   const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, bool lostSides)
 {
-  std::vector<char> ofBoundary(band.Faces.size());
+  std::vector<char> ofBoundary =
+    lostSides ? FindLostSides(band, columns, nodeStatus) : std::vector<char>(band.Faces.size(), 0);
   for (std::size_t f = 0; f < band.Faces.size(); ++f)
   {
-    const auto& face = band.Faces[f];
-    ofBoundary[f] = IsCutFace(face, kept) ||
-      (lostSides && face.Exterior && GoesWhole(face, nodeStatus) &&
-        !columns.IsLayerFace(band, static_cast<int>(f)));
+    ofBoundary[f] |= IsCutFace(band.Faces[f], kept);
   }
   return ofBoundary;
 }

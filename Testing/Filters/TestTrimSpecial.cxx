@@ -135,6 +135,22 @@ void TestSlot()
   }
 }
 
+// A leaning cut takes away the side of a column on the border in one layer, not in the other.
+void TestSideLostInOneLayer()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  for (int k = 0; k < 8; ++k)
+  {
+    Placement at;
+    at.X = -0.092;
+    at.Y = -0.07 + 0.02 * k;
+    at.Angle = 1.893;
+    at.Lean = 0.503;
+    at.Size = 0.724;
+    Both("side lost in one layer", mesh, MakeSurface("roundrect", mesh.Box, at));
+  }
+}
+
 void TestKeepPoint()
 {
   const Mesh mesh = MakeMesh("sheet2");
@@ -215,6 +231,7 @@ int main()
   TestAlongLayer();
   TestMisses();
   TestSlot();
+  TestSideLostInOneLayer();
   TestKeepPoint();
   TestAbort();
   TestProgress();
