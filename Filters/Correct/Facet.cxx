@@ -19,6 +19,12 @@ Eigen::Vector2d LeastSquares(const Vec3& u, const Vec3& v, const Vec3& d)
   return m.inverse() * Eigen::Vector2d(u.dot(d), v.dot(d));
 }
 
+/// Distance from the plane, in edges, up to which a facet counts as plane.
+constexpr double PlaneSlack = 1e-12;
+
+/// Step of an iteration, in edges, that rounding still allows.
+constexpr double ConvergedStep = 1e-13;
+
 double OutsideUnit(double s)
 {
   return std::max({ 0.0, -s, s - 1.0 });
@@ -61,7 +67,7 @@ FacetFoot Facet::Project(const Vec3& x) const
       LeastSquares(u + st[1] * w, v + st[0] * w, x - p).cwiseMax(-1.0).cwiseMin(1.0);
     st += step;
     st = st.cwiseMax(-2.0).cwiseMin(3.0);
-    if (step.squaredNorm() < 1e-30)
+    if (step.squaredNorm() < ConvergedStep * ConvergedStep)
     {
       break;
     }
@@ -74,6 +80,60 @@ FacetFoot Facet::Project(const Vec3& x) const
   foot.Point = x - foot.Normal * foot.Normal.dot(x - p);
   foot.Outside = std::max(OutsideUnit(st[0]), OutsideUnit(st[1]));
   return foot;
+}
+
+bool Facet::IsFarther(const Vec3& x, double distance) const
+{
+  // The ball round the corners' middle holds them, and with them the facet.
+  Vec3 middle = Vec3::Zero();
+  for (int i = 0; i < this->Count; ++i)
+  {
+    middle += this->Corner[i] / this->Count;
+  }
+  double radius = 0.0;
+  for (int i = 0; i < this->Count; ++i)
+  {
+    radius = std::max(radius, (this->Corner[i] - middle).squaredNorm());
+  }
+  const double reach = std::sqrt(radius) + distance;
+  return (x - middle).squaredNorm() > reach * reach;
+}
+
+bool Facet::IsPlaneAndConvex(const Vec3& normal) const
+{
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Vec3& c = this->Corner[i];
+    const Vec3 to = this->Corner[(i + 1) % this->Count] - c;
+    const Vec3 from = c - this->Corner[(i + this->Count - 1) % this->Count];
+    if (std::abs(normal.dot(to)) > PlaneSlack * to.norm() || !(normal.dot(from.cross(to)) > 0.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Facet::FindInside(const Vec3& x, double slack, Vec3& place) const
+{
+  const auto& c = this->Corner;
+  const Vec3 normal = (c[2] - c[0]).cross(c[this->Count - 1] - c[1]).normalized();
+  if (!this->IsPlaneAndConvex(normal))
+  {
+    const FacetFoot foot = this->Project(x);
+    place = foot.Point;
+    return foot.Outside <= slack;
+  }
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Vec3 edge = c[(i + 1) % this->Count] - c[i];
+    if (normal.cross(edge).dot(x - c[i]) < -slack * edge.squaredNorm())
+    {
+      return false;
+    }
+  }
+  place = x - normal * normal.dot(x - c[0]);
+  return true;
 }
 
 double Facet::LeadsInto(int corner, const Vec3& direction) const

@@ -25,6 +25,16 @@ public:
 
   FacetFoot Project(const Vec3& x) const;
 
+  /// True only if every point of the facet is farther from x than a distance: a bound that costs
+  /// next to nothing.
+  bool IsFarther(const Vec3& x, double distance) const;
+
+  /**
+   * The foot of x, if it is inside the facet. Plane facets, most of all, need no iteration.
+   * @param slack how far beyond the edges, in parameters, still counts as inside.
+   */
+  bool FindInside(const Vec3& x, double slack, Vec3& place) const;
+
   /**
    * How well a direction leads from a corner node into the facet: the smaller of its two
    * components along the facet's edges there, over its length; >= 0 inside.
@@ -38,6 +48,8 @@ public:
   Vec3 NormalAt(int corner) const;
 
 private:
+  bool IsPlaneAndConvex(const Vec3& normal) const;
+
   int Count;
   std::array<Vec3, 4> Corner;
 };

@@ -129,8 +129,8 @@ void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover
     {
       move.By = Correction::Relax;
       move.Found = move.Found &&
-        mover.Constrained(node, band.Point[node] + choice.Way * (move.Target - band.Point[node]),
-          false, move.Target);
+        mover.Constrained(node, mover.FreedomOf(node),
+          band.Point[node] + choice.Way * (move.Target - band.Point[node]), false, move.Target);
     }
     moves.Failed[node] = !move.Found && !leave;
     moves.Left[node] = leave || !move.Found;

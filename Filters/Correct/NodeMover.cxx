@@ -189,7 +189,13 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
 
 NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNormal) const
 {
-  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  return this->Between(node, ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node),
+    through, planeNormal);
+}
+
+NodeMove NodeMover::Between(
+  int node, const NodeConstraint& constraint, const Vec3& through, const Vec3& planeNormal) const
+{
   NodeMove move;
   move.By = Correction::Project;
   if (constraint.Kind == ConstraintKind::Faces)
@@ -277,17 +283,24 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
     return false;
   }
   std::vector<int> tried{ faces.front() };
+  const std::vector<int> around =
+    outside > InsideSlack ? this->FacesAround(faces) : std::vector<int>();
   while (outside > InsideSlack && tried.size() < 6)
   {
     // The point lies beyond this facet: go on with the one that holds it.
     int next = -1;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const int f : this->FacesAround(faces))
+    for (const int f : around)
     {
-      const auto on = Facet(this->TheBand, this->TheBand.Faces[f]).Project(meeting);
-      const double distance = (on.Point - meeting).norm();
-      if (on.Outside <= InsideSlack && distance < nearest &&
-        std::find(tried.begin(), tried.end(), f) == tried.end())
+      const Facet facet(this->TheBand, this->TheBand.Faces[f]);
+      Vec3 on;
+      if (std::find(tried.begin(), tried.end(), f) != tried.end() ||
+        facet.IsFarther(meeting, nearest) || !facet.FindInside(meeting, InsideSlack, on))
+      {
+        continue;
+      }
+      const double distance = (on - meeting).norm();
+      if (distance < nearest)
       {
         nearest = distance;
         next = f;
@@ -405,9 +418,18 @@ bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
     });
 }
 
-std::vector<Vec3> NodeMover::Directions(int node, const Vec3& x, bool onCut) const
+NodeFreedom NodeMover::FreedomOf(int node) const
 {
-  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  NodeFreedom freedom;
+  freedom.Constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  freedom.FacesAround = this->FacesAround(freedom.Constraint.Faces);
+  return freedom;
+}
+
+std::vector<Vec3> NodeMover::Directions(
+  int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const
+{
+  const auto& constraint = freedom.Constraint;
   std::vector<Vec3> directions;
   const auto addRound = [&directions](const Vec3& u, const Vec3& v)
   {
@@ -471,9 +493,10 @@ bool NodeMover::PlaceOnRidge(
   return std::isfinite(nearest);
 }
 
-bool NodeMover::Constrained(int node, const Vec3& x, bool onCut, Vec3& place) const
+bool NodeMover::Constrained(
+  int node, const NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const
 {
-  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto& constraint = freedom.Constraint;
   if (constraint.Kind == ConstraintKind::Free)
   {
     place = onCut ? this->Surface.ClosestPoint(x).Point : x;
@@ -488,19 +511,24 @@ bool NodeMover::Constrained(int node, const Vec3& x, bool onCut, Vec3& place) co
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];
     const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
     const Vec3 along = this->Surface.ClosestPoint(x).Normal.cross(normal).normalized();
-    const NodeMove move = this->Between(node, x, along);
+    const NodeMove move = this->Between(node, constraint, x, along);
     place = move.Target;
     return move.Found;
   }
   double nearest = std::numeric_limits<double>::infinity();
-  for (const int f : this->FacesAround(constraint.Faces))
+  for (const int f : freedom.FacesAround)
   {
-    const auto on = Facet(this->TheBand, this->TheBand.Faces[f]).Project(x);
-    const double distance = (on.Point - x).norm();
-    if (on.Outside <= InsideSlack && distance < nearest)
+    const Facet facet(this->TheBand, this->TheBand.Faces[f]);
+    Vec3 on;
+    if (facet.IsFarther(x, nearest) || !facet.FindInside(x, InsideSlack, on))
+    {
+      continue;
+    }
+    const double distance = (on - x).norm();
+    if (distance < nearest)
     {
       nearest = distance;
-      place = on.Point;
+      place = on;
     }
   }
   return std::isfinite(nearest);

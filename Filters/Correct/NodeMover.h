@@ -30,6 +30,13 @@ struct NodeMove
   double Elements = 0; ///< length of the move in edges of the face it leads into
 };
 
+/// Where a node may be while it is relaxed: what NodeMover finds out once for many places.
+struct NodeFreedom
+{
+  NodeConstraint Constraint;
+  std::vector<int> FacesAround; ///< faces that it may come to lie on
+};
+
 class NodeMover
 {
 public:
@@ -71,12 +78,16 @@ public:
   /// The smallest node of a node's pillar.
   int PillarOf(int node) const { return this->TheColumns.Pillar[node]; }
 
+  NodeFreedom FreedomOf(int node) const;
+
   /// Unit directions in which a node at x may step: in its layer, on its ridge, or along the cut.
-  std::vector<Vec3> Directions(int node, const Vec3& x, bool onCut) const;
+  std::vector<Vec3> Directions(
+    int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const;
 
   /// The place nearest to x where the node may be: on its faces, and on the surface if it is on
   /// the cut. False if there is none.
-  bool Constrained(int node, const Vec3& x, bool onCut, Vec3& place) const;
+  bool Constrained(
+    int node, const NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const;
 
 private:
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
@@ -89,6 +100,8 @@ private:
     const Vec3& planeNormal, NodeMove& move) const;
   bool MeetFacet(int face, const Vec3& guess, const Vec3& planePoint, const Vec3& planeNormal,
     Vec3& meeting, double& outside) const;
+  NodeMove Between(
+    int node, const NodeConstraint& constraint, const Vec3& through, const Vec3& planeNormal) const;
   std::vector<int> FacesAround(const std::vector<int>& faces) const;
   /// Length of the longest edge at a node: no move is longer than a few of these.
   double Reach(int node) const;

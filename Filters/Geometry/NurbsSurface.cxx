@@ -1,5 +1,6 @@
 #include "NurbsSurface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -12,6 +13,8 @@ namespace
 constexpr double LargestCoordinate = 1e15;
 /// Weights and knots that keep products of derivatives far from overflow.
 constexpr double LargestWeight = 1e15, SmallestWeight = 1e-15, LargestKnot = 1e30;
+/// Beyond it nothing is left of a surface in double precision between two control points.
+constexpr double LargestWeightRatio = 1e8;
 
 std::string DegreeDefect(const char* axis, int degree)
 {
@@ -87,6 +90,30 @@ std::string KnotDefect(const char* axis, int degree, int count, const std::vecto
   return text.str();
 }
 
+std::string WeightRatioDefect(const NurbsSurface& surface)
+{
+  const auto lighter = [](const Vec4& a, const Vec4& b) { return a.w() < b.w(); };
+  const auto [least, most] =
+    std::minmax_element(surface.ControlPoints.begin(), surface.ControlPoints.end(), lighter);
+  if (most->w() <= LargestWeightRatio * least->w())
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  const auto tell = [&](const auto& point)
+  {
+    const auto k = point - surface.ControlPoints.begin();
+    text << point->w() << " at control point (" << k % surface.CountU << ", " << k / surface.CountU
+         << ")";
+  };
+  text << "the weights go from ";
+  tell(least);
+  text << " to ";
+  tell(most);
+  text << ": give weights that differ by no more than a factor of " << LargestWeightRatio;
+  return text.str();
+}
+
 std::string NetDefect(const NurbsSurface& surface)
 {
   std::ostringstream text;
@@ -129,7 +156,7 @@ std::string NetDefect(const NurbsSurface& surface)
       return text.str();
     }
   }
-  return text.str();
+  return WeightRatioDefect(surface);
 }
 
 std::string LoopDefect(const NurbsSurface& surface)

@@ -198,8 +198,8 @@ private:
       const auto& position = this->Result.NodeMoves.Position;
       const Vec3 from = 0.5 * (position[node.Previous] + position[node.Next]);
       Vec3 place;
-      if (!this->Mover.Constrained(
-            node.Node, from + share * (this->InsideOf(node.Node) - from), false, place))
+      if (!this->Mover.Constrained(node.Node, this->Mover.FreedomOf(node.Node),
+            from + share * (this->InsideOf(node.Node) - from), false, place))
       {
         return false;
       }

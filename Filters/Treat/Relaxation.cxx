@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 
 namespace trim
 {
@@ -121,15 +123,38 @@ private:
     return pillars;
   }
 
-  /// Smallest quality of elements, no more than the goal.
-  double Lowest(const std::vector<int>& elements) const
+  const NodeFreedom& FreedomOf(int node)
+  {
+    const auto found = this->Freedoms.find(node);
+    return found != this->Freedoms.end()
+      ? found->second
+      : this->Freedoms.emplace(node, this->Mover.FreedomOf(node)).first->second;
+  }
+
+  /// Smallest quality of elements, no more than the goal; of what is below a limit, any.
+  double Lowest(const std::vector<int>& elements, double limit) const
   {
     double quality = this->Goal;
-    for (const int e : elements)
+    for (std::size_t i = 0; i < elements.size() && quality >= limit; ++i)
     {
-      quality = std::min(quality, this->Quality(e));
+      quality = std::min(quality, this->Quality(elements[i]));
     }
     return quality;
+  }
+
+  /// The worst first, so that a search for worse ones ends soon; returns its quality, no more
+  /// than the goal.
+  double SortByQuality(std::vector<int>& elements) const
+  {
+    std::vector<std::pair<double, int>> ranked;
+    for (const int e : elements)
+    {
+      ranked.emplace_back(this->Quality(e), e);
+    }
+    std::sort(ranked.begin(), ranked.end());
+    std::transform(
+      ranked.begin(), ranked.end(), elements.begin(), [](const auto& r) { return r.second; });
+    return ranked.empty() ? this->Goal : std::min(this->Goal, ranked.front().first);
   }
 
   bool Reached(const std::vector<char>& active) const
@@ -236,8 +261,8 @@ private:
   /// Moves nodes of one pillar alike, if that raises the lowest of the elements at them.
   bool Improve(const std::vector<int>& nodes)
   {
-    const std::vector<int> elements = this->ElementsAt(nodes);
-    const double before = this->Lowest(elements);
+    std::vector<int> elements = this->ElementsAt(nodes);
+    const double before = this->SortByQuality(elements);
     if (before >= this->Goal)
     {
       return false;
@@ -253,10 +278,12 @@ private:
     {
       // Finding the places on the surface is dear: only where it promises something.
       this->Shift(nodes, from, step);
-      if (this->Lowest(elements) >= best - Foresight && this->Settle(nodes))
+      const double promising = best - Foresight;
+      if (this->Lowest(elements, promising) >= promising && this->Settle(nodes))
       {
-        const double quality = this->Lowest(elements);
-        if (quality > best && this->Lowest(guarded) >= std::min(this->Floor, this->Goal))
+        const double quality = this->Lowest(elements, best);
+        const double floor = std::min(this->Floor, this->Goal);
+        if (quality > best && this->Lowest(guarded, floor) >= floor)
         {
           best = quality;
           to = this->PositionsOf(nodes);
@@ -269,7 +296,8 @@ private:
     attempt(way);
     attempt(0.5 * way);
     const double edge = this->ShortestEdge(guide);
-    const auto directions = this->Mover.Directions(guide, from.front(), this->OnCut[guide] != 0);
+    const auto directions =
+      this->Mover.Directions(guide, this->FreedomOf(guide), from.front(), this->OnCut[guide] != 0);
     for (const double step : Steps)
     {
       const double found = best;
@@ -327,8 +355,8 @@ private:
     for (const int node : nodes)
     {
       Vec3 place;
-      if (!this->Mover.Constrained(
-            node, this->TheMoves.Position[node], this->OnCut[node] != 0, place))
+      if (!this->Mover.Constrained(node, this->FreedomOf(node), this->TheMoves.Position[node],
+            this->OnCut[node] != 0, place))
       {
         return false;
       }
@@ -346,6 +374,7 @@ private:
   double Goal;
   RelaxationEffort Effort;
   Moves& TheMoves;
+  std::unordered_map<int, NodeFreedom> Freedoms;
 };
 
 }

@@ -173,6 +173,8 @@ void TestSurfaces(const Mesh& mesh)
     { "NaN weight", { "weight|control" }, set("NURBSControlPoints", 2, 3, NaN) },
     { "zero weight", { "trimming surface", "(1, 0)", "weight", "above zero" },
       set("NURBSControlPoints", 1, 3, 0) },
+    { "weights too far apart", { "trimming surface", "weight", "(1, 0)", "factor" },
+      set("NURBSControlPoints", 1, 3, 1e10) },
     { "infinite weight", { "weight|control" },
       set("NURBSControlPoints", 2, 3, std::numeric_limits<double>::infinity()) },
     { "infinite coordinate of a control point", { "control|point", "(0, 1)" },
