@@ -4,8 +4,8 @@
 
 points.csv holds a point x, y, z in each line; lines that are not three numbers, like a header, are
 skipped. The line is closed, and what it encloses is cut out; with --open it runs from border to
-border, and what lies to its right is cut away. It is swept along the thinnest direction of the
-mesh, through all of it. The exit status is 1, and standard error says why, if that fails.
+border, and what lies to its right is cut away. It is swept along the normal that the mesh has there,
+through all of it. The exit status is 1, and standard error says why, if that fails.
 """
 import sys
 
@@ -24,24 +24,13 @@ def read_points(path):
     return points
 
 
-def swept_line(points, closed, bounds):
-    """The line, swept along the shortest side of the bounding box, beyond both its ends."""
-    sizes = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]
-    thin = sizes.index(min(sizes))
-    direction = [float(axis == thin) for axis in range(3)]
-    reach = max(abs(point[thin] - bounds[2 * thin + end]) for point in points for end in (0, 1))
-    flat = [coordinate for point in points for coordinate in point]
-    return TrimLineSource(Points=flat, Closed=closed, Direction=direction,
-                          Length=1.5 * reach + sizes[thin])
-
-
 def cut(mesh_file, points, closed):
     try:
         mesh = OpenDataFile(mesh_file)
     except RuntimeError as error:
         sys.exit(str(error))
-    mesh.UpdatePipeline()
-    line = swept_line(points, closed, mesh.GetDataInformation().GetBounds())
+    flat = [coordinate for point in points for coordinate in point]
+    line = TrimLineSource(Points=flat, Closed=closed, Sheet=mesh)
     result = TrimHexahedralGrid(Input=mesh, TrimmingSurface=line)
     result.UpdatePipeline()
     return result

@@ -44,7 +44,9 @@ for axis, value in zip("XYZ", ("10", "1", "0.5")):
 window.set_choice("CorrectionType", "Type III: slide along edges")
 window.set_choice("Optimization", "Distribute nodes")
 window.set_check("RenumberNodes", False)
+window.set_check("ProduceOffcut", True)
 window.apply()
+window.action("ShowStatuses")
 window.action("CompareCorrectionTypes")
 window.picture("window-comparison.png")
 

@@ -10,7 +10,8 @@ from paraview.simple import (GetLayoutByName, GetSources, GetViews, GetViewsInLa
 from Checks import OUTPUT_DIRECTORY, check, check_equal, summary
 
 TRIM = ["CorrectionType", "Optimization", "InvertSide", "UseKeepPoint", "KeepPoint",
-        "EliminationFraction", "RenumberNodes", "Tolerance"]
+        "EliminationFraction", "MinimumScaledJacobian", "ProduceOffcut", "RenumberNodes", "Tolerance",
+        "QualityOfAllElements"]
 LINE = ["Points", "Closed", "LineType", "Direction", "Length"]
 
 
