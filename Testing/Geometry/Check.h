@@ -35,6 +35,16 @@ inline bool Near(double a, double b, double tolerance, const std::string& what)
       std::to_string(difference / tolerance) + " tolerances");
 }
 
+/// Of so many random trials a twentieth under a sanitizer, which makes each that much slower.
+constexpr int Trials(int count)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return count / 20;
+#else
+  return count;
+#endif
+}
+
 /// Exit status of a test program.
 inline int Result()
 {

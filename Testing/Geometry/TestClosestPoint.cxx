@@ -185,7 +185,7 @@ void TestManyPatches()
     const samples::BruteForce brute(sample.Surface);
     const double scale = trimming.Bounds().diagonal().norm();
     QueryMaker maker(sample.Surface, trimming.Bounds());
-    for (int k = 0; k < 1500; ++k)
+    for (int k = 0; k < check::Trials(1500); ++k)
     {
       const Vec3 p = maker.Next(k);
       const Foot foot = trimming.ClosestPoint(p);
@@ -203,7 +203,7 @@ void TestAnyOrder()
   const TrimmingSurface forwards({ surface }, 1e-9), together({ surface }, 1e-9);
   QueryMaker maker(surface, forwards.Bounds());
   std::vector<Vec3> points;
-  for (int k = 0; k < 4000; ++k)
+  for (int k = 0; k < check::Trials(4000); ++k)
   {
     points.push_back(maker.Next(k));
   }
@@ -257,7 +257,7 @@ int main()
   const std::vector<samples::Named> all = samples::All();
   for (const samples::Named& sample : all)
   {
-    TestSample(sample, Queries / static_cast<int>(all.size()));
+    TestSample(sample, check::Trials(Queries) / static_cast<int>(all.size()));
   }
   TestManyPatches();
   TestAnyOrder();

@@ -72,7 +72,7 @@ void TestClosedForms()
   const TrimmingSurface cylinder({ samples::Cylinder(1, 2) }, 1e-9);
   const TrimmingSurface plane(
     { samples::Plane(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)) }, 1e-9);
-  for (int k = 0; k < 20000; ++k)
+  for (int k = 0; k < check::Trials(20000); ++k)
   {
     const Vec3 a = 1.5 * RandomVector(), b = 1.5 * RandomVector(), d = b - a;
     const auto roots = [&](double qa, double qb, double qc)
@@ -159,7 +159,7 @@ void TestCompleteness(const samples::Named& sample)
   }
   // Lines in random directions through known points, segment ends on the point included.
   const NurbsSurface& s = sample.Surface;
-  for (int k = 0; k < 2000; ++k)
+  for (int k = 0; k < check::Trials(2000); ++k)
   {
     const Vec3 p = Evaluate(s, Uniform(s.FirstU(), s.LastU()), Uniform(s.FirstV(), s.LastV()));
     const Vec3 d = scale * RandomVector();
@@ -220,7 +220,7 @@ void TestPatchBorders()
   }
   // Oblique lines through the edges of the box and of a rounded shell.
   const TrimmingSurface rounded(samples::RoundedShell(1, 0.8, 0.3, 1), 1e-7);
-  for (int k = 0; k < 5000; ++k)
+  for (int k = 0; k < check::Trials(5000); ++k)
   {
     const Vec3 edge(0, 0, Uniform(0.01, 0.99)),
       d(Uniform(0.1, 1), Uniform(0.1, 1), Uniform(-0.01, 0.01));
@@ -238,7 +238,7 @@ void TestEnds()
 {
   const NurbsSurface wavy = samples::Wavy();
   const TrimmingSurface surface({ wavy }, 1e-9);
-  for (int k = 0; k < 2000; ++k)
+  for (int k = 0; k < check::Trials(2000); ++k)
   {
     const Vec3 p = Evaluate(wavy, Uniform(0, 1), Uniform(0, 1)), q = p + Vec3(0.01, 0.02, 0.2);
     check::That(Contains(surface.Intersect(p, q), 0, 1e-10), "a hit at K = 0");

@@ -77,7 +77,7 @@ void TestPlane()
     plane.TrimLoops = { Circle(Vec2(0.5, 0.5), 0.4, variant == 3 ? 4000 : 40, variant & 1),
       Circle(Vec2(0.55, 0.45), 0.2, variant == 3 ? 2500 : 17, variant & 2) };
     const TrimmingSurface surface({ plane }, 1e-9);
-    for (int k = 0; k < 3000; ++k)
+    for (int k = 0; k < check::Trials(3000); ++k)
     {
       const Vec3 p(Uniform(-0.5, 1.5), Uniform(-0.5, 1.5), k % 2 ? Uniform(-0.3, 0.3) : 0.01);
       const Vec2 q = p.head<2>();
@@ -108,7 +108,7 @@ void TestPlane()
       check::Near(guessed.Distance, foot.Distance, 1e-13, "with a guess");
     }
     const double h = 0.004;
-    for (int k = 0; k < 3000; ++k)
+    for (int k = 0; k < check::Trials(3000); ++k)
     {
       const Vec3 c(Uniform(0, 1), Uniform(0, 1), Uniform(-0.01, 0.01)), half = Vec3::Constant(h);
       const Foot foot = surface.ClosestPoint(c);
@@ -167,7 +167,7 @@ void TestCurved(const std::string& name, NurbsSurface surface)
   }
   const Box3 box = trimmed.Bounds();
   const double scale = box.diagonal().norm();
-  for (int k = 0; k < 1500; ++k)
+  for (int k = 0; k < check::Trials(1500); ++k)
   {
     const Vec3 p = k % 2 ? Vec3(box.center() + 0.6 * RandomVector().cwiseProduct(box.sizes()))
                          : Vec3(samples[Random() % samples.size()] + 0.05 * scale * RandomVector());
@@ -248,7 +248,7 @@ void TestTrimmedShell()
     }
     const TrimmingSurface surface(faces, 1e-7);
     double orientation = 0;
-    for (int k = 0; k < 6000; ++k)
+    for (int k = 0; k < check::Trials(6000); ++k)
     {
       Vec3 p = Vec3(0.5, 0.5, 0.5) + 1.2 * RandomVector();
       if (k % 3 == 0)
@@ -275,7 +275,7 @@ void TestTrimmedShell()
       }
     }
     // Lines exactly through the edges and corners.
-    for (int k = 0; k < 3000; ++k)
+    for (int k = 0; k < check::Trials(3000); ++k)
     {
       Vec3 edge(Uniform(0, 1), 0, k % 2);
       if (k % 10 == 0)
@@ -327,7 +327,7 @@ void TestPrism()
     }
   }
   double orientation = 0;
-  for (int k = 0; k < 20000; ++k)
+  for (int k = 0; k < check::Trials(20000); ++k)
   {
     Vec3 p(Uniform(0, 1), Uniform(0, 1), Uniform(-0.3, 0.8));
     if (k % 2) // about the corners
@@ -356,7 +356,7 @@ void TestWholeLoops()
   const TrimmingSurface slant({ cylinder }, 1e-9);
   for (const TrimmingSurface* surface : { &whole, &slant })
   {
-    for (int k = 0; k < 2000; ++k)
+    for (int k = 0; k < check::Trials(2000); ++k)
     {
       const double angle = k % 4 == 0 ? 0 : Uniform(0, 2 * M_PI), r = Uniform(0.5, 1.5);
       const Vec3 p(r * std::cos(angle), r * std::sin(angle), Uniform(0.7, 1.7));
