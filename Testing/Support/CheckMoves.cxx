@@ -64,17 +64,28 @@ bool IsSkin(const Evidence& e, const Facet& facet)
   return thin < 2;
 }
 
-std::vector<char> SkinPoints(const Evidence& e)
+/// Points on those facets of the skin that pass a test.
+template <typename Test>
+std::vector<char> SkinPoints(const Evidence& e, const Test& test)
 {
   std::vector<char> skin(e.In.Points.size(), 0);
   for (const Facet& facet : e.Border.Facets().Exterior)
   {
-    for (int i = 0; i < facet.Size() && e.Case.Input->Sheet && IsSkin(e, facet); ++i)
+    if (!e.Case.Input->Sheet || !test(facet) || !IsSkin(e, facet))
+    {
+      continue;
+    }
+    for (int i = 0; i < facet.Size(); ++i)
     {
       skin[facet.Node[i]] = 1;
     }
   }
   return skin;
+}
+
+std::vector<char> SkinPoints(const Evidence& e)
+{
+  return SkinPoints(e, [](const Facet&) { return true; });
 }
 
 Vec3 Tuple(vtkDataArray* array, Id i)
@@ -152,7 +163,18 @@ namespace
 {
 void CheckPlaces(const Evidence& e, Report& report)
 {
-  const std::vector<char> skin = SkinPoints(e);
+  std::vector<char> kept(e.In.Elements.size(), 0);
+  for (const Id cell : e.CellOf)
+  {
+    kept[cell] = 1;
+  }
+  const auto stays = [&](const Facet& facet)
+  {
+    const auto end = facet.Node.begin() + facet.Size();
+    return kept[facet.Owner] &&
+      std::any_of(facet.Node.begin(), end, [&](Id node) { return e.NodeStatus[node] != 1; });
+  };
+  const std::vector<char> skin = SkinPoints(e, stays);
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];
@@ -163,7 +185,8 @@ void CheckPlaces(const Evidence& e, Report& report)
     }
     const Vec3& x = e.Out.Points[p];
     // A node on the eliminated side has to leave a lateral border that the surface runs along,
-    // but never the skin.
+    // but never a skin that stays there: where a sheet is treated as a block a facet of it may
+    // go whole.
     const bool free = e.NodeStatus[o] == 1;
     // On the very face, not on another side of the sheet.
     const double away =
