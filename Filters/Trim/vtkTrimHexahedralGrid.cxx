@@ -269,8 +269,8 @@ bool vtkTrimHexahedralGrid::TakeInputs(
   }
   else if (!surface)
   {
-    error = "No trimming surface is connected to the second input: connect a CAD Surface Reader or "
-            "a NURBS Surface Source.";
+    error = "No trimming surface is connected to the second input: connect a CAD Surface Reader, "
+            "Trim Line Source or NURBS Surface Source.";
   }
   else if (this->Kept->TakeGrid(grid, error) && this->Kept->TakeSurface(surface, ranks, error))
   {
@@ -311,6 +311,14 @@ int vtkTrimHexahedralGrid::RequestData(
 int vtkTrimHexahedralGrid::Trim(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector, const trim::Ranks& ranks)
 {
+  vtkUnstructuredGrid* trimmed = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkUnstructuredGrid* statuses = vtkUnstructuredGrid::GetData(outputVector, 1);
+  vtkUnstructuredGrid* offcut = vtkUnstructuredGrid::GetData(outputVector, 2);
+  for (vtkUnstructuredGrid* output : { trimmed, statuses, offcut })
+  {
+    // VTK has passed on the field data of the input already.
+    trim::Summary::RemoveFrom(output->GetFieldData());
+  }
   std::string error;
   if (!this->TakeInputs(vtkUnstructuredGrid::GetData(inputVector[0]),
         vtkDataObject::GetData(inputVector[1]), ranks, error))
@@ -348,9 +356,6 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return 1;
   }
-  vtkUnstructuredGrid* trimmed = vtkUnstructuredGrid::GetData(outputVector, 0);
-  vtkUnstructuredGrid* statuses = vtkUnstructuredGrid::GetData(outputVector, 1);
-  vtkUnstructuredGrid* offcut = vtkUnstructuredGrid::GetData(outputVector, 2);
   trim::WriteOptions write;
   write.RenumberNodes = this->RenumberNodes;
   write.QualityOfAllElements = this->QualityOfAllElements;
@@ -358,6 +363,7 @@ int vtkTrimHexahedralGrid::Trim(
     own, mesh, this->Kept->Blocks, ranks, result, surface, write, progress, trimmed);
   trim::RestoreOriginalIds(this->Kept->Own, trimmed);
   trim::WriteStatusGrid(own, result, statuses);
+  trim::Summary::RemoveFrom(statuses->GetFieldData());
   if (this->ProduceOffcut)
   {
     trim::WriteOffcutGrid(own, mesh, ranks, result, write, progress, offcut);

@@ -47,4 +47,14 @@ void Summary::AddTo(vtkFieldData* fieldData) const
   measure("Volume", this->Volume);
 }
 
+void Summary::RemoveFrom(vtkFieldData* fieldData)
+{
+  vtkNew<vtkFieldData> entries;
+  Summary().AddTo(entries);
+  for (int i = 0; i < entries->GetNumberOfArrays(); ++i)
+  {
+    fieldData->RemoveArray(entries->GetArrayName(i));
+  }
+}
+
 }

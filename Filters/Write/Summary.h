@@ -36,6 +36,8 @@ struct Summary
   double Volume = 0;
 
   void AddTo(vtkFieldData* fieldData) const;
+  /// Takes out the entries, which may be those of the trim that made the input.
+  static void RemoveFrom(vtkFieldData* fieldData);
 };
 
 }

@@ -4,7 +4,7 @@ from paraview.simple import (AppendDatasets, NURBSSurfaceSource, ProgrammableFil
                              Wavelet)
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
-from Checks import check, check_equal, fetch, plane_at, sheet, summary, trim
+from Checks import arrays_of, check, check_equal, fetch, plane_at, sheet, summary, trim
 
 window = vtkStringOutputWindow()
 vtkOutputWindow.SetInstance(window)
@@ -31,6 +31,8 @@ def check_fails(what, mesh, surface, *words):
         check(word in errors[0], "%s: no '%s' in: %s" % (what, word, errors[0]))
     for port in (0, 1):
         check_equal(fetch(result, port).GetNumberOfCells(), 0, "%s: port %d" % (what, port))
+        check("Kept" not in arrays_of(fetch(result, port).GetFieldData()),
+              "%s: a summary on port %d" % (what, port))
 
 
 def without_weights(surface, value):
@@ -52,6 +54,7 @@ check_fails("tetrahedra and voxels", AppendDatasets(Input=Wavelet(WholeExtent=[0
 check_fails("a zero weight", sheet(), without_weights(plane_at(10.3), "0"), "weight")
 check_fails("a weight that is no number", sheet(), without_weights(plane_at(10.3), "numpy.nan"))
 corners = [(10.3, -3, -2), (10.3, 6, -2), (10.3, -3, 2), (10.3, 6, 2)]
+check_fails("plain poly data on a trimmed grid", trim(sheet(), plane_at(15.3)), Sphere(), "NURBS")
 check_fails("a surface that ends inside the grid", sheet(),
             NURBSSurfaceSource(Degrees=[1, 1], ControlNetSize=[2, 2],
                                ControlPoints=[c for p in corners for c in p + (1.0,)],

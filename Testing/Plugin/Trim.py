@@ -135,6 +135,9 @@ def check_sequence():
     found = summary(second)
     check(0 < found["Kept"] < summary(first)["Kept"], "the second trim took nothing off")
     check(found["MinimumIntegrationPointJacobian"] > 0, "a negative Jacobian")
+    for port in (1, 2):
+        check("Kept" not in arrays_of(fetch(second, port).GetFieldData()),
+              "the first trim's summary on port %d of the second" % port)
 
 
 for correction_type in (1, 2, 3):
