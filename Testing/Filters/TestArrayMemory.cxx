@@ -3,6 +3,7 @@
  * @brief The arrays of the outputs can be used as any other: they grow, shrink, are copied, emptied
  * and filled anew, whatever memory they came in.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include <vtkCellArray.h>
@@ -20,17 +21,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what.c_str());
-    ++Wrong;
-  }
-}
-
 using Values = std::vector<double>;
 
 /// The first `count` tuples; NaN as a number, so that it equals itself.

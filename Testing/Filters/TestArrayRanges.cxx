@@ -3,6 +3,7 @@
  * @brief The ranges that the filter tells its arrays, against those that VTK finds by itself.
  */
 #include "ArrayRanges.h"
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include <vtkCellData.h>
@@ -25,17 +26,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what.c_str());
-    ++Wrong;
-  }
-}
-
 bool Same(double a, double b)
 {
   return a == b || (std::isnan(a) && std::isnan(b));

@@ -2,6 +2,7 @@
  * @file TestTrimArrays.cxx
  * @brief What the filter does with the input's arrays and with the input itself.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include <vtkCellData.h>
@@ -17,17 +18,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what.c_str());
-    ++Wrong;
-  }
-}
-
 void TestInputUntouched(const Mesh& mesh, const Surface& surface)
 {
   vtkNew<vtkUnstructuredGrid> before;

@@ -3,6 +3,7 @@
  * @brief No silence and no false alarms: the arrays Feasibility, Shortfall, DistanceLeft and
  * CornerLost, and the warnings that tell of them.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include <vtkCellData.h>
@@ -18,17 +19,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what.c_str());
-    ++Wrong;
-  }
-}
-
 enum Feasibility
 {
   Curved = 1,

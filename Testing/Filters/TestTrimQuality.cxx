@@ -2,6 +2,7 @@
  * @file TestTrimQuality.cxx
  * @brief The quality floor: poor elements are relaxed, on the surface and in their layer.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include "vtkTrimHexahedralGrid.h"
@@ -20,17 +21,6 @@ using namespace judge;
 
 namespace
 {
-int failures = 0;
-
-void Expect(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    std::printf("FAIL %s\n", what);
-    ++failures;
-  }
-}
-
 /// The worst touched element with every option as it comes, all boundary nodes on the surface.
 double LowestOf(const Mesh& mesh, const Surface& surface, bool invert, const char* what)
 {
@@ -147,5 +137,5 @@ int main()
   Expect(raised.MaximumDistance < 1e-8, "a relaxed node left the surface");
   Expect(
     plain.NotExact == 0 && raised.NotExact == 0, "CorrectionApplied and Displacement do not agree");
-  return failures != 0;
+  return Wrong != 0;
 }

@@ -2,6 +2,7 @@
  * @file TestTrimSmall.cxx
  * @brief Trims small enough to be worked out on paper: exact ids, statuses and positions.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include <vtkCellData.h>
@@ -16,17 +17,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what.c_str());
-    ++Wrong;
-  }
-}
-
 // The trim, judged by everything, and its original cell ids.
 struct Small
 {

@@ -3,6 +3,7 @@
  * @brief Surfaces that meet the mesh in special ways: exactly through nodes, edges and facets,
  * along a layer, touching only, or not at all; a keep point; abort.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include <vtkCallbackCommand.h>
@@ -17,17 +18,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what.c_str());
-    ++Wrong;
-  }
-}
-
 void Both(const std::string& name, const Mesh& mesh, const Surface& surface)
 {
   for (int correction = 1; correction <= 3; ++correction)

@@ -4,7 +4,6 @@
  *
  * FuzzGrids [count [seed [first [step]]]], as FuzzFiles.
  */
-#include "ProcessState.h"
 #include "Random.h"
 #include "TrimVerdict.h"
 
@@ -317,55 +316,33 @@ const std::vector<NamedChange> Changes = { { "nodes", ChangeConnectivity },
   { "offsets", ChangeOffsets }, { "types", ChangeTypes }, { "points", ChangePoints },
   { "shape", ChangeShape }, { "elements", ChangeElements }, { "sizes", ChangeSizes } };
 
-judge::Surface AnySurface(const judge::Mesh& mesh, Random& random)
+fuzz::Trial MakeTrial(Random& random)
 {
-  judge::Placement at;
-  at.X = random.Between(-0.6, 0.6);
-  at.Y = random.Between(-0.6, 0.6);
-  at.Angle = random.Between(0, 6);
-  at.Seed = static_cast<unsigned>(random.Below(1000));
-  return judge::MakeSurface(random.Pick(judge::SurfaceKinds()), mesh.Box, at);
+  fuzz::Trial trial;
+  trial.Mesh = random.Pick(fuzz::SmallMeshes());
+  trial.Surface = fuzz::SoundSurface(trial.Mesh, 0, random);
+  trial.Kind = "arrays";
+  const size_t what = random.Below(Changes.size() + 1);
+  if (what == Changes.size())
+  {
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    grid->DeepCopy(trial.Mesh.Grid);
+    trial.Mesh.Grid = grid;
+    AddArrays(grid, random);
+  }
+  else
+  {
+    trial.Kind = Changes[what].Name;
+    Parts parts = TakeApart(trial.Mesh.Grid);
+    Changes[what].Apply(parts, random);
+    trial.Mesh.Grid = Assemble(parts, random);
+  }
+  trial.What = trial.Kind + " of " + trial.Mesh.Name + ", " + trial.Surface.Name;
+  return trial;
 }
 }
 
 int main(int argc, char* argv[])
 {
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  const fuzz::Series series(argc, argv, 1500);
-  fuzz::Tally tally;
-  int failures = 0;
-  int done = 0;
-  const double start = fuzz::Now();
-  for (int i = series.First; i < series.Count && !fuzz::IsStopped(); i += series.Step, ++done)
-  {
-    Random random(series.Seed, static_cast<unsigned>(i));
-    judge::Mesh mesh = random.Pick(fuzz::SmallMeshes());
-    const judge::Surface surface = AnySurface(mesh, random);
-    const size_t what = random.Below(Changes.size() + 1);
-    std::string kind = "arrays";
-    if (what == Changes.size())
-    {
-      auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      grid->DeepCopy(mesh.Grid);
-      mesh.Grid = grid;
-      AddArrays(grid, random);
-    }
-    else
-    {
-      kind = Changes[what].Name;
-      Parts parts = TakeApart(mesh.Grid);
-      Changes[what].Apply(parts, random);
-      mesh.Grid = Assemble(parts, random);
-    }
-    judge::TrimOptions options;
-    options.CorrectionType = 1 + static_cast<int>(random.Below(3));
-    options.Optimization = static_cast<int>(random.Below(3));
-    options.InvertSide = random.OneIn(2);
-    const std::string name = "grid " + std::to_string(i) + " of seed " +
-      std::to_string(series.Seed) + " (" + kind + " of " + mesh.Name + ", " + surface.Name + ")";
-    failures += fuzz::TrimAndJudge(mesh, surface, options, kind, name, tally) > 0;
-  }
-  tally.Print();
-  std::printf("%.1f s, %d of %d grids failed\n", fuzz::Now() - start, failures, done);
-  return failures > 0;
+  return fuzz::RunSeries(argc, argv, 1500, "grid", MakeTrial);
 }

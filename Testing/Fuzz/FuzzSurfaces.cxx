@@ -4,7 +4,6 @@
  *
  * FuzzSurfaces [count [seed [first [step]]]], as FuzzFiles.
  */
-#include "ProcessState.h"
 #include "Random.h"
 #include "TrimVerdict.h"
 
@@ -350,60 +349,39 @@ vtkFieldData* FieldDataOf(vtkDataObject* data, Random& random)
   return data->GetFieldData();
 }
 
-judge::Surface SoundSurface(const judge::Mesh& mesh, Random& random)
+fuzz::Trial MakeTrial(Random& random)
 {
-  judge::Placement at;
-  at.X = random.Between(-0.6, 0.6);
-  at.Y = random.Between(-0.6, 0.6);
-  at.Angle = random.Between(0, 6);
-  at.Lean = random.OneIn(2) ? 0 : random.Between(0, 0.5);
-  at.Seed = static_cast<unsigned>(random.Below(1000));
-  return judge::MakeSurface(random.Pick(judge::SurfaceKinds()), mesh.Box, at);
+  fuzz::Trial trial;
+  trial.Mesh = random.Pick(fuzz::SmallMeshes());
+  trial.Surface = fuzz::SoundSurface(trial.Mesh, 0.5, random);
+  vtkSmartPointer<vtkDataObject> data = trial.Surface.Data;
+  trial.Kind = "wild";
+  if (random.OneIn(4))
+  {
+    data = WildSurface(trial.Mesh.Box, random);
+  }
+  else
+  {
+    data = Copy(data);
+    const NamedChange& change = random.Pick(Changes);
+    trial.Kind = change.Name;
+    for (size_t times = 1 + random.Below(2); times > 0; --times)
+    {
+      change.Apply(FieldDataOf(data, random), random);
+    }
+  }
+  if (random.OneIn(10))
+  {
+    trial.Kind = "nested";
+    data = Nest(data, trial.Mesh, random);
+  }
+  trial.Surface.Data = data;
+  trial.What = trial.Kind + " on " + trial.Mesh.Name;
+  return trial;
 }
 }
 
 int main(int argc, char* argv[])
 {
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  const fuzz::Series series(argc, argv, 1000);
-  fuzz::Tally tally;
-  int failures = 0;
-  int done = 0;
-  const double start = fuzz::Now();
-  for (int i = series.First; i < series.Count && !fuzz::IsStopped(); i += series.Step, ++done)
-  {
-    Random random(series.Seed, static_cast<unsigned>(i));
-    const judge::Mesh& mesh = random.Pick(fuzz::SmallMeshes());
-    judge::Surface surface = SoundSurface(mesh, random);
-    std::string kind = "wild";
-    if (random.OneIn(4))
-    {
-      surface.Data = WildSurface(mesh.Box, random);
-    }
-    else
-    {
-      surface.Data = Copy(surface.Data);
-      const NamedChange& change = random.Pick(Changes);
-      kind = change.Name;
-      for (size_t times = 1 + random.Below(2); times > 0; --times)
-      {
-        change.Apply(FieldDataOf(surface.Data, random), random);
-      }
-    }
-    if (random.OneIn(10))
-    {
-      kind = "nested";
-      surface.Data = Nest(surface.Data, mesh, random);
-    }
-    judge::TrimOptions options;
-    options.CorrectionType = 1 + static_cast<int>(random.Below(3));
-    options.Optimization = static_cast<int>(random.Below(3));
-    options.InvertSide = random.OneIn(2);
-    const std::string name = "surface " + std::to_string(i) + " of seed " +
-      std::to_string(series.Seed) + " (" + kind + " on " + mesh.Name + ")";
-    failures += fuzz::TrimAndJudge(mesh, surface, options, kind, name, tally) > 0;
-  }
-  tally.Print();
-  std::printf("%.1f s, %d of %d surfaces failed\n", fuzz::Now() - start, failures, done);
-  return failures > 0;
+  return fuzz::RunSeries(argc, argv, 1000, "surface", MakeTrial);
 }

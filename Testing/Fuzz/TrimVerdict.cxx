@@ -129,11 +129,43 @@ int TrimAndJudge(const judge::Mesh& mesh, const judge::Surface& surface,
   return report.Failures();
 }
 
-Series::Series(int argc, char* argv[], int defaultCount)
-  : Count(argc > 1 ? std::atoi(argv[1]) : defaultCount)
-  , Seed(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1)
-  , First(argc > 3 ? std::atoi(argv[3]) : 0)
-  , Step(argc > 4 ? std::max(1, std::atoi(argv[4])) : 1)
+int RunSeries(int argc, char* argv[], int defaultCount, const std::string& things,
+  const std::function<Trial(Random&)>& make)
 {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  const int count = argc > 1 ? std::atoi(argv[1]) : defaultCount;
+  const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
+  const int first = argc > 3 ? std::atoi(argv[3]) : 0;
+  const int step = argc > 4 ? std::max(1, std::atoi(argv[4])) : 1;
+  Tally tally;
+  int failures = 0;
+  int done = 0;
+  const double start = Now();
+  for (int i = first; i < count && !IsStopped(); i += step, ++done)
+  {
+    Random random(seed, static_cast<unsigned>(i));
+    const Trial trial = make(random);
+    judge::TrimOptions options;
+    options.CorrectionType = 1 + static_cast<int>(random.Below(3));
+    options.Optimization = static_cast<int>(random.Below(3));
+    options.InvertSide = random.OneIn(2);
+    const std::string name = things + " " + std::to_string(i) + " of seed " + std::to_string(seed) +
+      " (" + trial.What + ")";
+    failures += TrimAndJudge(trial.Mesh, trial.Surface, options, trial.Kind, name, tally) > 0;
+  }
+  tally.Print();
+  std::printf("%.1f s, %d of %d %ss failed\n", Now() - start, failures, done, things.c_str());
+  return failures > 0;
+}
+
+judge::Surface SoundSurface(const judge::Mesh& mesh, double mostLean, Random& random)
+{
+  judge::Placement at;
+  at.X = random.Between(-0.6, 0.6);
+  at.Y = random.Between(-0.6, 0.6);
+  at.Angle = random.Between(0, 6);
+  at.Lean = mostLean > 0 && !random.OneIn(2) ? random.Between(0, mostLean) : 0;
+  at.Seed = static_cast<unsigned>(random.Below(1000));
+  return judge::MakeSurface(random.Pick(judge::SurfaceKinds()), mesh.Box, at);
 }
 }

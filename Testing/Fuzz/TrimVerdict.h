@@ -6,9 +6,12 @@
 #ifndef TrimVerdict_h
 #define TrimVerdict_h
 
+#include "Random.h"
 #include "Tally.h"
 
 #include "RunTrim.h"
+
+#include <functional>
 
 namespace fuzz
 {
@@ -28,15 +31,27 @@ int TrimAndJudge(const judge::Mesh& mesh, const judge::Surface& surface,
   const judge::TrimOptions& options, const std::string& kind, const std::string& name,
   Tally& tally);
 
-/// Reads count, seed and first from the command line, for (i = first; i < count; i += step).
-struct Series
+/// One trial of a series.
+struct Trial
 {
-  Series(int argc, char* argv[], int defaultCount);
-  int Count = 0;
-  unsigned Seed = 1;
-  int First = 0;
-  int Step = 1;
+  judge::Mesh Mesh;
+  judge::Surface Surface;
+  std::string Kind; ///< what was damaged, as it is counted
+  std::string What; ///< the same for a reader
 };
+
+/**
+ * Trims what `make` makes, with random options, for (i = first; i < count; i += step); count,
+ * seed, first and step are read from the command line.
+ *
+ * @param things what is damaged, in the singular.
+ * @return exit status of the program.
+ */
+int RunSeries(int argc, char* argv[], int defaultCount, const std::string& things,
+  const std::function<Trial(Random&)>& make);
+
+/// Any sound surface over a mesh.
+judge::Surface SoundSurface(const judge::Mesh& mesh, double mostLean, Random& random);
 }
 
 #endif

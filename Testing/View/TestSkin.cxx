@@ -3,6 +3,7 @@
  * @brief vtkHexahedralSkinFilter against ParaView's own geometry filter: the same facets, on the
  * same places, with the same arrays, which know their ranges.
  */
+#include "Expect.h"
 #include "Meshes.h"
 #include "RunTrim.h"
 #include "Surfaces.h"
@@ -34,17 +35,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what.c_str());
-    ++Wrong;
-  }
-}
-
 vtkSmartPointer<vtkPolyData> Extract(vtkPVGeometryFilter* filter, vtkUnstructuredGrid* grid)
 {
   // As vtkGeometryRepresentation sets it.
