@@ -1,4 +1,4 @@
-"""Brings back what RecordInWindow.py recorded, from its trace or from its state file: every trim and
+"""Brings back what TrimLineInWindow.py recorded, from its trace or from its state file: every trim and
 line with its properties and numbers, every view with what it shows."""
 import difflib
 import os

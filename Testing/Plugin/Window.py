@@ -86,7 +86,7 @@ class Window:
         for event, pressed in (("mousePress", 1), ("mouseMove", 0), ("mouseRelease", 0)):
             self.event(frame + "CentralWidgetFrame/Viewport", event,
                        "(%g,%g,1,%d,0)" % (x, y, pressed))
-        self.pause(1000)
+        self.pause(600)
         self.python("hovered = tooltip(%d)" % (kind == "Cells"))
         if picture:
             self.picture(picture)
