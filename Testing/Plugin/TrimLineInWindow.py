@@ -109,6 +109,8 @@ window.set_check("ProduceOffcut", True)
 window.apply()
 window.action("ShowStatuses")
 window.action("CompareCorrectionTypes")
+# The polyline's corner was worth a warning, which has opened the messages.
+window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
 window.picture("window-comparison.png")
 
 window.python("record('session')")
