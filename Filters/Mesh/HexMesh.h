@@ -13,6 +13,7 @@
 #include <vtkType.h>
 
 #include <array>
+#include <cstring>
 #include <string>
 
 class vtkUnstructuredGrid;
@@ -37,8 +38,10 @@ struct HexMesh
   {
     if (this->PointsDouble)
     {
-      const double* p = this->PointsDouble + 3 * i;
-      return Vec3(p[0], p[1], p[2]);
+      // Copied as a whole: a point that is stored number by number is slow to be read in pairs.
+      Vec3 point;
+      std::memcpy(point.data(), this->PointsDouble + 3 * i, sizeof(point));
+      return point;
     }
     const float* p = this->PointsFloat + 3 * i;
     return Vec3(p[0], p[1], p[2]);
@@ -63,6 +66,14 @@ private:
   {
     const T first = offsets[c];
     const int count = static_cast<int>(offsets[c + 1] - first);
+    if (count == 8) // most are: a copy of known length needs no call
+    {
+      for (int i = 0; i < 8; ++i)
+      {
+        nodes[i] = connectivity[first + i];
+      }
+      return count;
+    }
     for (int i = 0; i < count; ++i)
     {
       nodes[i] = connectivity[first + i];

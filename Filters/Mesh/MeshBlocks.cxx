@@ -78,6 +78,7 @@ void LinkPatch(
   const HexMesh& mesh, const MeshBlocks& blocks, int run, std::vector<std::pair<int, int>>& links)
 {
   const std::size_t own = links.size();
+  int seen = run; // the last one linked, which most nodes after it belong to
   std::array<Id, 8> nodes;
   const Id last = std::min(mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerPatch);
   for (Id c = run * MeshBlocks::CellsPerPatch; c < last; ++c)
@@ -85,8 +86,14 @@ void LinkPatch(
     const int count = mesh.Cell(c, nodes);
     for (int i = 0; i < count; ++i)
     {
-      const std::pair<int, int> link(run, blocks.FirstRunOf(nodes[i]));
-      if (link.second != run && std::find(links.begin() + own, links.end(), link) == links.end())
+      const int first = blocks.FirstRunOf(nodes[i]);
+      if (first == run || first == seen)
+      {
+        continue;
+      }
+      seen = first;
+      const std::pair<int, int> link(run, first);
+      if (std::find(links.begin() + own, links.end(), link) == links.end())
       {
         links.push_back(link);
       }

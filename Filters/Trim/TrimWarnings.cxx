@@ -87,10 +87,8 @@ void WarnOfFeasibilities(const HexMesh& mesh, const Piece& piece, TrimResult& re
     {
       if (item.second == text.Value && own.Number++ == 0)
       {
-        std::array<Id, 8> nodes;
-        mesh.Cell(item.first, nodes);
         own.Cell = piece.All.Alone() ? item.first : Id(-1);
-        own.At = ToPlace(mesh.Point(nodes[0]));
+        own.At = ToPlace(mesh.Point(mesh.FirstNode(item.first)));
       }
     }
     Count all;

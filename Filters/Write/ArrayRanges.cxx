@@ -190,10 +190,11 @@ void SetComponents(vtkDataArray* array, vtkInformationInformationVectorKey* key,
   array->GetInformation()->Set(key, components);
 }
 
+/// Tells an array the ranges of some tuples.
 template <typename Value>
-void Tell(vtkDataArray* array, const Value* values)
+void Tell(vtkDataArray* array, const Value* values, vtkIdType count)
 {
-  const Tuples<Value> tuples{ values, array->GetNumberOfTuples(), array->GetNumberOfComponents() };
+  const Tuples<Value> tuples{ values, count, array->GetNumberOfComponents() };
   const auto ranges = tuples.template OfComponents<false>();
   const bool finite =
     std::all_of(ranges.begin(), ranges.end(), [](const auto& range) { return range.IsFinite(); });
@@ -210,18 +211,60 @@ void Tell(vtkDataArray* array, const Value* values)
   }
 }
 
+/// The tuples at these places, and zeros for all others.
+template <typename Value>
+std::vector<Value> Listed(const Value* values, int components, const std::vector<vtkIdType>& places)
+{
+  std::vector<Value> listed(components, Value(0));
+  listed.reserve(components * (places.size() + 1));
+  for (const vtkIdType place : places)
+  {
+    listed.insert(listed.end(), values + components * place, values + components * (place + 1));
+  }
+  return listed;
+}
+
+template <typename Value>
+void TellListed(vtkDataArray* array, const Value* values, const std::vector<vtkIdType>& places)
+{
+  const auto listed = Listed(values, array->GetNumberOfComponents(), places);
+  Tell(array, listed.data(), static_cast<vtkIdType>(places.size() + 1));
+}
+
+bool CanBeTold(vtkDataArray* array)
+{
+  return array && array->GetNumberOfTuples() > 0 && array->HasStandardMemoryLayout() &&
+    !(array->HasInformation() && array->GetInformation()->Has(vtkAbstractArray::PER_COMPONENT()));
+}
+
+}
+
+void TellRanges(vtkDataArray* array, const std::vector<vtkIdType>& places)
+{
+  if (!CanBeTold(array) || static_cast<vtkIdType>(places.size()) >= array->GetNumberOfTuples())
+  {
+    TellRanges(array); // every tuple may be listed
+    return;
+  }
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(
+      TellListed(array, static_cast<const VTK_TT*>(array->GetVoidPointer(0)), places));
+    default:
+      break;
+  }
 }
 
 void TellRanges(vtkDataArray* array)
 {
-  if (!array || array->GetNumberOfTuples() == 0 || !array->HasStandardMemoryLayout() ||
-    (array->HasInformation() && array->GetInformation()->Has(vtkAbstractArray::PER_COMPONENT())))
+  if (!CanBeTold(array))
   {
     return;
   }
   switch (array->GetDataType())
   {
-    vtkTemplateMacro(Tell(array, static_cast<const VTK_TT*>(array->GetVoidPointer(0))));
+    vtkTemplateMacro(Tell(
+      array, static_cast<const VTK_TT*>(array->GetVoidPointer(0)), array->GetNumberOfTuples()));
     default:
       break;
   }

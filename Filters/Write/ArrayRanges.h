@@ -10,6 +10,10 @@
 #ifndef ArrayRanges_h
 #define ArrayRanges_h
 
+#include <vtkType.h>
+
+#include <vector>
+
 class vtkDataArray;
 class vtkDataSet;
 
@@ -22,6 +26,9 @@ void TellRanges(vtkDataSet* data);
 
 /// The same for one array.
 void TellRanges(vtkDataArray* array);
+
+/// The same for an array that is zero but at these places; nothing else of it is looked at.
+void TellRanges(vtkDataArray* array, const std::vector<vtkIdType>& places);
 
 }
 

@@ -1,6 +1,6 @@
 #include "FindingArrays.h"
 
-#include "FreshArray.h"
+#include "SparseArray.h"
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
@@ -18,14 +18,13 @@ void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed
   const Selection& ids, vtkDataSetAttributes* data)
 {
   using Stored = typename Array::ValueType;
-  const auto array = MakeZeros<Array>(name, ids.size());
-  Stored* values = array->GetPointer(0);
+  SparseArray<Array> array(name, ids.size());
   for (const auto& item : listed)
   {
     const auto value = static_cast<Stored>(item.second);
-    ids.ForPlaces(item.first, [values, value](Id place) { values[place] = value; });
+    ids.ForPlaces(item.first, [&array, value](Id place) { *array.At(place) = value; });
   }
-  data->AddArray(array);
+  array.AddTo(data);
 }
 
 }

@@ -1,7 +1,7 @@
 #include "StatusArrays.h"
 
-#include "FreshArray.h"
 #include "Rescue.h"
+#include "SparseArray.h"
 #include "Status.h"
 
 #include <vtkCellData.h>
@@ -67,12 +67,10 @@ void AddPointStatuses(
   const Id count = ids.size();
   const auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
   const auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
-  const auto displacement = MakeZeros<vtkFloatArray>("Displacement", count, 3);
-  const auto correction = MakeZeros<vtkUnsignedCharArray>("CorrectionApplied", count);
+  SparseArray<vtkFloatArray> displacement("Displacement", count, 3);
+  SparseArray<vtkUnsignedCharArray> correction("CorrectionApplied", count);
   unsigned char* statuses = status->GetPointer(0);
   float* distances = distance->GetPointer(0);
-  float* moves = displacement->GetPointer(0);
-  unsigned char* corrections = correction->GetPointer(0);
   vtkSMPTools::For(0, count, Grain,
     [&](Id begin, Id end)
     {
@@ -86,16 +84,17 @@ void AddPointStatuses(
     [&](Id place, int node)
     {
       const Vec3 move = moved.NodeMoves->Position[node] - moved.TheBand->Point[node];
+      float* stored = displacement.At(place);
       for (int i = 0; i < 3; ++i)
       {
-        moves[3 * place + i] = static_cast<float>(move[i]);
+        stored[i] = static_cast<float>(move[i]);
       }
-      corrections[place] = static_cast<unsigned char>(moved.NodeMoves->Applied[node]);
+      *correction.At(place) = static_cast<unsigned char>(moved.NodeMoves->Applied[node]);
     });
   pointData->AddArray(status);
   pointData->AddArray(distance);
-  pointData->AddArray(displacement);
-  pointData->AddArray(correction);
+  displacement.AddTo(pointData);
+  correction.AddTo(pointData);
 }
 
 void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
@@ -131,8 +130,7 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
 void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
 {
   static_assert(static_cast<unsigned char>(Rescue::None) == 0, "most of the array is not written");
-  const auto array = MakeZeros<vtkUnsignedCharArray>("Rescue", ids.size());
-  unsigned char* values = array->GetPointer(0);
+  SparseArray<vtkUnsignedCharArray> array("Rescue", ids.size());
   const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
   for (int e = 0; e < elements; ++e)
   {
@@ -140,10 +138,10 @@ void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cel
     const Rescue rescue = RescueOf(*result.Near, e);
     if (cell >= 0 && rescue != Rescue::None)
     {
-      ids.ForPlaces(cell, [=](Id place) { values[place] = static_cast<unsigned char>(rescue); });
+      ids.ForPlaces(cell, [&](Id place) { *array.At(place) = static_cast<unsigned char>(rescue); });
     }
   }
-  cellData->AddArray(array);
+  array.AddTo(cellData);
 }
 
 }

@@ -30,21 +30,18 @@ struct KeptMesh : GridPart
   std::vector<int> BandElement; ///< of each kept cell, -1 away from the cut
 };
 
-/// Nodes of a kept cell in input ids, with edges dropped where it became a wedge.
-int NodesOfKept(
+/// Nodes of a kept cell at the cut, in input ids, with edges dropped where it became a wedge.
+int NodesAtCut(
   const HexMesh& mesh, const TrimResult& result, Id cell, int bandElement, std::array<Id, 8>& nodes)
 {
-  if (bandElement >= 0)
+  const auto& near = *result.Near;
+  if (const ReplacedElement* wedge = FindWedge(near.Trimmed, bandElement))
   {
-    const auto& near = *result.Near;
-    if (const ReplacedElement* wedge = FindWedge(near.Trimmed, bandElement))
+    for (int i = 0; i < 6; ++i)
     {
-      for (int i = 0; i < 6; ++i)
-      {
-        nodes[i] = near.Mesh.GlobalNode[wedge->Node[i]];
-      }
-      return 6;
+      nodes[i] = near.Mesh.GlobalNode[wedge->Node[i]];
     }
+    return 6;
   }
   return mesh.Cell(cell, nodes);
 }
@@ -221,7 +218,11 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   KeptMesh kept;
   CollectCells(mesh, result, kept);
   const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
-  { return NodesOfKept(mesh, result, kept.Cells[i], kept.BandElement[i], nodes); };
+  {
+    const int element = kept.BandElement[i];
+    return element < 0 ? mesh.Cell(kept.Cells[i], nodes)
+                       : NodesAtCut(mesh, result, kept.Cells[i], element, nodes);
+  };
   NumberPoints(mesh, kept, nodesOf);
   if (options.RenumberNodes && !progress(0.65))
   {

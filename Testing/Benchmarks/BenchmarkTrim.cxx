@@ -3,6 +3,7 @@
 // Arguments: number of elements of the main comparison (1000000), largest number of elements of
 // the growth and of the memory (10000000), rounds (5), and which parts to run, of the letters
 // c (comparison), r (random order), g (growth), m (memory); all if there is none.
+#include "OtherFilters.h"
 #include "SheetTrim.h"
 
 #include <vtkCellArray.h>
@@ -119,6 +120,19 @@ struct Case
       {} };
   }
 
+  /// What VTK takes for less, on one thread: tells machines and ways of counting apart.
+  std::vector<Job> Others() const
+  {
+    const double middle = 0.5 * SideOfSheet(this->Cells);
+    return { { "deep copy of the grid", 1,
+               [this]() -> std::shared_ptr<void> { return CopyGrid(this->Grid); }, {} },
+      { "VTK's Extract Cells, 60 % of them", 1,
+        [this]() -> std::shared_ptr<void> { return ExtractCells(this->Grid, 0.6); }, {} },
+      { "VTK's Clip by a plane", 1,
+        [this, middle]() -> std::shared_ptr<void> { return ClipByPlane(this->Grid, middle); },
+        {} } };
+  }
+
   /// A filter that has not run before.
   Job First(bool renumber, int threads) const
   {
@@ -165,6 +179,10 @@ void CompareWithFloor(vtkIdType cells, bool shuffled, int rounds)
 {
   const Case sheet(cells, shuffled);
   std::vector<Job> jobs = { sheet.Floor() };
+  for (Job& job : sheet.Others())
+  {
+    jobs.push_back(std::move(job));
+  }
   for (const int threads : { 1, 2 })
   {
     for (const bool renumber : { false, true })
