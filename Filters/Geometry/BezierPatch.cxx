@@ -117,6 +117,17 @@ void FindCollapsedSides(BezierPatch& patch, const Vec4* net)
   }
 }
 
+/// At least twice the room each time: a shell's faces come one by one.
+template <typename Value>
+void MakeRoom(std::vector<Value>& list, std::size_t added)
+{
+  const std::size_t size = list.size() + added;
+  if (size > list.capacity())
+  {
+    list.reserve(std::max(size, 2 * list.capacity()));
+  }
+}
+
 }
 
 void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
@@ -148,6 +159,9 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
     }
   }
   const int size = (p + 1) * (q + 1);
+  const std::size_t added = static_cast<std::size_t>(countU) * countV;
+  MakeRoom(patches, added);
+  MakeRoom(nets, added * size);
   for (int spanV = 0; spanV < countV; ++spanV)
   {
     const int k = LastKnotBefore(surface.KnotsV, spansV.Breaks[spanV + 1]);

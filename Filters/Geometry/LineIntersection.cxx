@@ -46,8 +46,13 @@ private:
   Solution Approach(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   bool IsInBox(const Solution& solution, const LeafDomain& box) const;
   bool IsBesidePatch(const Solution& solution, const LeafDomain& box) const;
-  bool MayHoldRoot(const Leaf& leaf, const LeafDomain& box, double s, double t, const Vec3& point,
-    double slope) const;
+  struct Prediction
+  {
+    double S, T, ReachS, ReachT; ///< a root is this near, if the leaf has one
+    bool MayLieIn(const LeafDomain& box) const;
+  };
+  Prediction Predict(const Leaf& leaf, double s, double t, const Vec3& point, double slope) const;
+  bool FindStart(const Leaf& leaf, const LeafDomain& box, double slope, Prediction& start) const;
   bool Report(int patch, const Solution& solution, bool touch);
 
   const SurfaceModel& Model;
@@ -301,11 +306,11 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
 }
 
 /**
- * False if the leaf certainly has no root. From a point of the leaf one step with the mean
+ * Where the leaf's root is, if it has one. From a point of the leaf one step with the mean
  * derivatives ends within c / (1 - c) of its length of any root, c = Deviation / slope.
  */
-bool LineSearch::MayHoldRoot(const Leaf& leaf, const LeafDomain& box, double s, double t,
-  const Vec3& point, double slope) const
+LineSearch::Prediction LineSearch::Predict(
+  const Leaf& leaf, double s, double t, const Vec3& point, double slope) const
 {
   const Vec3 normal = leaf.Z.cast<double>();
   const Vec3 r = this->A - point;
@@ -316,11 +321,44 @@ bool LineSearch::MayHoldRoot(const Leaf& leaf, const LeafDomain& box, double s, 
   const double factor = (this->Model.Patches[leaf.Patch].Rational ? 3.0 : 1.01) * c / (1 - c);
   const double radius = factor * std::sqrt(x * x + y * y) + this->Model.Gap;
   const float* m = leaf.Inverse;
-  const double ds = m[0] * x + m[1] * y, dt = m[2] * x + m[3] * y;
-  const double reachS = radius * std::sqrt(double(m[0]) * m[0] + double(m[1]) * m[1]);
-  const double reachT = radius * std::sqrt(double(m[2]) * m[2] + double(m[3]) * m[3]);
-  return s + ds >= box.S0 - reachS && s + ds <= box.S1 + reachS && t + dt >= box.T0 - reachT &&
-    t + dt <= box.T1 + reachT;
+  return { s + m[0] * x + m[1] * y, t + m[2] * x + m[3] * y,
+    radius * std::sqrt(double(m[0]) * m[0] + double(m[1]) * m[1]),
+    radius * std::sqrt(double(m[2]) * m[2] + double(m[3]) * m[3]) };
+}
+
+bool LineSearch::Prediction::MayLieIn(const LeafDomain& box) const
+{
+  return this->S >= box.S0 - this->ReachS && this->S <= box.S1 + this->ReachS &&
+    this->T >= box.T0 - this->ReachT && this->T <= box.T1 + this->ReachT;
+}
+
+/**
+ * False if the leaf certainly has no root; else where to look for it. The reach grows with the
+ * distance from the point that the prediction is made from, so in a long narrow leaf a root beside
+ * it is told from one in it only by the point of the leaf that is nearest to it.
+ */
+bool LineSearch::FindStart(
+  const Leaf& leaf, const LeafDomain& box, double slope, Prediction& start) const
+{
+  const BezierPatch& patch = this->Model.Patches[leaf.Patch];
+  double s = 0.5 * (box.S0 + box.S1), t = 0.5 * (box.T0 + box.T1);
+  Vec3 point = leaf.Center;
+  for (int step = 0; step < 3; ++step)
+  {
+    start = this->Predict(leaf, s, t, point, slope);
+    if (!start.MayLieIn(box))
+    {
+      return false;
+    }
+    s = std::clamp(start.S, box.S0, box.S1);
+    t = std::clamp(start.T, box.T0, box.T1);
+    if (s == start.S && t == start.T)
+    {
+      return true;
+    }
+    point = BezierPoint(patch, this->Model.Net(patch), s, t);
+  }
+  return true;
 }
 
 void LineSearch::VisitLeaf(int boxIndex)
@@ -337,22 +375,16 @@ void LineSearch::VisitLeaf(int boxIndex)
     return;
   }
   const LeafDomain box = DomainOf(patch, index);
-  const Vec3 normal = leaf.Z.cast<double>();
-  const double slope = std::abs(normal.dot(this->D));
+  const double slope = std::abs(leaf.Z.cast<double>().dot(this->D));
   // The map to the plane across the line is then a contraction away from an affine one.
   if (leaf.Deviation < 0.3 * slope)
   {
-    const double middleS = 0.5 * (box.S0 + box.S1), middleT = 0.5 * (box.T0 + box.T1);
-    if (!this->MayHoldRoot(leaf, box, middleS, middleT, leaf.Center, slope))
+    Prediction start;
+    if (!this->FindStart(leaf, box, slope, start))
     {
       return;
     }
-    const Vec3 r = this->A - leaf.Center;
-    const Vec3 d = r - (normal.dot(r) / normal.dot(this->D)) * this->D;
-    const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
-    const Solution solution =
-      this->Solve(patch, middleS + leaf.Inverse[0] * x + leaf.Inverse[1] * y,
-        middleT + leaf.Inverse[2] * x + leaf.Inverse[3] * y, box);
+    const Solution solution = this->Solve(patch, start.S, start.T, box);
     if (solution.Converged)
     {
       const bool inside = this->IsInBox(solution, box);
@@ -361,13 +393,13 @@ void LineSearch::VisitLeaf(int boxIndex)
       {
         return;
       }
-      const double s = std::clamp(solution.S, box.S0, box.S1);
-      const double t = std::clamp(solution.T, box.T0, box.T1);
-      const Vec3 point = BezierPoint(patch, this->Model.Net(patch), s, t);
-      if (!this->MayHoldRoot(leaf, box, s, t, point, slope))
-      {
-        return;
-      }
+    }
+    const double s = std::clamp(solution.S, box.S0, box.S1);
+    const double t = std::clamp(solution.T, box.T0, box.T1);
+    const Vec3 point = BezierPoint(patch, this->Model.Net(patch), s, t);
+    if (!this->Predict(leaf, s, t, point, slope).MayLieIn(box))
+    {
+      return;
     }
   }
   this->SearchLeaf(index);

@@ -136,41 +136,82 @@ bool ShareNode(const std::array<Id, 8>& a, int countA, const std::array<Id, 8>& 
     a.begin() + countA;
 }
 
-/// What one block of cells tells.
-void MeasureBlock(const HexMesh& mesh, Id block, MeshBlocks& blocks, double& largest)
+/// A short run of cells. All of it is read before anything is computed: places that were stored a
+/// moment ago are slow to be read in pairs.
+struct CellRun
 {
-  const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
-  Box3 run;
-  std::array<Id, 8> nodes, before;
-  int countBefore = 0;
-  for (Id c = MeshBlocks::FirstCell(block); c < last; ++c)
+  std::array<std::array<Id, 8>, MeshBlocks::CellsPerRun> Nodes;
+  std::array<ElementPoints, MeshBlocks::CellsPerRun> Points;
+  std::array<int, MeshBlocks::CellsPerRun> Count;
+  Id First = 0;
+  int Size = 0;
+
+  void Read(const HexMesh& mesh, Id first, Id end)
   {
-    ElementPoints points;
-    Box3 box;
-    const int count = mesh.Cell(c, nodes);
-    for (int i = 0; i < count; ++i)
+    this->First = first;
+    this->Size = static_cast<int>(std::min(end - first, MeshBlocks::CellsPerRun));
+    for (int k = 0; k < this->Size; ++k)
     {
-      points[i] = mesh.Point(nodes[i]);
-      box.extend(points[i]);
+      this->Count[k] = mesh.Cell(first + k, this->Nodes[k]);
+      for (int i = 0; i < this->Count[k]; ++i)
+      {
+        this->Points[k][i] = mesh.Point(this->Nodes[k][i]);
+      }
     }
-    blocks.Volumes[c] = std::abs(VolumeOf(points, count));
-    largest = std::max(largest, box.diagonal().squaredNorm());
-    run.extend(box);
-    if ((c + 1) % MeshBlocks::CellsPerRun == 0 || c + 1 == last)
-    {
-      blocks.RunBoxes[c / MeshBlocks::CellsPerRun] = RoundOutwards(run);
-      blocks.Boxes[block].extend(run);
-      run.setEmpty();
-    }
-    const Id patch = c / MeshBlocks::CellsPerPatch;
+  }
+};
+
+/// Whether a run's cells continue a patch, and the first patch of their nodes.
+void JoinRun(const CellRun& cells, std::array<Id, 8>& before, int& countBefore, MeshBlocks& blocks)
+{
+  const Id patch = cells.First / MeshBlocks::CellsPerPatch;
+  for (int k = 0; k < cells.Size; ++k)
+  {
+    const auto& nodes = cells.Nodes[k];
+    const int count = cells.Count[k];
     for (int i = 0; i < count; ++i)
     {
       Lower(blocks.RunOfNode[nodes[i]], static_cast<int>(patch));
     }
-    blocks.IsPatch[patch] &=
-      c % MeshBlocks::CellsPerPatch == 0 || ShareNode(nodes, count, before, countBefore);
+    blocks.IsPatch[patch] &= (cells.First + k) % MeshBlocks::CellsPerPatch == 0 ||
+      ShareNode(nodes, count, before, countBefore);
     before = nodes;
     countBefore = count;
+  }
+}
+
+/// Volumes of a run's cells; returns the box of all.
+Box3 MeasureRun(const CellRun& cells, MeshBlocks& blocks, double& largest)
+{
+  Box3 run;
+  for (int k = 0; k < cells.Size; ++k)
+  {
+    Box3 box;
+    for (int i = 0; i < cells.Count[k]; ++i)
+    {
+      box.extend(cells.Points[k][i]);
+    }
+    blocks.Volumes[cells.First + k] = std::abs(VolumeOf(cells.Points[k], cells.Count[k]));
+    largest = std::max(largest, box.diagonal().squaredNorm());
+    run.extend(box);
+  }
+  return run;
+}
+
+/// What one block of cells tells.
+void MeasureBlock(const HexMesh& mesh, Id block, MeshBlocks& blocks, double& largest)
+{
+  const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
+  CellRun cells;
+  std::array<Id, 8> before{};
+  int countBefore = 0;
+  for (Id c = MeshBlocks::FirstCell(block); c < last; c += MeshBlocks::CellsPerRun)
+  {
+    cells.Read(mesh, c, last);
+    JoinRun(cells, before, countBefore, blocks);
+    const Box3 run = MeasureRun(cells, blocks, largest);
+    blocks.RunBoxes[c / MeshBlocks::CellsPerRun] = RoundOutwards(run);
+    blocks.Boxes[block].extend(run);
   }
 }
 
@@ -184,13 +225,13 @@ Id Divide(Id count, Id size)
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
 {
   static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerPatch == 0 &&
-      MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerRun == 0,
-    "blocks are filled by several threads");
+      MeshBlocks::CellsPerPatch % MeshBlocks::CellsPerRun == 0,
+    "blocks are filled by several threads, patches by runs");
   MeshBlocks blocks;
   const Id count = Divide(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
   blocks.Boxes.resize(count);
   blocks.RunBoxes.resize(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
-  blocks.Volumes.resize(mesh.NumberOfCells);
+  blocks.Volumes.reset(new double[mesh.NumberOfCells]); // filled by all threads
   blocks.IsPatch.assign(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
   std::vector<double> largest(count, 0.0);
   PrepareNodes(mesh, blocks);

@@ -33,7 +33,7 @@ struct MeshBlocks
 
   std::vector<Box3> Boxes;
   std::vector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
-  std::vector<double> Volumes;               ///< of every cell, >= 0
+  std::unique_ptr<double[]> Volumes;         ///< of every cell, >= 0
 
   /// Whole pieces of the mesh: runs of cells, each but the first of which shares a node with the
   /// one before. In a mesh in random order there are none.

@@ -106,28 +106,53 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeSheet(vtkIdType cells, bool shuffled)
   return grid;
 }
 
+namespace
+{
+
+/// A bicubic across the middle of the sheet, so high, with so many control points; `wave` gives x
+/// by the indices and the parameters of a control point, along the cut and through the sheet.
+template <typename Wave>
+vtkSmartPointer<vtkPolyData> MakeCut(
+  vtkIdType cells, double height, int countU, int countV, const Wave& wave)
+{
+  const double side = SideOfSheet(cells);
+  judge::SplineSurface cut;
+  cut.DegreeU = cut.DegreeV = 3;
+  cut.CountU = countU;
+  cut.CountV = countV;
+  cut.KnotsU = judge::UniformKnots(countU, cut.DegreeU);
+  cut.KnotsV = judge::UniformKnots(countV, cut.DegreeV);
+  const auto u = judge::GrevilleAbscissae(cut.KnotsU, cut.DegreeU);
+  const auto v = judge::GrevilleAbscissae(cut.KnotsV, cut.DegreeV);
+  for (int j = 0; j < countV; ++j)
+  {
+    for (int i = 0; i < countU; ++i)
+    {
+      const double x = wave(i, j, u[i], v[j]);
+      const double y = side * (1.1 * u[i] - 0.05);
+      const double z = 0.5 * Thickness * Layers + height * (v[j] - 0.5);
+      cut.Control.emplace_back(x, y, z, 1.0);
+    }
+  }
+  return judge::ToPolyData(cut);
+}
+
+}
+
 vtkSmartPointer<vtkPolyData> MakeWave(vtkIdType cells, double shift)
 {
   const double side = SideOfSheet(cells);
-  judge::SplineSurface wave;
-  wave.DegreeU = wave.DegreeV = 3;
-  wave.CountU = 12;
-  wave.CountV = 8;
-  wave.KnotsU = judge::UniformKnots(wave.CountU, wave.DegreeU);
-  wave.KnotsV = judge::UniformKnots(wave.CountV, wave.DegreeV);
-  const auto u = judge::GrevilleAbscissae(wave.KnotsU, wave.DegreeU);
-  const auto v = judge::GrevilleAbscissae(wave.KnotsV, wave.DegreeV);
-  for (int j = 0; j < wave.CountV; ++j)
-  {
-    for (int i = 0; i < wave.CountU; ++i)
-    {
-      const double x = side * (0.5 + shift + 0.04 * std::sin(2.1 * i)) + 0.02 * std::sin(1.7 * j);
-      const double y = side * (1.1 * u[i] - 0.05);
-      const double z = Thickness * Layers * (3.0 * v[j] - 1.0);
-      wave.Control.emplace_back(x, y, z, 1.0);
-    }
-  }
-  return judge::ToPolyData(wave);
+  return MakeCut(cells, 3.0 * Thickness * Layers, 12, 8,
+    [=](int i, int j, double, double)
+    { return side * (0.5 + shift + 0.04 * std::sin(2.1 * i)) + 0.02 * std::sin(1.7 * j); });
+}
+
+vtkSmartPointer<vtkPolyData> MakeFineWave(vtkIdType cells, double shift, int count)
+{
+  const double side = SideOfSheet(cells);
+  return MakeCut(cells, 0.1 * side, count, count,
+    [=](int, int, double u, double v)
+    { return side * (0.5 + shift + 0.04 * std::sin(12.0 * u)) + 0.02 * std::sin(12.0 * v); });
 }
 
 AnalyticTrim TrimByPlane(vtkUnstructuredGrid* grid, double limit)

@@ -28,6 +28,10 @@ int SideOfSheet(vtkIdType cells);
 /// A bicubic of 12 x 8 control points across the middle of that sheet, moved by `shift` of a side.
 vtkSmartPointer<vtkPolyData> MakeWave(vtkIdType cells, double shift);
 
+/// A bicubic of `count` x `count` control points there, whose shape does not depend on their
+/// number.
+vtkSmartPointer<vtkPolyData> MakeFineWave(vtkIdType cells, double shift, int count);
+
 /// The least a trim has to make: the kept cells and their points, compact, as a grid has them.
 struct AnalyticTrim
 {
