@@ -5,6 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -21,15 +23,19 @@ constexpr int MostRounds = 2;
 std::vector<Vec3> Centres(const Pillars& pillars, const NodePlaces& position)
 {
   std::vector<Vec3> centres(pillars.Count);
-  for (int p = 0; p < pillars.Count; ++p)
-  {
-    Vec3 sum = Vec3::Zero();
-    for (int i = pillars.Start[p]; i < pillars.Start[p + 1]; ++i)
+  vtkSMPTools::For(0, pillars.Count, 10000,
+    [&](Id begin, Id end)
     {
-      sum += position(pillars.Node[i]);
-    }
-    centres[p] = sum / (pillars.Start[p + 1] - pillars.Start[p]);
-  }
+      for (Id p = begin; p < end; ++p)
+      {
+        Vec3 sum = Vec3::Zero();
+        for (int i = pillars.Start[p]; i < pillars.Start[p + 1]; ++i)
+        {
+          sum += position(pillars.Node[i]);
+        }
+        centres[p] = sum / (pillars.Start[p + 1] - pillars.Start[p]);
+      }
+    });
   return centres;
 }
 

@@ -2,6 +2,8 @@
 
 #include "DisjointSets.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -62,22 +64,26 @@ void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
   {
     pillars.Node[next[pillars.Pillar[n]]++] = static_cast<int>(n);
   }
-  for (int p = 0; p < pillars.Count; ++p)
-  {
-    const int first = pillars.Start[p];
-    const int size = pillars.Start[p + 1] - first;
-    std::array<std::pair<double, int>, MostLayers> heights;
-    for (int i = 0; i < size; ++i)
+  vtkSMPTools::For(0, pillars.Count, 10000,
+    [&](Id begin, Id end)
     {
-      const int node = pillars.Node[first + i];
-      heights[i] = { position(node).dot(up), node };
-    }
-    std::sort(heights.begin(), heights.begin() + size);
-    for (int i = 0; i < size; ++i)
-    {
-      pillars.Node[first + i] = heights[i].second;
-    }
-  }
+      std::array<std::pair<double, int>, MostLayers> heights;
+      for (Id p = begin; p < end; ++p)
+      {
+        const int first = pillars.Start[p];
+        const int size = pillars.Start[p + 1] - first;
+        for (int i = 0; i < size; ++i)
+        {
+          const int node = pillars.Node[first + i];
+          heights[i] = { position(node).dot(up), node };
+        }
+        std::sort(heights.begin(), heights.begin() + size);
+        for (int i = 0; i < size; ++i)
+        {
+          pillars.Node[first + i] = heights[i].second;
+        }
+      }
+    });
 }
 
 }

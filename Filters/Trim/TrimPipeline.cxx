@@ -322,10 +322,14 @@ void Decide(TrimBand& near, const nurbs::TrimmingSurface& surface, double precis
 void SetFates(const HexMesh& mesh, TrimResult& result)
 {
   result.Kept.resize(mesh.NumberOfCells);
-  for (Id c = 0; c < mesh.NumberOfCells; ++c)
-  {
-    result.Kept[c] = result.ElementStatus[c] != ElementEliminate;
-  }
+  vtkSMPTools::For(0, mesh.NumberOfCells, 100000,
+    [&result](Id begin, Id end)
+    {
+      for (Id c = begin; c < end; ++c)
+      {
+        result.Kept[c] = result.ElementStatus[c] != ElementEliminate;
+      }
+    });
   if (result.Near)
   {
     const auto& near = *result.Near;

@@ -92,18 +92,21 @@ void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& 
 
 void TakeNumbers(const std::vector<int>& number, GridPart& part)
 {
-  for (const Id point : part.Points)
-  {
-    part.Number[point] = number[part.Number[point]];
-  }
+  const auto count = static_cast<Id>(part.Number.size());
   Id* points = part.Points.data();
-  for (std::size_t point = 0; point < part.Number.size(); ++point)
-  {
-    if (part.Number[point] >= 0)
+  ForRuns(count,
+    [&](Id, Id begin, Id end)
     {
-      points[part.Number[point]] = static_cast<Id>(point);
-    }
-  }
+      for (Id point = begin; point < end; ++point)
+      {
+        int& own = part.Number[point];
+        if (own >= 0)
+        {
+          own = number[own];
+          points[own] = point;
+        }
+      }
+    });
 }
 
 void WritePoints(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart& part,

@@ -46,33 +46,45 @@ int NodesAtCut(
   return mesh.Cell(cell, nodes);
 }
 
-void CollectCells(const HexMesh& mesh, const TrimResult& result, KeptMesh& kept)
+/// The kept cells from begin to end; `place`: where the first of them is listed.
+void ListCells(const TrimResult& result, const std::vector<int>& band, Id begin, Id end, Id place,
+  KeptMesh& kept)
 {
-  kept.Cells.Resize(std::count(result.Kept.begin(), result.Kept.end(), char(1)));
-  kept.BandElement.assign(kept.Cells.size(), -1);
-  const auto band = result.Near ? result.Near->Mesh.ElementsByCell() : std::vector<int>();
-  auto next = band.begin();
-  const auto nextCell = [&]
-  { return next == band.end() ? Id(-1) : result.Near->Mesh.Elements[*next].Global; };
+  const auto cellOf = [&result](int element) { return result.Near->Mesh.Elements[element].Global; };
+  auto next = std::lower_bound(band.begin(), band.end(), begin,
+    [&cellOf](int element, Id cell) { return cellOf(element) < cell; });
+  Id inBand = next == band.end() ? Id(-1) : cellOf(*next);
   Id* cells = kept.Cells.data();
-  Id count = 0;
-  Id inBand = nextCell();
-  for (Id c = 0; c < mesh.NumberOfCells; ++c)
+  for (Id c = begin; c < end; ++c)
   {
     if (result.Kept[c])
     {
-      cells[count++] = c;
+      cells[place] = c;
+      kept.BandElement[place] = c == inBand ? *next : -1;
+      ++place;
     }
     if (c == inBand)
     {
-      if (result.Kept[c])
-      {
-        kept.BandElement[count - 1] = *next;
-      }
       ++next;
-      inBand = nextCell();
+      inBand = next == band.end() ? Id(-1) : cellOf(*next);
     }
   }
+}
+
+void CollectCells(const HexMesh& mesh, const TrimResult& result, KeptMesh& kept)
+{
+  const Id runs = (mesh.NumberOfCells + PartGrain - 1) / PartGrain;
+  std::vector<Id> first(runs + 1, 0);
+  ForRuns(mesh.NumberOfCells,
+    [&](Id run, Id begin, Id end) {
+      first[run + 1] = std::count(result.Kept.begin() + begin, result.Kept.begin() + end, char(1));
+    });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  kept.Cells.Resize(first.back());
+  kept.BandElement.resize(first.back());
+  const auto band = result.Near ? result.Near->Mesh.ElementsByCell() : std::vector<int>();
+  ForRuns(mesh.NumberOfCells,
+    [&](Id run, Id begin, Id end) { ListCells(result, band, begin, end, first[run], kept); });
 }
 
 /// A kept element at its new position, and whether the trim touched it.
