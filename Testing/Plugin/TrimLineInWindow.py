@@ -101,6 +101,11 @@ drag(window, 3, 8)
 window.apply()
 window.python("middle = active().Points[6:8]\n"
               "check(abs(middle[1] - 8) < 0.1, 'the middle point is at %r' % (middle,))")
+# A point added, which lies farther on, and taken off again.
+for button, count in (("Add", 6), ("Remove", 5)):
+    window.event(PANEL + "InteractiveSpline/" + button, "activate")
+    window.apply()
+    window.python("check_equal(len(active().Points), 3 * %d, 'coordinates of points')" % count)
 window.select(TRIM)
 window.set_choice("CorrectionType", "Type III: slide along edges")
 window.set_choice("Optimization", "Distribute nodes")
