@@ -27,10 +27,9 @@ namespace
 bool HasOwnCamera()
 {
   const auto type = vtkProcessModule::GetProcessType();
-  const auto* controller = vtkMultiProcessController::GetGlobalController();
+  auto* controller = vtkMultiProcessController::GetGlobalController();
   return (type == vtkProcessModule::PROCESS_CLIENT || type == vtkProcessModule::PROCESS_BATCH) &&
-    (!controller ||
-      const_cast<vtkMultiProcessController*>(controller)->GetNumberOfProcesses() <= 1);
+    (!controller || controller->GetNumberOfProcesses() <= 1);
 }
 
 /// How near, along the direction of view, the camera comes to anything within the bounds.
