@@ -22,6 +22,7 @@ cmake --build "$build" --target Testing/Support/all Testing/Geometry/all Testing
 rm -rf "$reports"
 mkdir -p "$reports"
 export ASAN_OPTIONS="log_path=$reports/address:detect_leaks=1"
+export LSAN_OPTIONS="suppressions=$rules/leaks.txt:print_suppressions=0"
 export UBSAN_OPTIONS="print_stacktrace=1"
 export TSAN_OPTIONS="log_path=$reports/thread:suppressions=$rules/threads.txt"
 cd "$build"

@@ -106,7 +106,7 @@ void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover
 {
   const bool leave = choice.Correction == CorrectionChoice::Leave;
   std::map<int, NodeMove> found;
-  if (leave && choice.Way == 0.0)
+  if ((leave && choice.Way == 0.0) || choice.Correction == CorrectionChoice::Inside)
   {
     for (const int node : nodes)
     {

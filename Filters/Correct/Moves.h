@@ -17,7 +17,8 @@ enum class CorrectionChoice : unsigned char
 {
   AsAsked,
   Other, ///< type III for type II and the reverse
-  Leave  ///< the pillar is left off the surface
+  Leave, ///< the pillar is left off the surface
+  Inside ///< the pillar, which is not at the cut, goes wherever the elements round it are good
 };
 
 /// The choice for a pillar, and how much of its way a pillar that is left goes all the same.

@@ -373,11 +373,7 @@ bool NodeMover::MayRelax(int node, bool onCut) const
 {
   const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
   // Asked of the faces themselves: the constraint forgets those that are cut off.
-  const auto faces = this->TheBand.FacesOfNode(node);
-  const bool border = std::any_of(faces.begin(), faces.end(),
-    [this](int f)
-    { return this->TheBand.Faces[f].Exterior && !this->TheColumns.IsLayerFace(this->TheBand, f); });
-  if (!border)
+  if (!this->TheColumns.IsOnBorder(this->TheBand, node))
   {
     return constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Free;
   }

@@ -12,6 +12,7 @@
 
 #include "Band.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace trim
@@ -32,6 +33,13 @@ struct Columns
     const auto& f = band.Faces[face];
     const int axis = this->Axis[f.Element[0]];
     return axis >= 0 && TopologyOf(band.Elements[f.Element[0]].Count).FaceAxis[f.Slot[0]] == axis;
+  }
+  /// A node on the lateral border of a sheet, or anywhere on the exterior of a block.
+  bool IsOnBorder(const Band& band, int node) const
+  {
+    const auto faces = band.FacesOfNode(node);
+    return std::any_of(faces.begin(), faces.end(),
+      [&](int f) { return band.Faces[f].Exterior && !this->IsLayerFace(band, f); });
   }
   /// An edge from layer to layer.
   bool IsThicknessEdge(const Band& band, int edge) const

@@ -1,11 +1,13 @@
 #include "Relaxation.h"
 
+#include "DisjointSets.h"
 #include "Jacobian.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -20,6 +22,9 @@ constexpr int Rings = 3;
 constexpr std::array<double, 4> Steps{ 0.3, 0.1, 0.03, 0.01 };
 /// Elements are raised to a little above the goal, so that rounding does not undo it.
 constexpr double Margin = 1.02;
+/// Where an element is below this, the ways to the surface are spread over the nodes behind first.
+constexpr double SpreadQuality = 0.2;
+constexpr int SpreadRounds = 30;
 /// On a curved surface or skin a step may turn out better than it looks by this much.
 constexpr double Foresight = 0.02;
 
@@ -43,7 +48,9 @@ public:
 
   void Run(const std::vector<char>& active)
   {
-    const std::vector<std::vector<int>> pillars = this->PillarsOf(this->NodesRound(active));
+    const std::vector<int> nodes = this->NodesRound(active);
+    this->Spread(nodes);
+    const std::vector<std::vector<int>> pillars = this->PillarsOf(nodes);
     for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
     {
       bool gained = false;
@@ -68,6 +75,76 @@ public:
   }
 
 private:
+  /**
+   * Where the cut came farther into the mesh than the next nodes are, steps of single nodes do not
+   * get out again: there the nodes behind it go along, each as far as its neighbours in the mean.
+   */
+  void Spread(const std::vector<int>& nodes)
+  {
+    DisjointSets<int> sets(this->TheBand.NumberOfNodes());
+    for (const int e : this->ElementsAt(nodes))
+    {
+      const auto& element = this->Elements[e];
+      for (int i = 1; i < element.Count; ++i)
+      {
+        sets.Unite(element.Node[0], element.Node[i]);
+      }
+    }
+    std::map<int, std::vector<int>> parts;
+    for (const int node : nodes)
+    {
+      if (!this->OnCut[node])
+      {
+        parts[sets.Find(node)].push_back(node);
+      }
+    }
+    for (const auto& part : parts)
+    {
+      this->SpreadOver(part.second);
+    }
+  }
+
+  void SpreadOver(const std::vector<int>& nodes)
+  {
+    const std::vector<int> elements = this->ElementsAt(nodes);
+    const auto [lowest, below] = this->CountBelow(elements);
+    if (lowest >= SpreadQuality)
+    {
+      return;
+    }
+    const std::vector<Vec3> from = this->PositionsOf(nodes);
+    for (int round = 0; round < SpreadRounds; ++round)
+    {
+      for (const int node : nodes)
+      {
+        this->TheMoves.Position[node] += this->WayOfNeighbours(node);
+      }
+    }
+    if (this->Settle(nodes))
+    {
+      const auto [lowestNow, belowNow] = this->CountBelow(elements);
+      if (lowestNow > lowest + this->Effort.Gain && belowNow <= below)
+      {
+        this->TellMoved(nodes);
+        return;
+      }
+    }
+    this->Place(nodes, from);
+  }
+
+  /// The lowest quality and how many are below the floor.
+  std::pair<double, int> CountBelow(const std::vector<int>& elements) const
+  {
+    std::pair<double, int> found{ this->Goal, 0 };
+    for (const int e : elements)
+    {
+      const double quality = this->Quality(e);
+      found.first = std::min(found.first, quality);
+      found.second += quality < this->Floor;
+    }
+    return found;
+  }
+
   /// Scaled Jacobian of an element.
   double Quality(int element) const
   {
@@ -315,12 +392,17 @@ private:
       return false;
     }
     this->Place(nodes, to);
+    this->TellMoved(nodes);
+    return true;
+  }
+
+  void TellMoved(const std::vector<int>& nodes)
+  {
     for (const int node : nodes)
     {
       const bool moved = this->TheMoves.Position[node] != this->TheBand.Point[node];
       this->TheMoves.Applied[node] = moved ? Correction::Relax : Correction::None;
     }
-    return true;
   }
 
   std::vector<Vec3> PositionsOf(const std::vector<int>& nodes) const

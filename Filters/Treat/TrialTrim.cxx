@@ -52,9 +52,44 @@ Choices TrialTrim::WithDemands(Choices set) const
   return set;
 }
 
+std::vector<char> TrialTrim::FindPillarsBehind(const TrimmedBand& trimmed) const
+{
+  std::vector<char> behind(this->TheBand.NumberOfNodes(), 0);
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    behind[this->TheColumns.Pillar[n]] |= trimmed.Moving[n];
+  }
+  const std::vector<char> atCut = FindCutNodes(this->TheBand, trimmed.Kept);
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    behind[this->TheColumns.Pillar[n]] &=
+      !atCut[n] && !this->TheColumns.IsOnBorder(this->TheBand, n);
+  }
+  return behind;
+}
+
+/// A pillar that has come to the cut by another decision is behind it no more.
+Choices TrialTrim::ForDecision(Choices set, const TrimmedBand& trimmed) const
+{
+  const auto inside = [](const PillarChoice& choice)
+  { return choice.Correction == CorrectionChoice::Inside; };
+  if (std::any_of(set.Corrections.begin(), set.Corrections.end(), inside))
+  {
+    const std::vector<char> behind = this->FindPillarsBehind(trimmed);
+    for (std::size_t p = 0; p < behind.size(); ++p)
+    {
+      if (!behind[p] && inside(set.Corrections[p]))
+      {
+        set.Corrections[p].Correction = CorrectionChoice::AsAsked;
+      }
+    }
+  }
+  return set;
+}
+
 TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal) const
 {
-  const Choices set = this->WithDemands(choices);
+  Choices set = this->WithDemands(choices);
   TrimmedBand trimmed;
   trimmed.Kept = Decide(this->TheBand, this->TheColumns, this->Shares, this->NodeStatus,
     this->Surface, this->Options.EliminationFraction, set.Fates,
@@ -67,6 +102,7 @@ TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal) con
   {
     trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept, this->NodeStatus);
   }
+  set = this->ForDecision(std::move(set), trimmed);
   trimmed.NodeMoves = MoveNodes(this->TheBand, this->TheColumns, this->Mover, trimmed.Moving,
     this->Options.CorrectionType, set.Corrections);
   if (this->Options.CorrectionType != Correction::Eliminate)
@@ -103,7 +139,7 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
     return;
   }
   const Moves before = trimmed.NodeMoves;
-  const Choices set = this->WithDemands(choices);
+  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   this->PolishTo(set, PolishedGoal, false, trimmed);
   this->PolishTo(set, PolishedOnCutGoal, true, trimmed);
   if (this->Quality.FindInvalid(trimmed).size() > trimmed.Invalid.size())
@@ -140,14 +176,19 @@ void TrialTrim::RelaxRound(const Choices& set, const std::vector<char>& active, 
       elements[e] = { final.Count, final.Node };
     }
   }
-  std::vector<char> onCut = FindCutNodes(this->TheBand, trimmed.Kept);
+  std::vector<char> onCut = FindBoundaryNodes(this->TheBand, trimmed);
   std::vector<char> fixed(this->TheBand.NumberOfNodes(), 0);
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
+    const auto choice = set.Corrections[this->TheColumns.Pillar[n]].Correction;
+    if (choice == CorrectionChoice::Inside)
+    {
+      continue;
+    }
     const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
     onCut[n] = onCut[n] || (trimmed.Moving[n] && corrected);
     fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
-      set.Corrections[this->TheColumns.Pillar[n]].Correction == CorrectionChoice::Leave;
+      choice == CorrectionChoice::Leave;
   }
   Relax(this->TheBand, this->Mover, elements, active, fixed, onCut,
     { quality, this->Options.QualityFloor, effort }, trimmed.NodeMoves);

@@ -1,5 +1,7 @@
 #include "TrimmedBand.h"
 
+#include "Decision.h"
+
 #include <algorithm>
 
 namespace trim
@@ -11,6 +13,19 @@ const ReplacedElement* FindWedge(const TrimmedBand& trimmed, int element)
   const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), element,
     [](const ReplacedElement& w, int e) { return w.Element < e; });
   return wedge != wedges.end() && wedge->Element == element ? &*wedge : nullptr;
+}
+
+std::vector<char> FindBoundaryNodes(const Band& band, const TrimmedBand& trimmed)
+{
+  std::vector<char> ofBoundary = FindCutNodes(band, trimmed.Kept);
+  for (const auto& wedge : trimmed.Treated.Wedges)
+  {
+    for (const int corner : { 0, 2, 3, 5 })
+    {
+      ofBoundary[wedge.Node[corner]] = 1;
+    }
+  }
+  return ofBoundary;
 }
 
 std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed)

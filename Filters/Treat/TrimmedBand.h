@@ -51,6 +51,10 @@ FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int elemen
 /// The wedge that an element became, or null.
 const ReplacedElement* FindWedge(const TrimmedBand& trimmed, int element);
 
+/// Nodes of the new boundary: of facets between kept and eliminated elements, and of those that
+/// wedges have where they dropped an edge.
+std::vector<char> FindBoundaryNodes(const Band& band, const TrimmedBand& trimmed);
+
 /// How many kept elements use each band node, with the nodes that wedges dropped left out.
 std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed);
 

@@ -65,9 +65,12 @@ public:
       {
         break;
       }
-      for (const int column : bad)
+      if (!this->TakeInside(trimmed, bad))
       {
-        this->StepUp(trimmed, column);
+        for (const int column : bad)
+        {
+          this->StepUp(trimmed, column);
+        }
       }
       trimmed = this->Trial.Make(this->Set, this->Quality);
     }
@@ -81,13 +84,48 @@ public:
   }
 
 private:
+  /// The first rung: pillars of columns and round them that are behind the cut stay there; false if
+  /// there are no others.
+  bool TakeInside(const TrimmedBand& trimmed, const std::vector<int>& columns)
+  {
+    const std::vector<char> behind = this->Trial.FindPillarsBehind(trimmed);
+    bool changed = false;
+    const auto take = [&](int e)
+    {
+      const auto& element = this->TheBand.Elements[e];
+      for (int i = 0; i < element.Count; ++i)
+      {
+        const int pillar = this->TheColumns.Pillar[element.Node[i]];
+        auto& set = this->Set.Corrections[pillar];
+        if (behind[pillar] && set.Correction < CorrectionChoice::Leave)
+        {
+          set = { CorrectionChoice::Inside, 0.0 };
+          changed = true;
+        }
+      }
+    };
+    for (const int column : columns)
+    {
+      const auto& element = this->TheBand.Elements[column];
+      for (int i = 0; i < element.Count; ++i)
+      {
+        for (const int e : this->TheBand.ElementsOfNode(element.Node[i]))
+        {
+          take(e);
+        }
+      }
+    }
+    return changed;
+  }
+
   /// Nodes of the new boundary that are not on the surface.
   int CountLeft(const TrimmedBand& trimmed) const
   {
     int left = 0;
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
-      left += trimmed.NodeMoves.Left[n];
+      left += trimmed.NodeMoves.Left[n] &&
+        this->Set.Corrections[this->TheColumns.Pillar[n]].Correction != CorrectionChoice::Inside;
     }
     return left;
   }
@@ -100,6 +138,7 @@ private:
     {
       this->TryForFloor(trimmed);
     }
+    this->TakeInsideForFloor(trimmed);
     std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
     for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
     {
@@ -116,6 +155,25 @@ private:
       tried[column] = 1;
       // Where many are below, other fates would not end it.
       this->RaiseColumn(trimmed, column, below.size() <= MostFloorTrials);
+    }
+  }
+
+  /// The first rung for columns below the floor, on to their neighbours as long as it helps.
+  void TakeInsideForFloor(TrimmedBand& trimmed)
+  {
+    for (int round = 0; round < MostFloorTrials; ++round)
+    {
+      const Choices before = this->Set;
+      std::vector<int> columns;
+      for (const int e : this->Quality.FindBelowFloor(trimmed))
+      {
+        AddUnique(columns, this->TheColumns.Column[e]);
+      }
+      if (!this->TakeInside(trimmed, columns) || !this->TryForFloor(trimmed))
+      {
+        this->Set = before;
+        return;
+      }
     }
   }
 
@@ -438,6 +496,13 @@ private:
     return any;
   }
 
+  /// Another correction for a pillar, if it is not behind the cut.
+  void Turn(int pillar, CorrectionChoice choice)
+  {
+    auto& set = this->Set.Corrections[pillar].Correction;
+    set = set == CorrectionChoice::Inside ? set : choice;
+  }
+
   /// Undoes the rung that did not help and takes the next one.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
@@ -470,13 +535,12 @@ private:
           [&](int pillar)
           {
             this->Set.Treatments[pillar] = TreatmentChoice::AsAsked;
-            this->Set.Corrections[pillar].Correction = CorrectionChoice::Other;
+            this->Turn(pillar, CorrectionChoice::Other);
           });
         return;
       case Rung::Correction:
-        this->ForMovingPillars(trimmed, column,
-          [&](int pillar)
-          { this->Set.Corrections[pillar].Correction = CorrectionChoice::AsAsked; });
+        this->ForMovingPillars(
+          trimmed, column, [&](int pillar) { this->Turn(pillar, CorrectionChoice::AsAsked); });
         this->Rungs[column] = Rung::Fate;
         if (this->Set.Fates[column] == Fate::ByVolume &&
           this->Shares.Column[column] >= SmallestShare)

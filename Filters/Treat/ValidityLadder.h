@@ -4,10 +4,11 @@
  * become invalid, until every touched element is valid and at the quality floor.
  *
  * First the nodes round a bad element are relaxed. The rungs, climbed column by column where
- * that does not do: the other pentahedral treatment, the other correction, the column's other
- * fate, and at last nodes left off the surface: where they were for elements that are invalid,
- * a part of their way for elements below the floor. What came below the floor is exempt. At the
- * end everything is relaxed once more, to a higher goal that binds nobody.
+ * that does not do: nodes beyond the surface that are not at the cut stay behind it; the other
+ * pentahedral treatment, the other correction, the column's other fate, and at last nodes left off
+ * the surface: where they were for elements that are invalid, a part of their way for elements
+ * below the floor. What came below the floor is exempt. At the end everything is relaxed once more,
+ * to a higher goal that binds nobody.
  */
 #ifndef ValidityLadder_h
 #define ValidityLadder_h

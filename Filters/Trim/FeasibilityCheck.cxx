@@ -364,14 +364,10 @@ private:
         return false;
       }
     }
-    for (const int f : near.Mesh.FacesOfNode(node))
-    {
-      if (near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f))
-      {
-        return false;
-      }
-    }
-    return true;
+    // Under a surface that leans by more than an element, nodes beyond it go behind the cut.
+    const bool wentBehind = near.Trimmed.NodeMoves.Applied[node] == Correction::Relax &&
+      this->Surface.ClosestPoint(near.Trimmed.NodeMoves.Position[node]).SignedDistance < 0.0;
+    return !wentBehind && !near.Structure.IsOnBorder(near.Mesh, node);
   }
 
   /// Edges near enough to the surface to be crossed: it is nowhere nearer to a node than its foot.

@@ -60,6 +60,7 @@ std::vector<std::pair<int, float>> FindNodesLeft(
 {
   std::vector<std::pair<int, float>> left;
   const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
+  const std::vector<char> atCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
   const auto& moves = near.Trimmed.NodeMoves;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
@@ -67,10 +68,12 @@ std::vector<std::pair<int, float>> FindNodesLeft(
     {
       continue;
     }
-    const double distance = surface.ClosestPoint(moves.Position[n]).Distance;
-    if (distance > StoredPrecision(near.Mesh, n, precision))
+    const auto foot = surface.ClosestPoint(moves.Position[n]);
+    const bool inside =
+      !atCut[n] && !near.Structure.IsOnBorder(near.Mesh, n) && foot.SignedDistance < 0.0;
+    if (!inside && foot.Distance > StoredPrecision(near.Mesh, n, precision))
     {
-      left.emplace_back(n, static_cast<float>(distance));
+      left.emplace_back(n, static_cast<float>(foot.Distance));
     }
   }
   return left;
@@ -104,11 +107,8 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
   std::vector<std::pair<int, bool>> lost;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
-    const auto faces = near.Mesh.FacesOfNode(n);
-    const bool border = std::any_of(faces.begin(), faces.end(),
-      [&near](int f)
-      { return near.Mesh.Faces[f].Exterior && !near.Structure.IsLayerFace(near.Mesh, f); });
-    if (!border || users[n] == 0 || near.Trimmed.NodeMoves.Applied[n] == Correction::None)
+    if (!near.Structure.IsOnBorder(near.Mesh, n) || users[n] == 0 ||
+      near.Trimmed.NodeMoves.Applied[n] == Correction::None)
     {
       continue;
     }

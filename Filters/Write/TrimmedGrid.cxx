@@ -169,7 +169,7 @@ void SummariseTouched(const TrimResult& result, Summary& summary)
 double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& surface)
 {
   const auto& near = *result.Near;
-  const std::vector<char> onCut = FindCutNodes(near.Mesh, near.Trimmed.Kept);
+  const std::vector<char> onCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
   const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
   double largest = 0.0;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)

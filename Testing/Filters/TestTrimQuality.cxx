@@ -75,6 +75,31 @@ void CheckTargets()
   }
 }
 
+/// A cut that leans by more than an element from skin to skin: nodes in the second row lie beyond
+/// it, and have to come behind the first.
+void CheckThickSheets()
+{
+  const double h = 100.0 / 350;
+  const Mesh thick = Sheet(80, 80, 2, Vec3(h, h, 0.4));
+  for (const double degrees : { 30.0, 38.7, 45.0 })
+  {
+    Placement at;
+    at.X = at.Y = at.Angle = 0;
+    at.Size = 0.6;
+    at.Lean = degrees * M_PI / 180;
+    for (const char* kind : { "cylinder", "plane" })
+    {
+      const std::string what = std::string(kind) + ", leaning by " + std::to_string(degrees);
+      const Surface cut = MakeSurface(kind, thick.Box, at);
+      Expect(LowestOf(thick, cut, false, what.c_str()) >= 0.5, "thick sheet: 0.5");
+      Report report(what);
+      JudgeBothSides(thick, cut, TrimOptions(), report);
+      Expect(report.Failures() == 0, "thick sheet: judged");
+      Expect(report.Notes().empty(), "thick sheet: nodes left off");
+    }
+  }
+}
+
 /// What one trim by a leaning cylinder says of itself and of its nodes.
 struct Trimmed
 {
@@ -123,6 +148,7 @@ Trimmed TrimAt(double floor)
 int main()
 {
   CheckTargets();
+  CheckThickSheets();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",

@@ -223,11 +223,16 @@ void CheckBoundary(const Evidence& e, Report& report)
       {
         continue;
       }
-      const double d = std::abs(e.Signed(e.Out.Points[p]));
+      const double signedDistance = e.Signed(e.Out.Points[p]);
+      const double d = std::abs(signedDistance);
       const auto place = e.Border.PlaceOf(e.PointOf[p]);
       const bool corner = place == Exterior::Place::Corner ||
         (place == Exterior::Place::Ridge && !skin[e.PointOf[p]]);
       const double left = distanceLeft ? distanceLeft->GetComponent(p, 0) : 0;
+      if (!e.OnNewBoundary[p] && left == 0 && signedDistance < -e.Exact && e.Moved(p))
+      {
+        continue; // behind the cut: it came to lie inside
+      }
       if (!(std::abs(left - (d <= e.Exact ? 0 : d)) <= 1e-6 * d + e.Exact))
       {
         report.Fail("DistanceLeft", Point(p), left, d);
