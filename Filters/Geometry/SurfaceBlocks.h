@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 
 namespace nurbs
@@ -36,6 +37,15 @@ struct alignas(64) SurfaceBlock
   Vec2 Middle, Width; ///< in (u, v)
   int Face;
 
+  /// Edges of the skew box, so that a point with bounds b is Center + edges b.
+  Eigen::Matrix3f Edges() const
+  {
+    Eigen::Matrix3f edges;
+    edges.col(0) = this->X * (std::hypot(this->Xv, this->Yv) / this->Yv);
+    edges.col(1) = this->Y + this->X * (this->Xv / this->Yv);
+    edges.col(2) = this->Z;
+    return edges;
+  }
   Eigen::Vector3f AcrossV() const { return (this->Yv * this->X - this->Xv * this->Y).normalized(); }
 };
 

@@ -1,0 +1,219 @@
+/// @file BlockClearance.cxx
+/// @brief How near a point has to be so that a foot in a block is the closest point.
+#include "SurfaceBlocks.h"
+
+#include "SurfaceModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nurbs
+{
+
+BlockReach SurfaceBlocks::ReachOf(const SurfaceModel& model, int index) const
+{
+  Certificate& known = this->Certificates[index];
+  if (known.Tilt.load(std::memory_order_acquire) < 0)
+  {
+    // Two threads may do the same work, but they find the same.
+    const BlockReach reach = this->MeasureReach(model, index);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      known.Cost[axis].store(reach.Cost[axis], std::memory_order_relaxed);
+    }
+    known.Radius.store(reach.Radius, std::memory_order_relaxed);
+    known.Tilt.store(reach.Tilt, std::memory_order_release);
+    return reach;
+  }
+  BlockReach reach;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    reach.Cost[axis] = known.Cost[axis].load(std::memory_order_relaxed);
+  }
+  reach.Radius = known.Radius.load(std::memory_order_relaxed);
+  reach.Tilt = known.Tilt.load(std::memory_order_relaxed);
+  return reach;
+}
+
+double SurfaceBlocks::ClearanceOf(const SurfaceModel& model, int index) const
+{
+  std::atomic<float>& known = this->Certificates[index].Clearance;
+  float clearance = known.load(std::memory_order_relaxed);
+  if (clearance < 0)
+  {
+    // Each ring proves its own distance: a wide one keeps others off, a narrow one is more convex.
+    double best = 0;
+    for (double ring : { 0.0, 0.5, 1.0 })
+    {
+      best = std::max(best, this->MeasureClearance(model, index, ring));
+    }
+    clearance = static_cast<float>(0.999 * best);
+    known.store(clearance, std::memory_order_relaxed);
+  }
+  return clearance;
+}
+
+namespace
+{
+
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+/// Extents of a block along unit vectors from the centre of another.
+struct Extents
+{
+  Eigen::Vector3f Middle, Half;
+  Extents(const SurfaceBlock& frame, const Eigen::Vector3f& firstAxis, const SurfaceBlock& other)
+  {
+    const Eigen::Vector3f d = (other.Center - frame.Center).cast<float>();
+    const Eigen::Matrix3f edges = other.Edges();
+    const Eigen::Vector3f center = d + edges * (0.5f * (other.Low + other.High));
+    const Eigen::Vector3f half = 0.5f * (other.High - other.Low);
+    const Eigen::Vector3f* axes[3] = { &firstAxis, &frame.Y, &frame.Z };
+    const float rounding = 1e-6f * (d.norm() + (edges * half.asDiagonal()).cwiseAbs().sum());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Middle[axis] = axes[axis]->dot(center);
+      this->Half[axis] =
+        (axes[axis]->transpose() * edges).cwiseAbs().dot(half.transpose()) + rounding;
+    }
+  }
+};
+
+/// The blocks [first, last) about a block, one on either side and on as far as width.
+void FindRing(const std::vector<double>& breaks, int block, double width, int& first, int& last)
+{
+  constexpr int Most = 8;
+  const int count = static_cast<int>(breaks.size()) - 1;
+  first = std::max(0, block - 1);
+  last = std::min(count, block + 2);
+  while (first > 0 && block - first < Most && breaks[block] - breaks[first] < width)
+  {
+    --first;
+  }
+  while (last < count && last - block < Most && breaks[last] - breaks[block + 1] < width)
+  {
+    ++last;
+  }
+}
+
+/**
+ * How far from the surface a point with its foot in the block may be and still be nearer to the
+ * foot than to all of the other block. With v = Q - F and the normal n at F the sphere through Q
+ * that touches at F has the radius |v|^2 / (2 n.v).
+ */
+double FreeOf(const SurfaceBlock& block, const SurfaceBlock& other, double tilt)
+{
+  const Eigen::Vector3f first = block.AcrossV();
+  const Extents own(block, first, block), extents(block, first, other);
+  const Eigen::Vector3f offset = (extents.Middle - own.Middle).cwiseAbs();
+  const Eigen::Vector3f gap = (offset - own.Half - extents.Half).cwiseMax(0.0f);
+  const Eigen::Vector3f most = offset + own.Half + extents.Half;
+  const double across = std::max(gap.x(), gap.y());
+  const double squared = across * across + gap.z() * gap.z();
+  const Eigen::Matrix3f edges = block.Edges();
+  const double rise =
+    most.z() + tilt * (most.x() * edges.col(0).norm() + most.y() * edges.col(1).norm());
+  return std::max({ 0.5 * std::sqrt(squared), across / (1 + tilt), 0.5 * squared / rise });
+}
+
+}
+
+/// No edge, crease or trim loop runs through the blocks.
+bool SurfaceBlocks::IsSmooth(const SurfaceModel& model, int face, const BlockRange& range) const
+{
+  const Grid& grid = this->Grids[face];
+  const FaceData& data = model.Data[face];
+  const Vec2 low(grid.BreaksU[range.FirstU], grid.BreaksV[range.FirstV]);
+  const Vec2 high(grid.BreaksU[range.EndU], grid.BreaksV[range.EndV]);
+  const auto isSmooth = [](const KnotSpans& spans, double from, double to)
+  {
+    for (std::size_t k = 0; k < spans.Breaks.size(); ++k)
+    {
+      if (spans.Breaks[k] > from && spans.Breaks[k] < to && spans.Kinds[k] != SideKind::Smooth)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  return isSmooth(data.SpansU, low.x(), high.x()) && isSmooth(data.SpansV, low.y(), high.y()) &&
+    (data.Loops.Empty() || data.Loops.Classify(low, high) == TrimState::Inside);
+}
+
+/**
+ * The distance within which a foot in the block is the closest point. On the rectangle of the block
+ * and its neighbours the distance is convex as long as the point stays within the reach of each
+ * of them; all other blocks are kept off by FreeOf.
+ */
+double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, double ring) const
+{
+  const SurfaceBlock& block = this->Blocks[index];
+  const Grid& grid = this->Grids[block.Face];
+  const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
+  const double sizeU = block.Xu, sizeV = std::hypot(block.Xv, block.Yv);
+  const double wide = ring * std::max(sizeU, sizeV);
+  int i0, i1, j0, j1;
+  FindRing(grid.BreaksU, i, wide * block.Width.x() / sizeU, i0, i1);
+  FindRing(grid.BreaksV, j, wide * block.Width.y() / sizeV, j0, j1);
+  if (!this->IsSmooth(model, block.Face, { i0, i1, j0, j1 }))
+  {
+    return 0;
+  }
+  const BlockReach own = this->ReachOf(model, index);
+  double clearance = HUGE_VAL;
+  for (int n = j0; n < j1; ++n)
+  {
+    for (int m = i0; m < i1; ++m)
+    {
+      const int other = grid.First + m + n * grid.CountU;
+      const SurfaceBlock& around = this->Blocks[other];
+      const BlockReach reach = this->ReachOf(model, other);
+      const Extents extents(around, around.X, block);
+      const Eigen::Vector3f most = extents.Middle.cwiseAbs() + extents.Half;
+      if (!(reach.Cost.maxCoeff() < Infinity) || most.norm() > reach.Radius)
+      {
+        return 0;
+      }
+      // The normal at the foot in the frame of the other block.
+      const Eigen::Vector3f normal =
+        Eigen::Vector3f(std::abs(block.Z.dot(around.X)), std::abs(block.Z.dot(around.Y)), 1.0f);
+      const double rate = reach.Cost.dot(normal) + own.Tilt * reach.Cost.norm();
+      clearance = std::min(clearance, (1 - reach.Cost.dot(most)) / (rate + 1e-30));
+    }
+  }
+  const TreePoint center(block.Center);
+  const Extents extents(block, block.X, block);
+  const double radius = (extents.Middle.cwiseAbs() + extents.Half).norm();
+  std::vector<int> stack{ 0 };
+  while (!stack.empty() && clearance > 0)
+  {
+    const TreeNode& node = this->Nodes[stack.back()];
+    stack.pop_back();
+    const Eigen::Array4f distances = center.SquaredDistances(node);
+    for (int c = 0; c < 4; ++c)
+    {
+      const int child = node.Child[c];
+      if (child == TreeNode::Empty || std::sqrt(distances[c]) - radius >= 2 * clearance)
+      {
+        continue;
+      }
+      if (child >= 0)
+      {
+        stack.push_back(child);
+        continue;
+      }
+      const int other = ~child, m = (other - grid.First) % grid.CountU,
+                n = (other - grid.First) / grid.CountU;
+      const bool around =
+        this->Blocks[other].Face == block.Face && m >= i0 && m < i1 && n >= j0 && n < j1;
+      if (!around)
+      {
+        clearance = std::min(clearance, FreeOf(block, this->Blocks[other], own.Tilt));
+      }
+    }
+  }
+  return std::max(0.0, std::min(clearance, 1e30));
+}
+
+}
