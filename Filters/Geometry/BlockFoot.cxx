@@ -210,36 +210,21 @@ bool SurfaceBlocks::IsClosest(
   const auto rowOf = [&grid](int block) { return (block - grid.First) / grid.CountU; };
   const int column = columnOf(index), row = rowOf(index);
   BlockRange range{ column, column + 1, row, row + 1 };
-  const TreePoint point(p);
-  int stack[TreeStackSize];
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0)
+  const auto add = [&](int block)
   {
-    const TreeNode& node = this->Nodes[stack[--size]];
-    const Eigen::Array4f distances = point.SquaredDistances(node);
-    for (int c = 0; c < 4; ++c)
+    if (SquaredDistanceToBlock(this->Blocks[block], p) > foot.Squared)
     {
-      const int child = node.Child[c];
-      if (child == TreeNode::Empty || distances[c] > foot.Squared)
-      {
-        continue;
-      }
-      if (child >= 0)
-      {
-        stack[size++] = child;
-      }
-      else if (SquaredDistanceToBlock(this->Blocks[~child], p) <= foot.Squared)
-      {
-        if (this->Blocks[~child].Face != face)
-        {
-          return false;
-        }
-        range.Add(columnOf(~child), rowOf(~child));
-      }
+      return true;
     }
-  }
-  return this->IsSmooth(model, face, range) && this->IsConvex(model, p, foot.Point, face, range);
+    if (this->Blocks[block].Face != face)
+    {
+      return false;
+    }
+    range.Add(columnOf(block), rowOf(block));
+    return true;
+  };
+  return ForItemsNear(this->Nodes, p, foot.Squared, add) && this->IsSmooth(model, face, range) &&
+    this->IsConvex(model, p, foot.Point, face, range);
 }
 
 /// Whether the distance to p is convex over the blocks, as BlockReach tells.

@@ -118,22 +118,28 @@ struct TreePoint
 /// Deep enough for any tree: three more entries a level at most.
 constexpr int TreeStackSize = 256;
 
+/**
+ * Visits what hangs in the tree in boxes within a squared distance of p, until it is told to stop.
+ *
+ * @param visit takes the index of an item and returns false to stop.
+ * @return false if it was stopped.
+ */
 template <typename Visitor>
-void SurfaceModel::ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) const
+bool ForItemsNear(
+  const std::vector<TreeNode>& nodes, const Vec3& p, double squaredDistance, Visitor&& visit)
 {
   const TreePoint point(p);
-  const float limit = static_cast<float>(radius * radius * (1 + 1e-6));
   int stack[TreeStackSize];
   int size = 0;
   stack[size++] = 0;
   while (size > 0)
   {
-    const TreeNode& node = this->Nodes[stack[--size]];
+    const TreeNode& node = nodes[stack[--size]];
     const Eigen::Array4f distances = point.SquaredDistances(node);
     for (int c = 0; c < 4; ++c)
     {
       const int child = node.Child[c];
-      if (child == TreeNode::Empty || !(distances[c] <= limit))
+      if (child == TreeNode::Empty || !(distances[c] <= squaredDistance))
       {
         continue;
       }
@@ -141,12 +147,28 @@ void SurfaceModel::ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) 
       {
         stack[size++] = child;
       }
-      else if (SquaredDistanceToLeaf(this->LeafBoxes[~child], p) <= limit)
+      else if (!visit(~child))
       {
-        visit(this->LeafBoxes[~child].Leaf);
+        return false;
       }
     }
   }
+  return true;
+}
+
+template <typename Visitor>
+void SurfaceModel::ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) const
+{
+  const float limit = static_cast<float>(radius * radius * (1 + 1e-6));
+  ForItemsNear(this->Nodes, p, limit,
+    [&](int box)
+    {
+      if (SquaredDistanceToLeaf(this->LeafBoxes[box], p) <= limit)
+      {
+        visit(this->LeafBoxes[box].Leaf);
+      }
+      return true;
+    });
 }
 
 }

@@ -12,8 +12,6 @@ constexpr int RoundsOfFates = 4;
 constexpr int MostRounds = 24;
 /// Columns with more than this share beyond the surface are not kept for the offcut's sake.
 constexpr double LargestShare = 0.85;
-/// What elements are made to reach where no floor is asked for.
-constexpr double SmallestGoal = 0.05;
 
 /// What has to change for the invalid elements of an offcut.
 class Demander

@@ -7,8 +7,6 @@ namespace trim
 namespace
 {
 
-/// What invalid elements are relaxed to where no floor is asked for.
-constexpr double SmallestGoal = 0.05;
 /// Elements up to which the relaxation takes its time, again and again.
 constexpr int MostThorough = 40;
 /// What elements are polished to at last, as far as the nodes round them can give it, where a

@@ -32,6 +32,9 @@ struct LadderOptions
   Demands ForOffcut;
 };
 
+/// What elements are relaxed to where no floor is asked for.
+constexpr double SmallestGoal = 0.05;
+
 /// Everything the ladder may set.
 struct Choices
 {

@@ -164,11 +164,7 @@ private:
     for (int round = 0; round < MostFloorTrials; ++round)
     {
       const Choices before = this->Set;
-      std::vector<int> columns;
-      for (const int e : this->Quality.FindBelowFloor(trimmed))
-      {
-        AddUnique(columns, this->TheColumns.Column[e]);
-      }
+      const auto columns = this->ColumnsOf(this->Quality.FindBelowFloor(trimmed));
       if (!this->TakeInside(trimmed, columns) || !this->TryForFloor(trimmed))
       {
         this->Set = before;
@@ -190,12 +186,7 @@ private:
   std::vector<int> FindFewShort(const TrimmedBand& trimmed) const
   {
     const std::vector<int> below = this->Aimed.FindBelowFloor(trimmed);
-    std::vector<int> columns;
-    for (const int e : below)
-    {
-      AddUnique(columns, this->TheColumns.Column[e]);
-    }
-    return columns.size() <= MostAimedColumns ? below : std::vector<int>();
+    return this->ColumnsOf(below).size() <= MostAimedColumns ? below : std::vector<int>();
   }
 
   /// Climbs the rungs of one column until it reaches the aim.
@@ -428,11 +419,7 @@ private:
 
   std::vector<int> FindBadColumns(const TrimmedBand& trimmed) const
   {
-    std::vector<int> columns;
-    for (const int e : this->Quality.FindInvalid(trimmed))
-    {
-      columns.push_back(this->TheColumns.Column[e]);
-    }
+    std::vector<int> elements = this->Quality.FindInvalid(trimmed);
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
     {
       const auto& element = this->TheBand.Elements[e];
@@ -440,10 +427,21 @@ private:
       {
         if (trimmed.NodeMoves.Failed[element.Node[i]])
         {
-          columns.push_back(this->TheColumns.Column[e]);
+          elements.push_back(e);
           break;
         }
       }
+    }
+    return this->ColumnsOf(elements);
+  }
+
+  /// The columns of elements, each once, ascending.
+  std::vector<int> ColumnsOf(const std::vector<int>& elements) const
+  {
+    std::vector<int> columns;
+    for (const int e : elements)
+    {
+      columns.push_back(this->TheColumns.Column[e]);
     }
     std::sort(columns.begin(), columns.end());
     columns.erase(std::unique(columns.begin(), columns.end()), columns.end());

@@ -100,22 +100,21 @@ bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   return node.Status == NodeEliminate;
 }
 
-void TurnStatuses(NodeClassification& nodes)
+void TurnSides(std::vector<unsigned char>& statuses)
 {
-  for (auto& status : nodes.Status)
+  for (auto& status : statuses)
   {
-    if (status != NodeOnSurface)
+    if (status == NodeKeep || status == NodeEliminate)
     {
       status = static_cast<unsigned char>(status == NodeKeep ? NodeEliminate : NodeKeep);
     }
   }
-  for (auto& side : nodes.PatchSide)
-  {
-    if (side != NodeUnknown)
-    {
-      side = static_cast<unsigned char>(side == NodeKeep ? NodeEliminate : NodeKeep);
-    }
-  }
+}
+
+void TurnStatuses(NodeClassification& nodes)
+{
+  TurnSides(nodes.Status);
+  TurnSides(nodes.PatchSide);
   for (auto& distance : nodes.SignedDistance)
   {
     distance = -distance;

@@ -219,50 +219,51 @@ void TestLoopsAndShells(const Mesh& mesh)
     { "trimming surface", "block 1", "weight" });
 }
 
+vtkSmartPointer<vtkUnstructuredGrid> CopyOf(const Mesh& mesh)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->DeepCopy(mesh.Grid);
+  return grid;
+}
+
 void TestGrids(const Mesh& mesh)
 {
   const auto plane = GoodPlane(mesh);
-  const auto copy = [&mesh]()
-  {
-    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    grid->DeepCopy(mesh.Grid);
-    return grid;
-  };
   Judge("no surface", mesh.Grid, nullptr, { "surface" });
   Judge("no grid", nullptr, plane, { "grid|input" });
   vtkNew<vtkUnstructuredGrid> empty;
   Judge("a grid without cells", empty, plane, { "grid", "no cells" });
 
-  auto grid = copy();
+  auto grid = CopyOf(mesh);
   grid->GetPoints()->SetPoint(17, 1, NaN, 0);
   Judge("NaN coordinate", grid, plane, { "17", "finite|nan|coordinate" });
-  grid = copy();
+  grid = CopyOf(mesh);
   grid->GetPoints()->SetPoint(5, std::numeric_limits<double>::infinity(), 0, 0);
   Judge("infinite coordinate", grid, plane, { "5", "finite|coordinate" });
 
-  grid = copy();
+  grid = CopyOf(mesh);
   const vtkIdType tetra[4] = { 0, 1, 22, 400 };
   grid->InsertNextCell(VTK_TETRA, 4, tetra);
   Judge("a tetrahedron", grid, plane,
     { "hexahedr|wedge", std::to_string(mesh.Grid->GetNumberOfCells()) });
-  grid = copy();
+  grid = CopyOf(mesh);
   const vtkIdType quad[4] = { 0, 1, 22, 21 };
   grid->InsertNextCell(VTK_QUAD, 4, quad);
   Judge("a quadrilateral", grid, plane, { "hexahedr|wedge" });
 
-  grid = copy();
+  grid = CopyOf(mesh);
   const vtkIdType wild[8] = { 0, 1, 22, 21, 357, 358, 379, 99999999 };
   grid->InsertNextCell(VTK_HEXAHEDRON, 8, wild);
   Judge("a node number out of range", grid, plane, { "99999999|point|node" });
-  grid = copy();
+  grid = CopyOf(mesh);
   const vtkIdType negative[8] = { 0, 1, 22, 21, 357, 358, 379, -4 };
   grid->InsertNextCell(VTK_HEXAHEDRON, 8, negative);
   Judge("a negative node number", grid, plane, { "-4|point|node" });
-  grid = copy();
+  grid = CopyOf(mesh);
   const vtkIdType shortOne[7] = { 0, 1, 22, 21, 357, 358, 379 };
   grid->InsertNextCell(VTK_HEXAHEDRON, 7, shortOne);
   Judge("a hexahedron of seven nodes", grid, plane, { "hexahedr|node|point" });
-  grid = copy();
+  grid = CopyOf(mesh);
   const vtkIdType repeated[8] = { 0, 1, 22, 22, 357, 358, 379, 379 };
   grid->InsertNextCell(VTK_HEXAHEDRON, 8, repeated);
   Judge("a node twice in a hexahedron", grid, plane,
@@ -272,13 +273,7 @@ void TestGrids(const Mesh& mesh)
 void TestPointsAndArrays(const Mesh& mesh)
 {
   const auto plane = GoodPlane(mesh);
-  const auto copy = [&mesh]()
-  {
-    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    grid->DeepCopy(mesh.Grid);
-    return grid;
-  };
-  auto grid = copy();
+  auto grid = CopyOf(mesh);
   vtkNew<vtkPoints> whole;
   whole->SetDataType(VTK_INT);
   whole->DeepCopy(grid->GetPoints());
@@ -291,7 +286,7 @@ void TestPointsAndArrays(const Mesh& mesh)
   grid->SetPoints(whole);
   Judge("points of whole numbers", grid, plane, { "float or double" });
 
-  grid = copy();
+  grid = CopyOf(mesh);
   vtkNew<vtkDoubleArray> tooShort;
   tooShort->SetName("thickness");
   tooShort->SetNumberOfValues(3);
@@ -299,10 +294,10 @@ void TestPointsAndArrays(const Mesh& mesh)
   grid->GetCellData()->AddArray(tooShort);
   Judge("an array of three values", grid, plane, { "thickness", "3", "corrupt" });
 
-  grid = copy();
+  grid = CopyOf(mesh);
   grid->GetPoints()->SetPoint(3, 1e200, 0, 0);
   Judge("a node beyond all bounds", grid, plane, { "1e+200", "repair" });
-  grid = copy();
+  grid = CopyOf(mesh);
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
     grid->GetPoints()->SetPoint(i, 1, 2, 3);
