@@ -22,6 +22,7 @@ add_library(NURBSTrimStages STATIC
   Correct/NodeMover.cxx
   Treat/BandQuality.cxx
   Treat/BothParts.cxx
+  Treat/CoincidentNodes.cxx
   Treat/Jacobian.cxx
   Treat/Offcut.cxx
   Treat/Pentahedra.cxx

@@ -1,5 +1,7 @@
 #include "BandQuality.h"
 
+#include "CoincidentNodes.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -17,8 +19,6 @@ constexpr double SmallestJacobian = 1e-6;
 constexpr double JacobianRounding = 1e-9;
 /// Above this share of the scaled Jacobian it had an element is as good as before.
 constexpr double SameQuality = 0.98;
-/// Two nodes nearer than this share of the element's shortest edge have become one.
-constexpr double SmallestDistanceShare = 1e-3;
 /// An element with less of its volume left has collapsed.
 constexpr double SmallestVolumeShare = 0.01;
 
@@ -76,7 +76,7 @@ bool BandQuality::IsExempt(const TrimmedBand& trimmed, int e) const
 std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
 {
   const int count = this->TheBand.NumberOfElements();
-  const std::vector<char> coincides = this->FindCoincidentNodes(trimmed);
+  const std::vector<char> coincides = FindCoincidentNodes(this->TheBand, trimmed);
   std::vector<char> invalid(count, 0);
   vtkSMPTools::For(0, count, 256,
     [&](Id begin, Id end)
@@ -95,35 +95,6 @@ std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
     }
   }
   return list;
-}
-
-/// Moved nodes that came to lie on the other end of a mesh edge, though no kept element need
-/// have both: the parts of the new boundary would touch.
-std::vector<char> BandQuality::FindCoincidentNodes(const TrimmedBand& trimmed) const
-{
-  const std::vector<int> users = CountUsers(this->TheBand, trimmed);
-  std::vector<char> coincides(this->TheBand.NumberOfNodes(), 0);
-  const auto& moves = trimmed.NodeMoves;
-  for (const auto& edge : this->TheBand.Edges)
-  {
-    const int a = edge.First;
-    const int b = edge.Second;
-    if (users[a] == 0 || users[b] == 0 ||
-      (moves.Applied[a] == Correction::None && moves.Applied[b] == Correction::None))
-    {
-      continue;
-    }
-    const double before = (this->TheBand.Point[a] - this->TheBand.Point[b]).norm();
-    const double after = (moves.Position[a] - moves.Position[b]).norm();
-    if (after < SmallestDistanceShare * before)
-    {
-      // The one that fewer elements need has to give way.
-      const bool aGives = moves.Applied[b] == Correction::None ||
-        (moves.Applied[a] != Correction::None && users[a] <= users[b]);
-      coincides[aGives ? a : b] = 1;
-    }
-  }
-  return coincides;
 }
 
 bool BandQuality::IsSpoiled(

@@ -60,7 +60,6 @@ private:
   /// Touched kept elements that are not exempt and pass a test.
   template <typename Test>
   std::vector<int> FindTouched(const TrimmedBand& trimmed, const Test& test) const;
-  std::vector<char> FindCoincidentNodes(const TrimmedBand& trimmed) const;
   bool IsSpoiled(const TrimmedBand& trimmed, int element, const std::vector<char>& coincides) const;
 
   const Band& TheBand;

@@ -35,10 +35,12 @@ std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed)
   {
     if (trimmed.Kept[e])
     {
-      const FinalElement final = FinalShape(band, trimmed, e);
-      for (int i = 0; i < final.Count; ++i)
+      const ReplacedElement* wedge = FindWedge(trimmed, e);
+      const auto& node = wedge ? wedge->Node : band.Elements[e].Node;
+      const int count = wedge ? 6 : band.Elements[e].Count;
+      for (int i = 0; i < count; ++i)
       {
-        ++users[final.Node[i]];
+        ++users[node[i]];
       }
     }
   }

@@ -143,6 +143,24 @@ void TestSideLostInOneLayer()
   Wrong += report.Failures() > 0;
 }
 
+// The corner of a rounded rectangle draws a node from either side of it: they must not become one,
+// though no element has both.
+void TestNodesFromBothSides()
+{
+  const Mesh mesh = Sheet(8, 6, 1, Vec3(1, 1, 0.4));
+  Placement at;
+  at.X = 0.7912;
+  at.Y = 0.5671;
+  at.Angle = 1.399;
+  at.Size = 0.2961;
+  TrimOptions options;
+  options.Optimization = 2;
+  options.MinimumScaledJacobian = 0;
+  Report report("special nodes from both sides");
+  JudgeBothSides(mesh, MakeSurface("roundrect", mesh.Box, at), options, report);
+  Wrong += report.Failures() > 0;
+}
+
 void TestKeepPoint()
 {
   const Mesh mesh = MakeMesh("sheet2");
@@ -224,6 +242,7 @@ int main()
   TestMisses();
   TestSlot();
   TestSideLostInOneLayer();
+  TestNodesFromBothSides();
   TestKeepPoint();
   TestAbort();
   TestProgress();

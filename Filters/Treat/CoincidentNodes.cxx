@@ -1,0 +1,157 @@
+#include "CoincidentNodes.h"
+
+#include <algorithm>
+
+namespace trim
+{
+namespace
+{
+
+/// How many elements may be between two nodes.
+constexpr int MostElementsBetween = 3;
+
+/// A node by its place along a line on which hardly any two of a mesh coincide.
+struct Candidate
+{
+  int Node;
+  double Place;
+  double Reach; ///< another node may be so near that it counts as the same
+};
+
+class CoincidenceSearch
+{
+public:
+  CoincidenceSearch(const Band& band, const TrimmedBand& trimmed)
+    : TheBand(band)
+    , NodeMoves(trimmed.NodeMoves)
+    , Moving(trimmed.Moving)
+    , Users(CountUsers(band, trimmed))
+  {
+  }
+
+  std::vector<char> Find() const
+  {
+    std::vector<char> coincides(this->TheBand.NumberOfNodes(), 0);
+    const std::vector<Candidate> candidates = this->Candidates();
+    for (auto a = candidates.begin(); a != candidates.end(); ++a)
+    {
+      for (auto b = a + 1; b != candidates.end() && b->Place - a->Place <= a->Reach; ++b)
+      {
+        if (this->Coincide(*a, *b) && this->AreNear(a->Node, b->Node))
+        {
+          coincides[this->GivesWay(a->Node, b->Node) ? a->Node : b->Node] = 1;
+        }
+      }
+    }
+    return coincides;
+  }
+
+private:
+  bool HasMoved(int node) const { return this->NodeMoves.Applied[node] != Correction::None; }
+
+  /// Nodes that moved, are of the new boundary, or have a neighbour that moved; by place.
+  std::vector<Candidate> Candidates() const
+  {
+    std::vector<char> chosen(this->TheBand.NumberOfNodes(), 0);
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    {
+      chosen[n] |= this->Moving[n] || this->HasMoved(n);
+      for (const int edge : this->TheBand.EdgesOfNode(n))
+      {
+        chosen[this->TheBand.OtherEnd(edge, n)] |= this->HasMoved(n);
+      }
+    }
+    const Vec3 line = Vec3(0.543, 0.712, 0.444);
+    std::vector<Candidate> candidates;
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    {
+      if (chosen[n] && this->Users[n] > 0)
+      {
+        candidates.push_back({ n, line.dot(this->NodeMoves.Position[n]), this->Reach(n) });
+      }
+    }
+    std::sort(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b)
+      { return a.Place != b.Place ? a.Place < b.Place : a.Node < b.Node; });
+    return candidates;
+  }
+
+  double Reach(int node) const
+  {
+    double longest = 0.0;
+    for (const int edge : this->TheBand.EdgesOfNode(node))
+    {
+      const int other = this->TheBand.OtherEnd(edge, node);
+      longest = std::max(longest, (this->TheBand.Point[other] - this->TheBand.Point[node]).norm());
+    }
+    return SmallestDistanceShare * longest;
+  }
+
+  bool Coincide(const Candidate& a, const Candidate& b) const
+  {
+    if (!this->HasMoved(a.Node) && !this->HasMoved(b.Node))
+    {
+      return false;
+    }
+    const double before = (this->TheBand.Point[a.Node] - this->TheBand.Point[b.Node]).norm();
+    const double after =
+      (this->NodeMoves.Position[a.Node] - this->NodeMoves.Position[b.Node]).norm();
+    return after < std::min({ SmallestDistanceShare * before, a.Reach, b.Reach });
+  }
+
+  /// Whether a few elements lead from one node to the other.
+  bool AreNear(int a, int b) const
+  {
+    std::vector<int> reached{ a };
+    for (int step = 0; step < MostElementsBetween; ++step)
+    {
+      std::vector<int> next;
+      for (const int node : reached)
+      {
+        for (const int e : this->TheBand.ElementsOfNode(node))
+        {
+          const auto& element = this->TheBand.Elements[e];
+          next.insert(next.end(), element.Node.begin(), element.Node.begin() + element.Count);
+        }
+      }
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      if (std::binary_search(next.begin(), next.end(), b))
+      {
+        return true;
+      }
+      reached = std::move(next);
+    }
+    return false;
+  }
+
+  /// Of two nodes the one that fewer elements need, or else the one that came from farther.
+  bool GivesWay(int a, int b) const
+  {
+    if (this->HasMoved(a) != this->HasMoved(b))
+    {
+      return this->HasMoved(a);
+    }
+    if (this->Users[a] != this->Users[b])
+    {
+      return this->Users[a] < this->Users[b];
+    }
+    const auto way = [this](int n)
+    { return (this->NodeMoves.Position[n] - this->TheBand.Point[n]).squaredNorm(); };
+    return way(a) != way(b) ? way(a) > way(b) : a < b;
+  }
+
+  const Band& TheBand;
+  const Moves& NodeMoves;
+  const std::vector<char>& Moving;
+  const std::vector<int> Users;
+};
+
+}
+
+std::vector<char> FindCoincidentNodes(const Band& band, const TrimmedBand& trimmed)
+{
+  return CoincidenceSearch(band, trimmed).Find();
+}
+
+}
