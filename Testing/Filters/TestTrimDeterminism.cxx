@@ -1,6 +1,9 @@
 /**
  * @file TestTrimDeterminism.cxx
- * @brief The same bits twice, from one filter run again, and with one and two threads.
+ * @brief The same bits twice, from one filter run again, and with one and several threads.
+ *
+ * TestTrimDeterminism [small|large]: many small meshes, or few that are large enough for every
+ * loop of the filter to be shared out among threads; both if there is no argument.
  */
 #include "RunTrim.h"
 
@@ -13,6 +16,7 @@
 #include <cstdlib>
 #include <set>
 #include <string>
+#include <vector>
 
 using namespace judge;
 
@@ -24,9 +28,11 @@ void Compare(const std::string& what, const Outcome& a, const Outcome& b)
 {
   const std::string trimmed = FirstDifference(a.Case.Trimmed, b.Case.Trimmed);
   const std::string whole = FirstDifference(a.Case.Whole, b.Case.Whole);
-  if (!trimmed.empty() || !whole.empty())
+  const std::string offcut = FirstDifference(a.Offcut, b.Offcut);
+  if (!trimmed.empty() || !whole.empty() || !offcut.empty())
   {
-    std::printf("FAIL %s: port 0 %s, port 1 %s\n", what.c_str(), trimmed.c_str(), whole.c_str());
+    std::printf("FAIL %s: port 0 %s, port 1 %s, port 2 %s\n", what.c_str(), trimmed.c_str(),
+      whole.c_str(), offcut.c_str());
     ++Wrong;
   }
 }
@@ -100,11 +106,35 @@ void TestChoiceOfBackend()
   expect("chosen by the environment", "Sequential");
   unsetenv("VTK_SMP_BACKEND_IN_USE");
 }
+
+/// One thread twice, and against others.
+void CompareThreads(const std::string& name, const Mesh& mesh, const Surface& surface,
+  const TrimOptions& options, const std::vector<int>& numbers)
+{
+  vtkSMPTools::SetBackend("Sequential");
+  vtkSMPTools::Initialize(1);
+  const Outcome one = RunTrim(mesh, surface, options);
+  if (!one.Clean())
+  {
+    std::printf("FAIL %s: %s\n", name.c_str(), one.Errors[0].c_str());
+    ++Wrong;
+  }
+  Compare(name + " twice", one, RunTrim(mesh, surface, options));
+  if (!vtkSMPTools::SetBackend("STDThread"))
+  {
+    std::printf("FAIL no STDThread backend\n");
+    ++Wrong;
+  }
+  for (const int threads : numbers)
+  {
+    vtkSMPTools::Initialize(threads);
+    Compare(name + " threads " + std::to_string(threads), one, RunTrim(mesh, surface, options));
+  }
+  vtkSMPTools::SetBackend("Sequential");
 }
 
-int main()
+void TestSmall()
 {
-  TestChoiceOfBackend();
   for (const char* meshName : { "sheet2", "permuted", "irregular", "block", "cup", "wedges" })
   {
     const Mesh mesh = MakeMesh(meshName);
@@ -113,27 +143,42 @@ int main()
       const Surface surface = MakeSurface(kind, mesh.Box, Placement());
       TrimOptions options;
       options.Optimization = 1;
-      const std::string name = std::string(meshName) + " " + kind;
-      vtkSMPTools::SetBackend("Sequential");
-      vtkSMPTools::Initialize(1);
-      const Outcome one = RunTrim(mesh, surface, options);
-      Compare(name + " twice", one, RunTrim(mesh, surface, options));
-      if (!vtkSMPTools::SetBackend("STDThread"))
-      {
-        std::printf("FAIL no STDThread backend\n");
-        return 1;
-      }
-      for (const int threads : { 1, 2, 5 })
-      {
-        vtkSMPTools::Initialize(threads);
-        Compare(name + " threads " + std::to_string(threads), one, RunTrim(mesh, surface, options));
-      }
-      vtkSMPTools::SetBackend("Sequential");
+      CompareThreads(std::string(meshName) + " " + kind, mesh, surface, options, { 1, 2, 5 });
     }
     Placement other;
     other.X = -0.3;
     TestRerun(
       mesh, MakeSurface("plane", mesh.Box, other), MakeSurface("scurve", mesh.Box, Placement()));
+  }
+}
+
+void TestLarge()
+{
+  for (const bool permuted : { false, true })
+  {
+    MeshOptions numbering;
+    numbering.Permuted = permuted;
+    // More than 100 000 elements, the largest share of a thread.
+    const Mesh mesh = Sheet(260, 200, 2, Vec3(1, 1, 0.4), numbering);
+    TrimOptions options;
+    options.ProduceOffcut = permuted;
+    CompareThreads(permuted ? "large, permuted" : "large", mesh,
+      MakeSurface("wavy", mesh.Box, Placement()), options, { 2, 5 });
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string part = argc > 1 ? argv[1] : "";
+  if (part != "large")
+  {
+    TestChoiceOfBackend();
+    TestSmall();
+  }
+  if (part != "small")
+  {
+    TestLarge();
   }
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
