@@ -287,8 +287,8 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
   NodeClassification& result, std::string& error)
 {
   result = NodeClassification{};
-  result.Status.assign(mesh.NumberOfPoints, NodeUnknown);
-  result.SignedDistance.assign(mesh.NumberOfPoints, std::numeric_limits<float>::quiet_NaN());
+  result.Status.resize(mesh.NumberOfPoints);
+  std::fill(result.Status.begin(), result.Status.end(), static_cast<unsigned char>(NodeUnknown));
   result.CandidateCells = FindCells(
     mesh, blocks, [&surface](const Box3& box) { return surface.MayIntersect(box); },
     CellSearch::EachCell);
@@ -301,7 +301,7 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
     result.Status[near.Ids[i]] = StatusFromFoot(foot, tolerance);
     if (foot.Kind == FootKind::Interior)
     {
-      result.SignedDistance[near.Ids[i]] = static_cast<float>(foot.SignedDistance);
+      result.SignedDistances.emplace_back(near.Ids[i], static_cast<float>(foot.SignedDistance));
     }
   }
   ShareProjections(piece, result);

@@ -13,11 +13,13 @@
 
 #include "HexMesh.h"
 #include "MeshBlocks.h"
+#include "PageVector.h"
 #include "Status.h"
 
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -41,9 +43,9 @@ struct Piece;
 
 struct NodeClassification
 {
-  std::vector<unsigned char> Status; ///< of every node
-  std::vector<float> SignedDistance; ///< NaN where the node was not projected
-  std::vector<Id> CandidateCells;    ///< whose boxes meet the surface, ascending
+  PageVector<unsigned char> Status;                  ///< of every node
+  std::vector<std::pair<Id, float>> SignedDistances; ///< of nodes that were projected, ascending
+  std::vector<Id> CandidateCells;                    ///< whose boxes meet the surface, ascending
   /// Of each run of MeshBlocks::CellsPerPatch cells: the side of all its cells, if that is known.
   std::vector<unsigned char> PatchSide;
   NodeFeet Near; ///< of the nodes of CandidateCells

@@ -11,11 +11,9 @@
 
 #include "DisjointSets.h"
 #include "MeshBlocks.h"
+#include "PageVector.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <memory>
-#include <new>
 #include <vector>
 
 namespace trim
@@ -30,16 +28,10 @@ public:
     : Mesh(mesh)
     , Blocks(blocks)
     , IsFar(blocks.IsPatch)
-    , Number(static_cast<Index*>(
-               std::calloc(static_cast<std::size_t>(mesh.NumberOfPoints) + 1, sizeof(Index))),
-        &std::free)
+    , Number(mesh.NumberOfPoints)
     , Count(static_cast<Index>(blocks.IsPatch.size()))
     , Sets(0)
   {
-    if (!this->Number)
-    {
-      throw std::bad_alloc();
-    }
     for (const Id c : candidates)
     {
       this->IsFar[c / MeshBlocks::CellsPerPatch] = 0;
@@ -177,8 +169,8 @@ private:
 
   const HexMesh& Mesh;
   const MeshBlocks& Blocks;
-  std::vector<char> IsFar;                               ///< of each run of cells
-  std::unique_ptr<Index[], decltype(&std::free)> Number; ///< of single nodes
+  std::vector<char> IsFar;  ///< of each run of cells
+  PageVector<Index> Number; ///< of single nodes
   Index Count;
   DisjointSets<Index> Sets;
 };

@@ -3,10 +3,7 @@
 #include "Band.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
-#include <memory>
-#include <new>
 #include <utility>
 
 namespace trim
@@ -27,20 +24,13 @@ struct NearMesh
   std::vector<Id> Nodes;
   std::vector<std::array<int, 8>> Cells;
   std::vector<int> Counts;
-  /// Number of each node of the mesh plus one, 0: it has none. From calloc, so that no memory is
-  /// touched far from the cut.
-  std::unique_ptr<int[], decltype(&std::free)> Number{ nullptr, &std::free };
+  PageVector<int> Number; ///< of each node of the mesh plus one, 0: it has none
 };
 
 NearMesh TakeNearMesh(const HexMesh& mesh, const std::vector<Id>& near)
 {
   NearMesh taken;
-  const auto points = static_cast<std::size_t>(mesh.NumberOfPoints);
-  taken.Number.reset(static_cast<int*>(std::calloc(points + 1, sizeof(int))));
-  if (!taken.Number)
-  {
-    throw std::bad_alloc();
-  }
+  taken.Number.resize(mesh.NumberOfPoints);
   taken.Cells.resize(near.size());
   taken.Counts.resize(near.size());
   std::array<Id, 8> nodes;
@@ -239,8 +229,8 @@ std::vector<int> OrderCells(const BandCells& band)
 }
 
 BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
-  const std::vector<Id>& near, int rings, const std::vector<unsigned char>& nodeStatus,
-  const std::vector<unsigned char>& elementStatus, const SpreadRing& spread)
+  const std::vector<Id>& near, int rings, const PageVector<unsigned char>& nodeStatus,
+  const PageVector<unsigned char>& elementStatus, const SpreadRing& spread)
 {
   const NearMesh nearMesh = TakeNearMesh(mesh, near);
   std::vector<int> seedCells;

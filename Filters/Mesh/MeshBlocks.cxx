@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace trim
 {
@@ -52,25 +51,23 @@ int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points)
 namespace
 {
 
-void Lower(std::atomic<int>& value, int other)
+/// Raises a value to another, and returns whether it was zero; `alone`: no other thread does so.
+bool Raise(std::atomic<int>& value, int other, bool alone)
 {
   int seen = value.load(std::memory_order_relaxed);
-  while (other < seen && !value.compare_exchange_weak(seen, other, std::memory_order_relaxed))
+  if (other > seen && alone)
   {
+    value.store(other, std::memory_order_relaxed);
+    return seen == 0;
   }
-}
-
-void PrepareNodes(const HexMesh& mesh, MeshBlocks& blocks)
-{
-  blocks.RunOfNode.reset(new std::atomic<int>[mesh.NumberOfPoints]);
-  vtkSMPTools::For(0, mesh.NumberOfPoints, 100000,
-    [&blocks](Id begin, Id end)
+  while (other > seen)
+  {
+    if (value.compare_exchange_weak(seen, other, std::memory_order_relaxed))
     {
-      for (Id p = begin; p < end; ++p)
-      {
-        blocks.RunOfNode[p].store(MeshBlocks::NoRun, std::memory_order_relaxed);
-      }
-    });
+      return seen == 0;
+    }
+  }
+  return false;
 }
 
 /// The earlier runs that a patch shares nodes with.
@@ -78,7 +75,8 @@ void LinkPatch(
   const HexMesh& mesh, const MeshBlocks& blocks, int run, std::vector<std::pair<int, int>>& links)
 {
   const std::size_t own = links.size();
-  int seen = run; // the last one linked, which most nodes after it belong to
+  std::array<int, 8> seen; // at each corner of the cell before, as most are the same
+  seen.fill(run);
   std::array<Id, 8> nodes;
   const Id last = std::min(mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerPatch);
   for (Id c = run * MeshBlocks::CellsPerPatch; c < last; ++c)
@@ -87,11 +85,11 @@ void LinkPatch(
     for (int i = 0; i < count; ++i)
     {
       const int first = blocks.FirstRunOf(nodes[i]);
-      if (first == run || first == seen)
+      if (first == run || first == seen[i])
       {
         continue;
       }
-      seen = first;
+      seen[i] = first;
       const std::pair<int, int> link(run, first);
       if (std::find(links.begin() + own, links.end(), link) == links.end())
       {
@@ -121,6 +119,10 @@ void LinkPatches(const HexMesh& mesh, MeshBlocks& blocks)
   {
     blocks.Links.insert(blocks.Links.end(), list.begin(), list.end());
   }
+}
+
+void FindUnusedNodes(const HexMesh& mesh, MeshBlocks& blocks)
+{
   for (Id p = 0; p < mesh.NumberOfPoints; ++p)
   {
     if (blocks.FirstRunOf(p) == MeshBlocks::NoRun)
@@ -136,82 +138,161 @@ bool ShareNode(const std::array<Id, 8>& a, int countA, const std::array<Id, 8>& 
     a.begin() + countA;
 }
 
-/// A short run of cells. All of it is read before anything is computed: places that were stored a
-/// moment ago are slow to be read in pairs.
-struct CellRun
+/// Whether a block's cells continue patches, and the first patch of their nodes; returns how many
+/// nodes had none.
+Id JoinBlock(const HexMesh& mesh, Id block, bool alone, MeshBlocks& blocks)
 {
-  std::array<std::array<Id, 8>, MeshBlocks::CellsPerRun> Nodes;
-  std::array<ElementPoints, MeshBlocks::CellsPerRun> Points;
-  std::array<int, MeshBlocks::CellsPerRun> Count;
-  Id First = 0;
-  int Size = 0;
-
-  void Read(const HexMesh& mesh, Id first, Id end)
+  const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
+  std::array<Id, 8> nodes{}, before{};
+  int countBefore = 0;
+  Id fresh = 0;
+  for (Id c = MeshBlocks::FirstCell(block); c < last; ++c)
   {
-    this->First = first;
-    this->Size = static_cast<int>(std::min(end - first, MeshBlocks::CellsPerRun));
-    for (int k = 0; k < this->Size; ++k)
-    {
-      this->Count[k] = mesh.Cell(first + k, this->Nodes[k]);
-      for (int i = 0; i < this->Count[k]; ++i)
-      {
-        this->Points[k][i] = mesh.Point(this->Nodes[k][i]);
-      }
-    }
-  }
-};
-
-/// Whether a run's cells continue a patch, and the first patch of their nodes.
-void JoinRun(const CellRun& cells, std::array<Id, 8>& before, int& countBefore, MeshBlocks& blocks)
-{
-  const Id patch = cells.First / MeshBlocks::CellsPerPatch;
-  for (int k = 0; k < cells.Size; ++k)
-  {
-    const auto& nodes = cells.Nodes[k];
-    const int count = cells.Count[k];
+    const int count = mesh.Cell(c, nodes);
+    const Id patch = c / MeshBlocks::CellsPerPatch;
+    const int place = MeshBlocks::NoRun - static_cast<int>(patch);
     for (int i = 0; i < count; ++i)
     {
-      Lower(blocks.RunOfNode[nodes[i]], static_cast<int>(patch));
+      fresh += Raise(blocks.RunOfNode[nodes[i]], place, alone);
     }
-    blocks.IsPatch[patch] &= (cells.First + k) % MeshBlocks::CellsPerPatch == 0 ||
-      ShareNode(nodes, count, before, countBefore);
+    blocks.IsPatch[patch] &=
+      c % MeshBlocks::CellsPerPatch == 0 || ShareNode(nodes, count, before, countBefore);
     before = nodes;
     countBefore = count;
   }
+  return fresh;
 }
 
-/// Volumes of a run's cells; returns the box of all.
-Box3 MeasureRun(const CellRun& cells, MeshBlocks& blocks, double& largest)
+/// A coordinate of two cells.
+using Two = Eigen::Array2d;
+
+/// A point of each of two cells.
+struct TwoPoints
 {
-  Box3 run;
-  for (int k = 0; k < cells.Size; ++k)
+  Two X, Y, Z;
+
+  friend TwoPoints operator-(const TwoPoints& a, const TwoPoints& b)
   {
-    Box3 box;
-    for (int i = 0; i < cells.Count[k]; ++i)
-    {
-      box.extend(cells.Points[k][i]);
-    }
-    blocks.Volumes[cells.First + k] = std::abs(VolumeOf(cells.Points[k], cells.Count[k]));
-    largest = std::max(largest, box.diagonal().squaredNorm());
-    run.extend(box);
+    return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
   }
-  return run;
+  friend TwoPoints operator+(const TwoPoints& a, const TwoPoints& b)
+  {
+    return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };
+  }
+};
+
+Two Determinant(const TwoPoints& a, const TwoPoints& b, const TwoPoints& c)
+{
+  return (a.Y * b.Z - a.Z * b.Y) * c.X + (a.Z * b.X - a.X * b.Z) * c.Y +
+    (a.X * b.Y - a.Y * b.X) * c.Z;
 }
 
-/// What one block of cells tells.
-void MeasureBlock(const HexMesh& mesh, Id block, MeshBlocks& blocks, double& largest)
+/// What is found of the cells of a run.
+struct RunSize
+{
+  Two Low[3], High[3]; ///< the boxes of the first and of the second cells of pairs
+  Two Diagonal{ 0.0, 0.0 };
+
+  RunSize()
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Low[k].setConstant(std::numeric_limits<double>::max());
+      this->High[k].setConstant(std::numeric_limits<double>::lowest());
+    }
+  }
+  void Add(const Two (&low)[3], const Two (&high)[3])
+  {
+    Two squared(0.0, 0.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Low[k] = this->Low[k].min(low[k]);
+      this->High[k] = this->High[k].max(high[k]);
+      squared += (high[k] - low[k]).square();
+    }
+    this->Diagonal = this->Diagonal.max(squared);
+  }
+  Box3 Box() const
+  {
+    return { Vec3(this->Low[0].minCoeff(), this->Low[1].minCoeff(), this->Low[2].minCoeff()),
+      Vec3(this->High[0].maxCoeff(), this->High[1].maxCoeff(), this->High[2].maxCoeff()) };
+  }
+};
+
+/// Two hexahedra side by side, so that the processor computes both at once; returns the volumes.
+template <typename Coordinate>
+Two MeasureHexahedra(const Coordinate* points, const std::array<Id, 8>& nodesA,
+  const std::array<Id, 8>& nodesB, RunSize& run)
+{
+  std::array<TwoPoints, 8> p;
+  for (int i = 0; i < 8; ++i)
+  {
+    const Coordinate* a = points + 3 * nodesA[i];
+    const Coordinate* b = points + 3 * nodesB[i];
+    p[i] = { Two(a[0], b[0]), Two(a[1], b[1]), Two(a[2], b[2]) };
+  }
+  Two low[3] = { p[0].X, p[0].Y, p[0].Z };
+  Two high[3] = { p[0].X, p[0].Y, p[0].Z };
+  for (int i = 1; i < 8; ++i)
+  {
+    low[0] = low[0].min(p[i].X);
+    low[1] = low[1].min(p[i].Y);
+    low[2] = low[2].min(p[i].Z);
+    high[0] = high[0].max(p[i].X);
+    high[1] = high[1].max(p[i].Y);
+    high[2] = high[2].max(p[i].Z);
+  }
+  run.Add(low, high);
+  return HexahedronVolume(p, Determinant).abs();
+}
+
+double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
+{
+  ElementPoints points;
+  const int count = PointsOfCell(mesh, cell, points);
+  const Box3 box = CellBox(mesh, cell);
+  Two low[3], high[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    low[k].setConstant(box.min()[k]);
+    high[k].setConstant(box.max()[k]);
+  }
+  run.Add(low, high);
+  return std::abs(VolumeOf(points, count));
+}
+
+/// Boxes and volumes of one block of cells.
+template <typename Coordinate>
+void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks,
+  double& largest)
 {
   const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
-  CellRun cells;
-  std::array<Id, 8> before{};
-  int countBefore = 0;
-  for (Id c = MeshBlocks::FirstCell(block); c < last; c += MeshBlocks::CellsPerRun)
+  for (Id first = MeshBlocks::FirstCell(block); first < last; first += MeshBlocks::CellsPerRun)
   {
-    cells.Read(mesh, c, last);
-    JoinRun(cells, before, countBefore, blocks);
-    const Box3 run = MeasureRun(cells, blocks, largest);
-    blocks.RunBoxes[c / MeshBlocks::CellsPerRun] = RoundOutwards(run);
-    blocks.Boxes[block].extend(run);
+    const Id end = std::min(last, first + MeshBlocks::CellsPerRun);
+    RunSize run;
+    for (Id c = first; c < end;)
+    {
+      std::array<Id, 8> a, b;
+      if (mesh.Cell(c, a) != 8)
+      {
+        blocks.Volumes[c] = MeasureWedge(mesh, c, run);
+        ++c;
+        continue;
+      }
+      const bool two = c + 1 < end && mesh.Cell(c + 1, b) == 8;
+      const Two volumes = MeasureHexahedra(points, a, two ? b : a, run);
+      blocks.Volumes[c] = volumes[0];
+      if (two)
+      {
+        blocks.Volumes[c + 1] = volumes[1];
+      }
+      c += two ? 2 : 1;
+    }
+    const Box3 box = run.Box();
+    blocks.RunBoxes[first / MeshBlocks::CellsPerRun] = RoundOutwards(box);
+    blocks.Boxes[block].extend(box);
+    largest = std::max(largest, run.Diagonal.maxCoeff());
   }
 }
 
@@ -231,17 +312,29 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
   const Id count = Divide(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
   blocks.Boxes.resize(count);
   blocks.RunBoxes.resize(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
-  blocks.Volumes.reset(new double[mesh.NumberOfCells]); // filled by all threads
+  blocks.Volumes.resize(mesh.NumberOfCells);
   blocks.IsPatch.assign(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
   std::vector<double> largest(count, 0.0);
-  PrepareNodes(mesh, blocks);
+  blocks.RunOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
+  std::atomic<Id> usedNodes{ 0 };
+  const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
   vtkSMPTools::For(0, count, 256,
     [&](Id begin, Id end)
     {
+      Id fresh = 0;
       for (Id b = begin; b < end; ++b)
       {
-        MeasureBlock(mesh, b, blocks, largest[b]);
+        fresh += JoinBlock(mesh, b, alone, blocks);
+        if (mesh.PointsDouble)
+        {
+          MeasureBlock(mesh, mesh.PointsDouble, b, blocks, largest[b]);
+        }
+        else
+        {
+          MeasureBlock(mesh, mesh.PointsFloat, b, blocks, largest[b]);
+        }
       }
+      usedNodes += fresh;
     });
   for (Id b = 0; b < count; ++b)
   {
@@ -249,6 +342,10 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
     blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, std::sqrt(largest[b]));
   }
   LinkPatches(mesh, blocks);
+  if (usedNodes < mesh.NumberOfPoints)
+  {
+    FindUnusedNodes(mesh, blocks);
+  }
   return blocks;
 }
 

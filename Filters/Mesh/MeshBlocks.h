@@ -10,6 +10,7 @@
 
 #include "HexMesh.h"
 #include "Jacobian.h"
+#include "PageVector.h"
 #include "Ranks.h"
 #include "TrimmingSurface.h"
 
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -31,23 +31,26 @@ struct MeshBlocks
   static constexpr Id CellsPerBlock = 64;
   static constexpr Id CellsPerRun = 8;
 
-  std::vector<Box3> Boxes;
-  std::vector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
-  std::unique_ptr<double[]> Volumes;         ///< of every cell, >= 0
+  PageVector<Box3> Boxes;
+  PageVector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
+  PageVector<double> Volumes;               ///< of every cell, >= 0
 
   /// Whole pieces of the mesh: runs of cells, each but the first of which shares a node with the
   /// one before. In a mesh in random order there are none.
   static constexpr Id CellsPerPatch = 16;
-  std::vector<char> IsPatch;                     ///< of each run of so many cells
-  std::unique_ptr<std::atomic<int>[]> RunOfNode; ///< see FirstRunOf
-  std::vector<std::pair<int, int>> Links;        ///< patch and a run before it with a common node
-  std::vector<Id> UnusedNodes;                   ///< ascending
+  std::vector<char> IsPatch;              ///< of each run of so many cells
+  PageVector<std::atomic<int>> RunOfNode; ///< how far its first run lies before NoRun, 0: none
+  std::vector<std::pair<int, int>> Links; ///< patch and a run before it with a common node
+  std::vector<Id> UnusedNodes;            ///< ascending
 
   Box3 Bounds;                ///< of all points used by cells
   double LargestDiagonal = 0; ///< of the boxes of single cells
 
   /// The first run of CellsPerPatch cells with a node; NoRun: no cell uses it.
-  int FirstRunOf(Id node) const { return this->RunOfNode[node].load(std::memory_order_relaxed); }
+  int FirstRunOf(Id node) const
+  {
+    return NoRun - this->RunOfNode[node].load(std::memory_order_relaxed);
+  }
   static constexpr int NoRun = std::numeric_limits<int>::max();
 
   Id NumberOfBlocks() const { return static_cast<Id>(this->Boxes.size()); }

@@ -3,6 +3,8 @@
 #include "DisjointSets.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace trim
@@ -69,14 +71,18 @@ void ShareProjections(const Piece& piece, NodeClassification& nodes)
   {
     return;
   }
+  auto& distances = nodes.SignedDistances;
+  const auto comesBefore = [](const auto& a, const auto& b) { return a.first < b.first; };
   std::vector<SentProjection> mine;
   for (std::size_t i = 0; i < piece.Shared.Local.size(); ++i)
   {
-    const Id node = piece.Shared.Local[i];
-    if (nodes.Status[node] != NodeUnknown ||
-      nodes.SignedDistance[node] == nodes.SignedDistance[node])
+    std::pair<Id, float> own(piece.Shared.Local[i], std::numeric_limits<float>::quiet_NaN());
+    const auto at = std::lower_bound(distances.begin(), distances.end(), own, comesBefore);
+    const bool projected = at != distances.end() && at->first == own.first;
+    if (nodes.Status[own.first] != NodeUnknown || projected)
     {
-      mine.push_back({ piece.Shared.Number[i], nodes.SignedDistance[node], nodes.Status[node] });
+      own.second = projected ? at->second : own.second;
+      mine.push_back({ piece.Shared.Number[i], own.second, nodes.Status[own.first] });
     }
   }
   for (const auto& sent : piece.All.Gather(mine))
@@ -85,9 +91,17 @@ void ShareProjections(const Piece& piece, NodeClassification& nodes)
     if (node >= 0)
     {
       nodes.Status[node] = sent.Status;
-      nodes.SignedDistance[node] = sent.SignedDistance;
+      if (std::isfinite(sent.SignedDistance))
+      {
+        distances.emplace_back(node, sent.SignedDistance);
+      }
     }
   }
+  // Where several ranks projected a node, they found the same.
+  std::stable_sort(distances.begin(), distances.end(), comesBefore);
+  distances.erase(std::unique(distances.begin(), distances.end(),
+                    [](const auto& a, const auto& b) { return a.first == b.first; }),
+    distances.end());
 }
 
 void ShareVotes(const Piece& piece, std::vector<NodeVote>& votes)

@@ -176,10 +176,7 @@ double VolumeOf(const ElementPoints& p, int count)
 {
   if (count == 8)
   {
-    return (Determinant(p[3] - p[1] + p[7] - p[2], p[6] - p[3], p[2] - p[0]) +
-             Determinant(p[4] - p[3] + p[5] - p[7], p[6] - p[4], p[7] - p[0]) +
-             Determinant(p[1] - p[4] + p[2] - p[5], p[6] - p[1], p[5] - p[0])) /
-      12.0;
+    return HexahedronVolume(p, Determinant);
   }
   double sum = 0.0;
   const int samples = ForIntegrationPoints(p, count, [&sum](double value) { sum += value; });

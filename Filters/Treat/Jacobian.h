@@ -35,6 +35,16 @@ JacobianRange MeasureJacobian(const ElementPoints& points, int count);
 /// cells, 1997) and for wedges.
 double VolumeOf(const ElementPoints& points, int count);
 
+/// The same of a hexahedron, for points of any kind that can be added and subtracted.
+template <typename Points, typename Determinant>
+auto HexahedronVolume(const Points& p, const Determinant& determinant)
+{
+  return (determinant(p[3] - p[1] + p[7] - p[2], p[6] - p[3], p[2] - p[0]) +
+           determinant(p[4] - p[3] + p[5] - p[7], p[6] - p[4], p[7] - p[0]) +
+           determinant(p[1] - p[4] + p[2] - p[5], p[6] - p[1], p[5] - p[0])) /
+    12.0;
+}
+
 /**
  * Verdict's scaled Jacobian: the smallest determinant of unit edge vectors over the corners,
  * for hexahedra also over the centre's; for wedges scaled so that the ideal one has 1.

@@ -100,7 +100,8 @@ bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   return node.Status == NodeEliminate;
 }
 
-void TurnSides(std::vector<unsigned char>& statuses)
+template <typename Statuses>
+void TurnSides(Statuses& statuses)
 {
   for (auto& status : statuses)
   {
@@ -115,9 +116,9 @@ void TurnStatuses(NodeClassification& nodes)
 {
   TurnSides(nodes.Status);
   TurnSides(nodes.PatchSide);
-  for (auto& distance : nodes.SignedDistance)
+  for (auto& node : nodes.SignedDistances)
   {
-    distance = -distance;
+    node.second = -node.second;
   }
   for (auto& foot : nodes.Near.Feet)
   {

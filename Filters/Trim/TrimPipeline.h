@@ -62,9 +62,9 @@ struct TrimBand
 struct TrimResult
 {
   NodeClassification Nodes;
-  std::vector<unsigned char> ElementStatus; ///< of every cell
-  std::vector<char> Kept;                   ///< final fate of every cell
-  std::unique_ptr<TrimBand> Near;           ///< null if the surface touches nothing
+  PageVector<unsigned char> ElementStatus; ///< of every cell
+  PageVector<char> Kept;                   ///< final fate of every cell
+  std::unique_ptr<TrimBand> Near;          ///< null if the surface touches nothing
   Findings Found;
   std::vector<std::string> Warnings;
   std::string Error; ///< not empty: there is no result

@@ -4,11 +4,9 @@
 #include <sys/mman.h>
 #endif
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
-#include <new>
 #include <unordered_map>
 
 namespace trim
@@ -30,41 +28,40 @@ void PreferLargePages(void* memory, std::size_t bytes)
 #endif
 }
 
-#ifdef __linux__
 namespace
 {
 
-/// The kernel's memory that is in use, with its sizes.
-struct Mapped
+/// Memory of arrays that std::free cannot free, with its sizes.
+struct InUse
 {
   std::mutex Lock;
   std::unordered_map<void*, std::size_t> Sizes;
 
   /// Never destroyed: arrays may outlive what is static.
-  static Mapped& Get()
+  static InUse& Get()
   {
-    static auto* const mapped = new Mapped;
-    return *mapped;
+    static auto* const inUse = new InUse;
+    return *inUse;
   }
 };
 
 /// VTK keeps this function for the memory that it allocates itself when such an array was emptied.
-void FreeMapped(void* memory)
+void FreeOfArray(void* memory)
 {
-  auto& mapped = Mapped::Get();
+  auto& inUse = InUse::Get();
   std::size_t size = 0;
   {
-    const std::lock_guard<std::mutex> locked(mapped.Lock);
-    const auto found = mapped.Sizes.find(memory);
-    if (found != mapped.Sizes.end())
+    const std::lock_guard<std::mutex> locked(inUse.Lock);
+    const auto found = inUse.Sizes.find(memory);
+    if (found != inUse.Sizes.end())
     {
       size = found->second;
-      mapped.Sizes.erase(found);
+      inUse.Sizes.erase(found);
     }
   }
   if (size > 0)
   {
-    munmap(memory, size);
+    FreeZeros(memory, size);
   }
   else
   {
@@ -73,32 +70,18 @@ void FreeMapped(void* memory)
 }
 
 }
-#endif
 
-Zeros AllocateZeros(std::size_t bytes)
+Zeros AllocateZerosForArray(std::size_t bytes, PageSize pages)
 {
-#ifdef __linux__
-  // Not from calloc: memory that was in use before it has to fill with zeros. Only large pieces, as
-  // the kernel does not keep many.
-  constexpr std::size_t large = std::size_t(1) << 18;
-  if (bytes >= large)
+  void* const memory = AllocateZeros(bytes, pages);
+  if (!IsMapped(bytes))
   {
-    void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory != MAP_FAILED)
-    {
-      auto& mapped = Mapped::Get();
-      const std::lock_guard<std::mutex> locked(mapped.Lock);
-      mapped.Sizes.emplace(memory, bytes);
-      return { memory, &FreeMapped };
-    }
+    return { memory, &std::free };
   }
-#endif
-  void* memory = std::calloc(std::max<std::size_t>(bytes, 1), 1);
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  return { memory, &std::free };
+  auto& inUse = InUse::Get();
+  const std::lock_guard<std::mutex> locked(inUse.Lock);
+  inUse.Sizes.emplace(memory, bytes);
+  return { memory, &FreeOfArray };
 }
 
 }

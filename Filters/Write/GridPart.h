@@ -38,7 +38,7 @@ struct GridPart
 {
   IdList Cells{ "vtkOriginalCellIds" };   ///< input ids, ascending
   IdList Points{ "vtkOriginalPointIds" }; ///< input ids, by new number
-  std::vector<int> Number; ///< of each input point: its new number, -1: it is not in the part
+  PageVector<int> Number; ///< of each input point: its new number, -1: it is not in the part
   std::vector<Id> Offset;  ///< nodes of the cells before each run of PartGrain cells, and of all
 
   Selection CellIds() const { return Selection::Ascending(this->Cells); }
@@ -72,8 +72,8 @@ void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
 {
   const Id count = part.Cells.size();
   part.Offset.assign((count + PartGrain - 1) / PartGrain + 1, 0);
-  const std::unique_ptr<std::atomic<unsigned char>[]> used(
-    new std::atomic<unsigned char>[mesh.NumberOfPoints] {});
+  static_assert(std::atomic<unsigned char>::is_always_lock_free, "zero when in new memory");
+  PageVector<std::atomic<unsigned char>> used(mesh.NumberOfPoints);
   ForRuns(count,
     [&](Id run, Id begin, Id end)
     {
@@ -94,7 +94,7 @@ void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
   {
     part.Offset[run] += part.Offset[run - 1];
   }
-  NumberFlagged(used.get(), mesh.NumberOfPoints, part);
+  NumberFlagged(used.data(), mesh.NumberOfPoints, part);
 }
 
 /// The elements of the part in its numbers.

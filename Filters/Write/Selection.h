@@ -26,7 +26,7 @@ public:
   }
 
   /// Ids in any order; number[id] is the place of an id in the output, -1: it is not there.
-  static Selection Numbered(const IdList& ids, const std::vector<int>& number)
+  static Selection Numbered(const IdList& ids, const PageVector<int>& number)
   {
     return Selection(ids.data(), ids.size(), &number);
   }
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  Selection(const Id* ids, Id count, const std::vector<int>* number)
+  Selection(const Id* ids, Id count, const PageVector<int>* number)
     : Ids(ids)
     , Count(count)
     , Number(number)
@@ -72,7 +72,7 @@ private:
 
   const Id* Ids;
   Id Count;
-  const std::vector<int>* Number;
+  const PageVector<int>* Number;
 };
 
 }

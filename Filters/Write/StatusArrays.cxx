@@ -74,12 +74,16 @@ void AddPointStatuses(
   vtkSMPTools::For(0, count, Grain,
     [&](Id begin, Id end)
     {
+      std::fill(distances + begin, distances + end, std::numeric_limits<float>::quiet_NaN());
       for (Id i = begin; i < end; ++i)
       {
         statuses[i] = result.Nodes.Status[ids[i]];
-        distances[i] = result.Nodes.SignedDistance[ids[i]];
       }
     });
+  for (const auto& node : result.Nodes.SignedDistances)
+  {
+    ids.ForPlaces(node.first, [&](Id place) { distances[place] = node.second; });
+  }
   moved.ForPlaces(ids,
     [&](Id place, int node)
     {

@@ -27,7 +27,7 @@ namespace
 /// The kept part of the mesh in the making.
 struct KeptMesh : GridPart
 {
-  std::vector<int> BandElement; ///< of each kept cell, -1 away from the cut
+  PageVector<int> BandElement; ///< of each kept cell, -1 away from the cut
 };
 
 /// Nodes of a kept cell at the cut, in input ids, with edges dropped where it became a wedge.

@@ -1,0 +1,107 @@
+#include "PageVector.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+namespace trim
+{
+#ifdef __linux__
+namespace
+{
+
+constexpr std::size_t LargePage = std::size_t(1) << 21;
+
+void* Map(std::size_t bytes)
+{
+  void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? nullptr : memory;
+}
+
+/// What is mapped for so many bytes, with the last large page if at least half of it is used.
+std::size_t SizeOfMapping(std::size_t bytes)
+{
+  constexpr std::size_t smallPage = 4096;
+  const std::size_t rest = bytes % LargePage;
+  return bytes - rest +
+    (rest >= LargePage / 2 ? LargePage : (rest + smallPage - 1) / smallPage * smallPage);
+}
+
+/// At a limit of large pages; what is whole of them is to be in such.
+void* MapLarge(std::size_t size)
+{
+  auto* const memory = static_cast<char*>(Map(size + LargePage));
+  if (!memory)
+  {
+    return nullptr;
+  }
+  const std::size_t before =
+    (LargePage - reinterpret_cast<std::uintptr_t>(memory) % LargePage) % LargePage;
+  if (before > 0)
+  {
+    munmap(memory, before);
+  }
+  munmap(memory + before + size, LargePage - before);
+#ifdef MADV_HUGEPAGE
+  madvise(memory + before, size / LargePage * LargePage, MADV_HUGEPAGE);
+#endif
+  return memory + before;
+}
+
+}
+#endif
+
+bool IsMapped(std::size_t bytes)
+{
+#ifdef __linux__
+  // What calloc takes from memory that was in use before it has to fill with zeros. Only large
+  // pieces, as the kernel does not keep many.
+  return bytes >= std::size_t(1) << 18;
+#else
+  (void)bytes;
+  return false;
+#endif
+}
+
+void* AllocateZeros(std::size_t bytes, PageSize pages)
+{
+  void* memory = nullptr;
+#ifdef __linux__
+  if (IsMapped(bytes))
+  {
+    const std::size_t size = SizeOfMapping(bytes);
+    memory = pages == PageSize::Large && size >= LargePage ? MapLarge(size) : Map(size);
+  }
+#else
+  (void)pages;
+#endif
+  if (!IsMapped(bytes))
+  {
+    memory = std::calloc(std::max<std::size_t>(bytes, 1), 1);
+  }
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
+void FreeZeros(void* memory, std::size_t bytes)
+{
+#ifdef __linux__
+  if (IsMapped(bytes))
+  {
+    munmap(memory, SizeOfMapping(bytes));
+    return;
+  }
+#else
+  (void)bytes;
+#endif
+  std::free(memory);
+}
+
+}

@@ -1,0 +1,76 @@
+/**
+ * @file PageVector.h
+ * @brief Memory for arrays with a value for every node or cell: in large pages, as far from the cut
+ * most of a trim's time is the kernel's, to hand over memory that was never touched before.
+ */
+#ifndef PageVector_h
+#define PageVector_h
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace trim
+{
+
+enum class PageSize
+{
+  Small, ///< for what is written to here and there: the rest takes no memory
+  Large  ///< for what is written to throughout; a hint
+};
+
+/// Memory that is zero, and not in use before it is written to. Throws if there is none.
+void* AllocateZeros(std::size_t bytes, PageSize pages);
+/// Whether AllocateZeros takes so much from the kernel itself; else std::free frees it.
+bool IsMapped(std::size_t bytes);
+/// Frees what AllocateZeros gave for so many bytes.
+void FreeZeros(void* memory, std::size_t bytes);
+
+/// For std::vector: elements that no value is given for are left as they are, zero in new memory.
+template <typename T>
+struct PageAllocator
+{
+  using value_type = T;
+
+  PageAllocator() = default;
+  template <typename U>
+  PageAllocator(const PageAllocator<U>&)
+  {
+  }
+  T* allocate(std::size_t count)
+  {
+    return static_cast<T*>(AllocateZeros(count * sizeof(T), PageSize::Large));
+  }
+  void deallocate(T* memory, std::size_t count) { FreeZeros(memory, count * sizeof(T)); }
+
+  template <typename U>
+  void construct(U* item)
+  {
+    ::new (static_cast<void*>(item)) U;
+  }
+  template <typename U, typename... Arguments>
+  void construct(U* item, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(item)) U(std::forward<Arguments>(arguments)...);
+  }
+  template <typename U>
+  bool operator==(const PageAllocator<U>&) const
+  {
+    return true;
+  }
+  template <typename U>
+  bool operator!=(const PageAllocator<U>&) const
+  {
+    return false;
+  }
+};
+
+/// A value for every node or cell. PageVector<T>(count) is zero, and so is resize() of an empty one.
+template <typename T>
+using PageVector = std::vector<T, PageAllocator<T>>;
+
+}
+
+#endif
