@@ -135,10 +135,10 @@ private:
     }
   }
 
-  /// Joins far patches with one another, and with the single nodes that they have.
+  /// Joins far patches with one another, and with the sets of their nodes.
   void UnitePatches()
   {
-    int done = -1; // patch whose single nodes are joined
+    int done = -1; // patch whose nodes are joined
     for (const auto& link : this->Blocks.Links)
     {
       if (!this->IsFar[link.first])
@@ -157,10 +157,7 @@ private:
           {
             for (int i = 0; i < count; ++i)
             {
-              if (this->IsSingle(nodes[i]))
-              {
-                this->Sets.Unite(Index(done), this->Number[nodes[i]]);
-              }
+              this->Sets.Unite(Index(done), this->SetOf(nodes[i]));
             }
           });
       }

@@ -51,76 +51,6 @@ int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points)
 namespace
 {
 
-/// Raises a value to another, and returns whether it was zero; `alone`: no other thread does so.
-bool Raise(std::atomic<int>& value, int other, bool alone)
-{
-  int seen = value.load(std::memory_order_relaxed);
-  if (other > seen && alone)
-  {
-    value.store(other, std::memory_order_relaxed);
-    return seen == 0;
-  }
-  while (other > seen)
-  {
-    if (value.compare_exchange_weak(seen, other, std::memory_order_relaxed))
-    {
-      return seen == 0;
-    }
-  }
-  return false;
-}
-
-/// The earlier runs that a patch shares nodes with.
-void LinkPatch(
-  const HexMesh& mesh, const MeshBlocks& blocks, int run, std::vector<std::pair<int, int>>& links)
-{
-  const std::size_t own = links.size();
-  std::array<int, 8> seen; // at each corner of the cell before, as most are the same
-  seen.fill(run);
-  std::array<Id, 8> nodes;
-  const Id last = std::min(mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerPatch);
-  for (Id c = run * MeshBlocks::CellsPerPatch; c < last; ++c)
-  {
-    const int count = mesh.Cell(c, nodes);
-    for (int i = 0; i < count; ++i)
-    {
-      const int first = blocks.FirstRunOf(nodes[i]);
-      if (first == run || first == seen[i])
-      {
-        continue;
-      }
-      seen[i] = first;
-      const std::pair<int, int> link(run, first);
-      if (std::find(links.begin() + own, links.end(), link) == links.end())
-      {
-        links.push_back(link);
-      }
-    }
-  }
-}
-
-void LinkPatches(const HexMesh& mesh, MeshBlocks& blocks)
-{
-  constexpr Id grain = 1024;
-  const auto runs = static_cast<Id>(blocks.IsPatch.size());
-  std::vector<std::vector<std::pair<int, int>>> links((runs + grain - 1) / grain);
-  vtkSMPTools::For(0, static_cast<Id>(links.size()), 1,
-    [&](Id begin, Id end)
-    {
-      for (Id run = begin * grain; run < std::min(runs, end * grain); ++run)
-      {
-        if (blocks.IsPatch[run])
-        {
-          LinkPatch(mesh, blocks, static_cast<int>(run), links[run / grain]);
-        }
-      }
-    });
-  for (const auto& list : links)
-  {
-    blocks.Links.insert(blocks.Links.end(), list.begin(), list.end());
-  }
-}
-
 void FindUnusedNodes(const HexMesh& mesh, MeshBlocks& blocks)
 {
   for (Id p = 0; p < mesh.NumberOfPoints; ++p)
@@ -138,30 +68,97 @@ bool ShareNode(const std::array<Id, 8>& a, int countA, const std::array<Id, 8>& 
     a.begin() + countA;
 }
 
-/// Whether a block's cells continue patches, and the first patch of their nodes; returns how many
-/// nodes had none.
-Id JoinBlock(const HexMesh& mesh, Id block, bool alone, MeshBlocks& blocks)
+/// Finds what joins the cells of one stretch of the mesh with the rest, while other threads do so
+/// elsewhere: which sets of nodes the links join in the end does not depend on who came first.
+class Joiner
 {
-  const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
-  std::array<Id, 8> nodes{}, before{};
-  int countBefore = 0;
-  Id fresh = 0;
-  for (Id c = MeshBlocks::FirstCell(block); c < last; ++c)
+public:
+  Joiner(const HexMesh& mesh, MeshBlocks& blocks, bool alone)
+    : Mesh(mesh)
+    , Blocks(blocks)
+    , Alone(alone)
   {
-    const int count = mesh.Cell(c, nodes);
-    const Id patch = c / MeshBlocks::CellsPerPatch;
-    const int place = MeshBlocks::NoRun - static_cast<int>(patch);
-    for (int i = 0; i < count; ++i)
-    {
-      fresh += Raise(blocks.RunOfNode[nodes[i]], place, alone);
-    }
-    blocks.IsPatch[patch] &=
-      c % MeshBlocks::CellsPerPatch == 0 || ShareNode(nodes, count, before, countBefore);
-    before = nodes;
-    countBefore = count;
   }
-  return fresh;
-}
+
+  std::vector<std::pair<int, int>> Links;
+  Id NumberOfNodes = 0; ///< that no cell had used before
+
+  void JoinPatch(int run)
+  {
+    const std::size_t first = this->Links.size();
+    const int own = MeshBlocks::NoRun - run;
+    std::array<int, 8> known; // earlier run at each corner of the cell before: most are the same
+    known.fill(own);
+    std::array<Id, 8> nodes{}, before{};
+    int countBefore = 0;
+    bool isPatch = true;
+    const Id begin = run * MeshBlocks::CellsPerPatch;
+    const Id end = std::min(this->Mesh.NumberOfCells, begin + MeshBlocks::CellsPerPatch);
+    std::atomic<int>* const runs = this->Blocks.RunOfNode.data();
+    for (Id c = begin; c < end; ++c)
+    {
+      const int count = this->Mesh.Cell(c, nodes);
+      isPatch &= c == begin || ShareNode(nodes, count, before, countBefore);
+      for (int i = 0; i < count; ++i)
+      {
+        const int seen = runs[nodes[i]].load(std::memory_order_relaxed);
+        if (seen != own && seen != known[i])
+        {
+          known[i] = this->JoinNode(runs[nodes[i]], seen, own, first);
+        }
+      }
+      before = nodes;
+      countBefore = count;
+    }
+    this->Blocks.IsPatch[run] = isPatch;
+    if (!isPatch)
+    {
+      this->Links.resize(first);
+    }
+    this->Links.insert(this->Links.end(), this->Later.begin(), this->Later.end());
+    this->Later.clear();
+  }
+
+private:
+  /// Runs are told by how far they lie before NoRun. Returns the first that the node has now.
+  int JoinNode(std::atomic<int>& node, int seen, int own, std::size_t firstLink)
+  {
+    if (this->Alone && seen == 0)
+    {
+      node.store(own, std::memory_order_relaxed);
+      ++this->NumberOfNodes;
+      return own;
+    }
+    while (own > seen && !node.compare_exchange_weak(seen, own, std::memory_order_relaxed))
+    {
+    }
+    this->NumberOfNodes += seen == 0;
+    if (seen > own)
+    {
+      this->AddLink(MeshBlocks::NoRun - own, MeshBlocks::NoRun - seen, firstLink, this->Links);
+    }
+    else if (seen != 0 && seen != own)
+    {
+      this->AddLink(MeshBlocks::NoRun - seen, MeshBlocks::NoRun - own, 0, this->Later);
+    }
+    return std::max(seen, own);
+  }
+
+  static void AddLink(
+    int run, int earlier, std::size_t first, std::vector<std::pair<int, int>>& links)
+  {
+    const std::pair<int, int> link(run, earlier);
+    if (std::find(links.begin() + first, links.end(), link) == links.end())
+    {
+      links.push_back(link);
+    }
+  }
+
+  const HexMesh& Mesh;
+  MeshBlocks& Blocks;
+  bool Alone;                             ///< no other thread is at work
+  std::vector<std::pair<int, int>> Later; ///< from runs that another thread came to first
+};
 
 /// A coordinate of two cells.
 using Two = Eigen::Array2d;
@@ -181,7 +178,7 @@ struct TwoPoints
   }
 };
 
-Two Determinant(const TwoPoints& a, const TwoPoints& b, const TwoPoints& c)
+EIGEN_ALWAYS_INLINE Two Determinant(const TwoPoints& a, const TwoPoints& b, const TwoPoints& c)
 {
   return (a.Y * b.Z - a.Z * b.Y) * c.X + (a.Z * b.X - a.X * b.Z) * c.Y +
     (a.X * b.Y - a.Y * b.X) * c.Z;
@@ -243,7 +240,9 @@ Two MeasureHexahedra(const Coordinate* points, const std::array<Id, 8>& nodesA,
     high[2] = high[2].max(p[i].Z);
   }
   run.Add(low, high);
-  return HexahedronVolume(p, Determinant).abs();
+  return HexahedronVolume(p, [](const auto& a, const auto& b, const auto& c)
+    { return Determinant(a, b, c); })
+    .abs();
 }
 
 double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
@@ -296,6 +295,25 @@ void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshB
   }
 }
 
+void MeasureAndJoin(
+  const HexMesh& mesh, Id block, MeshBlocks& blocks, Joiner& joiner, double& largest)
+{
+  constexpr Id patches = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerPatch;
+  const auto end = std::min(static_cast<Id>(blocks.IsPatch.size()), (block + 1) * patches);
+  for (Id run = block * patches; run < end; ++run)
+  {
+    joiner.JoinPatch(static_cast<int>(run));
+  }
+  if (mesh.PointsDouble)
+  {
+    MeasureBlock(mesh, mesh.PointsDouble, block, blocks, largest);
+  }
+  else
+  {
+    MeasureBlock(mesh, mesh.PointsFloat, block, blocks, largest);
+  }
+}
+
 Id Divide(Id count, Id size)
 {
   return (count + size - 1) / size;
@@ -316,32 +334,28 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
   blocks.IsPatch.assign(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
   std::vector<double> largest(count, 0.0);
   blocks.RunOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
-  std::atomic<Id> usedNodes{ 0 };
+  constexpr Id grain = 256;
   const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
-  vtkSMPTools::For(0, count, 256,
+  std::vector<Joiner> joiners(Divide(count, grain), Joiner(mesh, blocks, alone));
+  vtkSMPTools::For(0, static_cast<Id>(joiners.size()), 1,
     [&](Id begin, Id end)
     {
-      Id fresh = 0;
-      for (Id b = begin; b < end; ++b)
+      for (Id b = begin * grain; b < std::min(count, end * grain); ++b)
       {
-        fresh += JoinBlock(mesh, b, alone, blocks);
-        if (mesh.PointsDouble)
-        {
-          MeasureBlock(mesh, mesh.PointsDouble, b, blocks, largest[b]);
-        }
-        else
-        {
-          MeasureBlock(mesh, mesh.PointsFloat, b, blocks, largest[b]);
-        }
+        MeasureAndJoin(mesh, b, blocks, joiners[b / grain], largest[b]);
       }
-      usedNodes += fresh;
     });
+  Id usedNodes = 0;
+  for (const Joiner& joiner : joiners)
+  {
+    usedNodes += joiner.NumberOfNodes;
+    blocks.Links.insert(blocks.Links.end(), joiner.Links.begin(), joiner.Links.end());
+  }
   for (Id b = 0; b < count; ++b)
   {
     blocks.Bounds.extend(blocks.Boxes[b]);
     blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, std::sqrt(largest[b]));
   }
-  LinkPatches(mesh, blocks);
   if (usedNodes < mesh.NumberOfPoints)
   {
     FindUnusedNodes(mesh, blocks);

@@ -40,7 +40,9 @@ struct MeshBlocks
   static constexpr Id CellsPerPatch = 16;
   std::vector<char> IsPatch;              ///< of each run of so many cells
   PageVector<std::atomic<int>> RunOfNode; ///< how far its first run lies before NoRun, 0: none
-  std::vector<std::pair<int, int>> Links; ///< patch and a run before it with a common node
+  /// Patch and a run before it with a common node. All patches with a node are linked with one
+  /// another, through others or through runs that are no patches.
+  std::vector<std::pair<int, int>> Links;
   std::vector<Id> UnusedNodes;            ///< ascending
 
   Box3 Bounds;                ///< of all points used by cells

@@ -37,7 +37,7 @@ double VolumeOf(const ElementPoints& points, int count);
 
 /// The same of a hexahedron, for points of any kind that can be added and subtracted.
 template <typename Points, typename Determinant>
-auto HexahedronVolume(const Points& p, const Determinant& determinant)
+EIGEN_ALWAYS_INLINE auto HexahedronVolume(const Points& p, const Determinant& determinant)
 {
   return (determinant(p[3] - p[1] + p[7] - p[2], p[6] - p[3], p[2] - p[0]) +
            determinant(p[4] - p[3] + p[5] - p[7], p[6] - p[4], p[7] - p[0]) +
