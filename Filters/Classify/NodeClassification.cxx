@@ -192,6 +192,39 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
   return true;
 }
 
+/// Gives nodes of far patches the side of their patch; returns, ascending, those that still have
+/// none.
+std::vector<Id> AssignSidesOfPatches(
+  const HexMesh& mesh, const MeshBlocks& blocks, NodeClassification& result)
+{
+  constexpr Id grain = 50000;
+  constexpr unsigned char unknown = NodeUnknown;
+  std::vector<std::vector<Id>> left((mesh.NumberOfPoints + grain - 1) / grain);
+  vtkSMPTools::For(0, static_cast<Id>(left.size()), 1,
+    [&](Id begin, Id end)
+    {
+      for (Id i = begin * grain; i < std::min(mesh.NumberOfPoints, end * grain); ++i)
+      {
+        if (result.Status[i] != NodeUnknown)
+        {
+          continue;
+        }
+        const int run = blocks.FirstRunOf(i);
+        result.Status[i] = run == MeshBlocks::NoRun ? unknown : result.PatchSide[run];
+        if (result.Status[i] == NodeUnknown)
+        {
+          left[i / grain].push_back(i);
+        }
+      }
+    });
+  std::vector<Id> all;
+  for (const auto& nodes : left)
+  {
+    all.insert(all.end(), nodes.begin(), nodes.end());
+  }
+  return all;
+}
+
 /// Gives nodes the side of their set, and far patches theirs. Returns, by root, the sets that have
 /// none: parts of the mesh that the surface does not meet.
 template <typename Index>
@@ -207,18 +240,8 @@ std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
   }
   std::vector<std::pair<Id, OutermostNodes>> farParts;
   std::unordered_map<Index, std::size_t> partOfRoot;
-  for (Id i = 0; i < mesh.NumberOfPoints; ++i)
+  for (const Id i : AssignSidesOfPatches(mesh, blocks, result))
   {
-    if (result.Status[i] != NodeUnknown)
-    {
-      continue;
-    }
-    const int run = blocks.FirstRunOf(i);
-    result.Status[i] = run == MeshBlocks::NoRun ? unknown : result.PatchSide[run];
-    if (result.Status[i] != NodeUnknown)
-    {
-      continue;
-    }
     const Index root = sets.Find(i);
     result.Status[i] = ofRoot[root];
     if (ofRoot[root] == NodeUnknown)

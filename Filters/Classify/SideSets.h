@@ -29,20 +29,18 @@ public:
     , Blocks(blocks)
     , IsFar(blocks.IsPatch)
     , Number(mesh.NumberOfPoints)
-    , Count(static_cast<Index>(blocks.IsPatch.size()))
-    , Sets(0)
+    , Sets(static_cast<Index>(blocks.IsPatch.size()))
   {
     for (const Id c : candidates)
     {
       this->IsFar[c / MeshBlocks::CellsPerPatch] = 0;
     }
-    this->NumberSingleNodes();
-    this->Sets = DisjointSets<Index>(this->Count);
     this->UniteCells(candidates);
     this->UnitePatches();
+    this->NumberOtherNodes(candidates);
   }
 
-  Index Size() const { return this->Count; }
+  Index Size() const { return this->Sets.Size(); }
   /// The set of a node; it changes as sets are united.
   Index Find(Id node) { return this->Sets.Find(this->SetOf(node)); }
   void Unite(Id a, Id b) { this->Sets.Unite(this->SetOf(a), this->SetOf(b)); }
@@ -59,9 +57,20 @@ private:
     const int run = this->Blocks.FirstRunOf(node);
     return run == MeshBlocks::NoRun || !this->IsFar[run];
   }
-  Index SetOf(Id node) const
+  /// The set of a node before any are united: its patch, or one of its own.
+  Index SetOf(Id node)
   {
-    return this->IsSingle(node) ? this->Number[node] : Index(this->Blocks.FirstRunOf(node));
+    if (!this->IsSingle(node))
+    {
+      return Index(this->Blocks.FirstRunOf(node));
+    }
+    // Zero is a run's number, or there is no run: so no node of its own has it.
+    Index& number = this->Number[node];
+    if (number == 0)
+    {
+      number = this->Sets.Append();
+    }
+    return number;
   }
 
   template <typename Action>
@@ -72,33 +81,6 @@ private:
     for (Id c = run * MeshBlocks::CellsPerPatch; c < end; ++c)
     {
       action(c, nodes, this->Mesh.Cell(c, nodes));
-    }
-  }
-
-  void NumberSingleNodes()
-  {
-    for (const Id node : this->Blocks.UnusedNodes)
-    {
-      this->Number[node] = this->Count++;
-    }
-    for (Id run = 0; run < this->NumberOfRuns(); ++run)
-    {
-      if (this->IsFar[run])
-      {
-        continue;
-      }
-      this->ForCells(run,
-        [&](Id, const std::array<Id, 8>& nodes, int count)
-        {
-          for (int i = 0; i < count; ++i)
-          {
-            // Zero is a run's number, or there is no run: so no node of its own has it.
-            if (this->IsSingle(nodes[i]) && this->Number[nodes[i]] == 0)
-            {
-              this->Number[nodes[i]] = this->Count++;
-            }
-          }
-        });
     }
   }
 
@@ -152,14 +134,41 @@ private:
       else if (done != link.first)
       {
         done = link.first;
-        this->ForCells(done,
-          [&](Id, const std::array<Id, 8>& nodes, int count)
-          {
-            for (int i = 0; i < count; ++i)
-            {
-              this->Sets.Unite(Index(done), this->SetOf(nodes[i]));
-            }
-          });
+        this->UniteNodes(done);
+      }
+    }
+  }
+
+  void UniteNodes(Index patch)
+  {
+    Index root = this->Sets.Find(patch);
+    Index before = patch; // what most nodes after it belong to
+    this->ForCells(patch,
+      [&](Id, const std::array<Id, 8>& nodes, int count)
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          const Index set = this->SetOf(nodes[i]);
+          root = set == before ? root : this->Sets.Attach(set, root);
+          before = set;
+        }
+      });
+  }
+
+  /// Numbers nodes that no other cell has.
+  void NumberOtherNodes(const std::vector<Id>& candidates)
+  {
+    for (const Id node : this->Blocks.UnusedNodes)
+    {
+      this->SetOf(node);
+    }
+    std::array<Id, 8> nodes;
+    for (const Id c : candidates)
+    {
+      const int count = this->Mesh.Cell(c, nodes);
+      for (int i = 0; i < count; ++i)
+      {
+        this->SetOf(nodes[i]);
       }
     }
   }
@@ -167,8 +176,7 @@ private:
   const HexMesh& Mesh;
   const MeshBlocks& Blocks;
   std::vector<char> IsFar;  ///< of each run of cells
-  PageVector<Index> Number; ///< of single nodes
-  Index Count;
+  PageVector<Index> Number; ///< of single nodes, 0: none yet
   DisjointSets<Index> Sets;
 };
 

@@ -23,6 +23,15 @@ public:
     std::iota(this->Parent.begin(), this->Parent.end(), Index(0));
   }
 
+  Index Size() const { return static_cast<Index>(this->Parent.size()); }
+
+  /// A set of one new member.
+  Index Append()
+  {
+    this->Parent.push_back(this->Size());
+    return this->Parent.back();
+  }
+
   Index Find(Index i)
   {
     while (this->Parent[i] != i)
@@ -33,7 +42,14 @@ public:
     return i;
   }
 
-  void Unite(Index a, Index b) { this->UniteRoots(this->Find(a), this->Find(b)); }
+  void Unite(Index a, Index b)
+  {
+    // As most are when the links of a whole mesh are followed.
+    if (this->Parent[a] != this->Parent[b])
+    {
+      this->UniteRoots(this->Find(a), this->Find(b));
+    }
+  }
 
   /// True if a member hangs directly on a root.
   bool HangsOn(Index member, Index root) const { return this->Parent[member] == root; }

@@ -129,40 +129,29 @@ void WritePoints(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart
 }
 
 template <typename ArrayType>
-Id TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
+void TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
   vtkSmartPointer<ArrayType> connectivity, vtkUnstructuredGrid* output)
 {
   const Id count = part.Cells.size();
   const auto types = MakeArray<vtkUnsignedCharArray>(nullptr, count);
   unsigned char* type = types->GetPointer(0);
   const auto* offset = offsets->GetPointer(0);
-  const auto* nodes = connectivity->GetPointer(0);
-  std::atomic<Id> widest{ 0 };
   ForRuns(count,
     [&](Id, Id begin, Id end)
     {
-      Id own = 0;
       for (Id i = begin; i < end; ++i)
       {
-        const auto size = offset[i + 1] - offset[i];
-        const auto range = std::minmax_element(nodes + offset[i], nodes + offset[i + 1]);
-        own = std::max(own, static_cast<Id>(*range.second - *range.first));
-        type[i] = size == 8 ? VTK_HEXAHEDRON : VTK_WEDGE;
-      }
-      Id seen = widest.load();
-      while (own > seen && !widest.compare_exchange_weak(seen, own))
-      {
+        type[i] = offset[i + 1] - offset[i] == 8 ? VTK_HEXAHEDRON : VTK_WEDGE;
       }
     });
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   output->SetCells(types, cells);
-  return widest;
 }
 
-template Id TakeElements(const GridPart& part, vtkSmartPointer<vtkTypeInt64Array> offsets,
+template void TakeElements(const GridPart& part, vtkSmartPointer<vtkTypeInt64Array> offsets,
   vtkSmartPointer<vtkTypeInt64Array> connectivity, vtkUnstructuredGrid* output);
-template Id TakeElements(const GridPart& part, vtkSmartPointer<vtkTypeInt32Array> offsets,
+template void TakeElements(const GridPart& part, vtkSmartPointer<vtkTypeInt32Array> offsets,
   vtkSmartPointer<vtkTypeInt32Array> connectivity, vtkUnstructuredGrid* output);
 
 void ColourByStatus(vtkUnstructuredGrid* grid)

@@ -97,28 +97,53 @@ void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
   NumberFlagged(used.data(), mesh.NumberOfPoints, part);
 }
 
-/// The elements of the part in its numbers.
+/// The elements of the part in its numbers; returns the largest difference of them within one.
 template <typename Index, typename NodesOf>
-void NumberElements(
+Id NumberElements(
   const GridPart& part, const NodesOf& nodesOf, Index* offsets, Index* connectivity)
 {
+  std::vector<int> widest(part.Offset.size(), 0);
+  const int* const number = part.Number.data();
   ForRuns(part.Cells.size(),
     [&](Id run, Id begin, Id end)
     {
       std::array<Id, 8> nodes;
       Id next = part.Offset[run];
+      int width = 0;
       for (Id i = begin; i < end; ++i)
       {
         const int size = nodesOf(i, nodes);
         offsets[i] = static_cast<Index>(next);
-        for (int k = 0; k < size; ++k)
+        int low = number[nodes[0]];
+        int high = low;
+        const auto take = [&](int k)
         {
-          connectivity[next + k] = static_cast<Index>(part.Number[nodes[k]]);
+          const int own = number[nodes[k]];
+          connectivity[next + k] = static_cast<Index>(own);
+          low = std::min(low, own);
+          high = std::max(high, own);
+        };
+        if (size == 8) // most are
+        {
+          for (int k = 0; k < 8; ++k)
+          {
+            take(k);
+          }
         }
+        else
+        {
+          for (int k = 0; k < size; ++k)
+          {
+            take(k);
+          }
+        }
+        width = std::max(width, high - low);
         next += size;
       }
+      widest[run] = width;
     });
   offsets[part.Cells.size()] = static_cast<Index>(part.Offset.back());
+  return *std::max_element(widest.begin(), widest.end());
 }
 
 /// Takes the new numbers of the points, by the old ones.
@@ -143,9 +168,9 @@ void RenumberPart(
 void WritePoints(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart& part,
   const MovedNodes& moved, vtkUnstructuredGrid* output);
 
-/// Hands over the elements; returns the largest difference of node numbers within one.
+/// Hands over the elements.
 template <typename ArrayType>
-Id TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
+void TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
   vtkSmartPointer<ArrayType> connectivity, vtkUnstructuredGrid* output);
 
 /// The elements of the part; returns the largest difference of node numbers within one.
@@ -157,8 +182,10 @@ Id WriteElements(
   {
     using ArrayType = std::remove_reference_t<decltype(*offsets)>;
     const auto connectivity = MakeArray<ArrayType>(nullptr, part.Offset.back());
-    NumberElements(part, nodesOf, offsets->GetPointer(0), connectivity->GetPointer(0));
-    return TakeElements(part, offsets, connectivity, output);
+    const Id widest =
+      NumberElements(part, nodesOf, offsets->GetPointer(0), connectivity->GetPointer(0));
+    TakeElements(part, offsets, connectivity, output);
+    return widest;
   };
   const Id count = part.Cells.size() + 1;
   return mesh.Offsets64 ? write(MakeArray<vtkTypeInt64Array>(nullptr, count))
