@@ -5,7 +5,6 @@ add_library(NURBSTrimStages STATIC
   Mesh/Columns.cxx
   Mesh/HexMesh.cxx
   Mesh/MeshBlocks.cxx
-  Mesh/PageVector.cxx
   Ranks/ControllerRanks.cxx
   Ranks/GatherBand.cxx
   Ranks/GhostCells.cxx

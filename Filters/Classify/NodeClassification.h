@@ -13,7 +13,6 @@
 
 #include "HexMesh.h"
 #include "MeshBlocks.h"
-#include "PageVector.h"
 #include "Status.h"
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 
 #include "DisjointSets.h"
 #include "MeshBlocks.h"
-#include "PageVector.h"
 
 #include <algorithm>
 #include <vector>

@@ -37,38 +37,64 @@ KnotSpans FindSpans(int degree, int count, const std::vector<double>& knots)
   return spans;
 }
 
-/**
- * The degree + 1 Bezier points of the span [a, b] with knots[k] = a: each is the blossom of the
- * spline at (a, .., a, b, .., b), found by the de Boor recurrence with one argument per step.
- */
-void SpanToBezier(int degree, const std::vector<double>& knots, int k, double a, double b,
-  const Vec4* points, std::size_t stride, Vec4* bezier, std::size_t bezierStride)
-{
-  Vec4 d[MaximumDegree + 1];
-  for (int m = 0; m <= degree; ++m)
-  {
-    for (int i = 0; i <= degree; ++i)
-    {
-      d[i] = points[(k - degree + i) * stride];
-    }
-    for (int r = 1; r <= degree; ++r)
-    {
-      const double argument = r <= m ? b : a;
-      for (int i = degree; i >= r; --i)
-      {
-        const double low = knots[k - degree + i], high = knots[k + 1 + i - r];
-        const double x = (argument - low) / (high - low);
-        d[i] = (1.0 - x) * d[i - 1] + x * d[i];
-      }
-    }
-    bezier[m * bezierStride] = d[degree];
-  }
-}
-
 int LastKnotBefore(const std::vector<double>& knots, double next)
 {
   return static_cast<int>(std::lower_bound(knots.begin(), knots.end(), next) - knots.begin()) - 1;
 }
+
+/**
+ * The degree + 1 Bezier points of a span [a, b] as sums over control points of the spline: each is
+ * the blossom at (a, .., a, b, .., b), found by the de Boor recurrence with one argument per step.
+ */
+class SpanToBezier
+{
+public:
+  SpanToBezier(int degree, const std::vector<double>& knots, double a, double b)
+    : Degree(degree)
+  {
+    const int k = LastKnotBefore(knots, b);
+    this->First = k - degree;
+    for (int m = 0; m <= degree; ++m)
+    {
+      Factors d[MaximumDegree + 1];
+      for (int i = 0; i <= degree; ++i)
+      {
+        d[i] = Factors::Unit(i);
+      }
+      for (int r = 1; r <= degree; ++r)
+      {
+        const double argument = r <= m ? b : a;
+        for (int i = degree; i >= r; --i)
+        {
+          const double low = knots[k - degree + i], high = knots[k + 1 + i - r];
+          const double x = (argument - low) / (high - low);
+          d[i] = (1.0 - x) * d[i - 1] + x * d[i];
+        }
+      }
+      this->Of[m] = d[degree];
+    }
+  }
+
+  /// @param points of the row or column of the spline, from its first on.
+  void Convert(const Vec4* points, std::size_t stride, Vec4* bezier, std::size_t bezierStride) const
+  {
+    points += static_cast<std::size_t>(this->First) * stride;
+    for (int m = 0; m <= this->Degree; ++m)
+    {
+      Vec4 sum = this->Of[m][0] * points[0];
+      for (int i = 1; i <= this->Degree; ++i)
+      {
+        sum += this->Of[m][i] * points[i * stride];
+      }
+      bezier[m * bezierStride] = sum;
+    }
+  }
+
+private:
+  using Factors = Eigen::Matrix<double, MaximumDegree + 1, 1>;
+  int Degree, First;
+  Factors Of[MaximumDegree + 1]; ///< of the control points from First on, by Bezier point
+};
 
 /// Divides a net of constant weight by it; says whether weights differ.
 bool NormaliseWeights(Vec4* net, int size)
@@ -83,7 +109,7 @@ bool NormaliseWeights(Vec4* net, int size)
   {
     return true;
   }
-  for (int i = 0; i < size; ++i)
+  for (int i = 0; i < size && !(low == 1.0 && high == 1.0); ++i)
   {
     net[i].head<3>() /= net[i].w();
     net[i].w() = 1.0;
@@ -96,7 +122,10 @@ void FindCollapsedSides(BezierPatch& patch, const Vec4* net)
   const int nu = patch.DegreeU + 1, nv = patch.DegreeV + 1;
   double extent = 0;
   const auto point = [&](int i, int j) -> Vec3
-  { return net[i + j * nu].head<3>() / net[i + j * nu].w(); };
+  {
+    const Vec4& c = net[i + j * nu];
+    return patch.Rational ? Vec3(c.head<3>() / c.w()) : Vec3(c.head<3>());
+  };
   const Vec3 first = point(0, 0);
   for (int k = 1; k < nu * nv; ++k)
   {
@@ -119,7 +148,7 @@ void FindCollapsedSides(BezierPatch& patch, const Vec4* net)
 
 /// At least twice the room each time: a shell's faces come one by one.
 template <typename Value>
-void MakeRoom(std::vector<Value>& list, std::size_t added)
+void MakeRoom(PageVector<Value>& list, std::size_t added)
 {
   const std::size_t size = list.size() + added;
   if (size > list.capacity())
@@ -131,7 +160,7 @@ void MakeRoom(std::vector<Value>& list, std::size_t added)
 }
 
 void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
-  KnotSpans& spansV, std::vector<BezierPatch>& patches, std::vector<Vec4>& nets)
+  KnotSpans& spansV, PageVector<BezierPatch>& patches, PageVector<Vec4>& nets)
 {
   const int p = surface.DegreeU, q = surface.DegreeV;
   spansU = FindSpans(p, surface.CountU, surface.KnotsU);
@@ -139,7 +168,7 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
   const int countU = static_cast<int>(spansU.Breaks.size()) - 1;
   const int countV = static_cast<int>(spansV.Breaks.size()) - 1;
 
-  std::vector<Vec4> points(surface.ControlPoints.size());
+  PageVector<Vec4> points(surface.ControlPoints.size());
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     const Vec4& given = surface.ControlPoints[k];
@@ -147,14 +176,13 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
   }
   // Bezier in u for every row, then in v.
   const std::size_t width = static_cast<std::size_t>(countU) * (p + 1);
-  std::vector<Vec4> rows(width * surface.CountV);
+  PageVector<Vec4> rows(width * surface.CountV);
   for (int span = 0; span < countU; ++span)
   {
-    const int k = LastKnotBefore(surface.KnotsU, spansU.Breaks[span + 1]);
+    const SpanToBezier convert(p, surface.KnotsU, spansU.Breaks[span], spansU.Breaks[span + 1]);
     for (int j = 0; j < surface.CountV; ++j)
     {
-      SpanToBezier(p, surface.KnotsU, k, spansU.Breaks[span], spansU.Breaks[span + 1],
-        points.data() + static_cast<std::size_t>(j) * surface.CountU, 1,
+      convert.Convert(points.data() + static_cast<std::size_t>(j) * surface.CountU, 1,
         rows.data() + j * width + static_cast<std::size_t>(span) * (p + 1), 1);
     }
   }
@@ -164,7 +192,7 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
   MakeRoom(nets, added * size);
   for (int spanV = 0; spanV < countV; ++spanV)
   {
-    const int k = LastKnotBefore(surface.KnotsV, spansV.Breaks[spanV + 1]);
+    const SpanToBezier convert(q, surface.KnotsV, spansV.Breaks[spanV], spansV.Breaks[spanV + 1]);
     for (int spanU = 0; spanU < countU; ++spanU)
     {
       BezierPatch patch;
@@ -184,7 +212,7 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
       Vec4* net = nets.data() + patch.Net;
       for (int i = 0; i <= p; ++i)
       {
-        SpanToBezier(q, surface.KnotsV, k, patch.V0, patch.V1,
+        convert.Convert(
           rows.data() + static_cast<std::size_t>(spanU) * (p + 1) + i, width, net + i, p + 1);
       }
       patch.Rational = NormaliseWeights(net, size);
@@ -513,8 +541,8 @@ void RestrictNet(
   }
 }
 
-BezierPatch CurveOnPatch(const BezierPatch& patch, const std::vector<Vec4>& pool, const Vec2& from,
-  const Vec2& to, std::vector<Vec4>& nets)
+BezierPatch CurveOnPatch(const BezierPatch& patch, const PageVector<Vec4>& pool, const Vec2& from,
+  const Vec2& to, PageVector<Vec4>& nets)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
   std::vector<Vec4> part(pool.begin() + patch.Net, pool.begin() + patch.Net + (p + 1) * (q + 1));

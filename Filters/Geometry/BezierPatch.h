@@ -10,6 +10,7 @@
 #define BezierPatch_h
 
 #include "NurbsSurface.h"
+#include "PageVector.h"
 
 namespace nurbs
 {
@@ -57,7 +58,7 @@ struct KnotSpans
  * u running fastest.
  */
 void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
-  KnotSpans& spansV, std::vector<BezierPatch>& patches, std::vector<Vec4>& nets);
+  KnotSpans& spansV, PageVector<BezierPatch>& patches, PageVector<Vec4>& nets);
 
 /// S and its derivatives with respect to s and t, about the local origin.
 void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double t, SurfaceJet& jet);
@@ -73,8 +74,8 @@ void RestrictNet(const BezierPatch& patch, const Vec4* net, double s0, double s1
   double t1, Vec4* part);
 
 /// Appends the curve over the straight line (s0, t0)-(s1, t1) of a patch, exact in degree p + q.
-BezierPatch CurveOnPatch(const BezierPatch& patch, const std::vector<Vec4>& pool, const Vec2& from,
-  const Vec2& to, std::vector<Vec4>& nets);
+BezierPatch CurveOnPatch(const BezierPatch& patch, const PageVector<Vec4>& pool, const Vec2& from,
+  const Vec2& to, PageVector<Vec4>& nets);
 
 }
 

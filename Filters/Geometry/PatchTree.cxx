@@ -1,7 +1,5 @@
 #include "PatchTree.h"
 
-#include "NetBounds.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,12 +15,16 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf)
     static_cast<double>(j) / patch.GridV, static_cast<double>(j + 1) / patch.GridV };
 }
 
-Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
+NetBounds BoundPatch(const BezierPatch& patch, const Vec4* net)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
   Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
   CenterNet(BezierPoint(patch, net, 0.5, 0.5), (p + 1) * (q + 1), net, centered);
-  const NetBounds b = BoundNet(p, q, centered);
+  return BoundNet(p, q, centered);
+}
+
+Vec2 MeasureBend(const NetBounds& b)
+{
   // Lengths of the patch along s and t; a collapsed direction is not divided for its own sake.
   const double lengthU = std::max(b.MeanU.norm(), 1e-3 * b.Extent);
   const double lengthV = std::max(b.MeanV.norm(), 1e-3 * b.Extent);
@@ -43,14 +45,11 @@ void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch)
   patch.GridV = patch.DegreeV > 0 ? static_cast<int>(divisions.y()) : 1;
 }
 
-void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
-  LeafBox& oriented, Eigen::AlignedBox3f& aligned)
+void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part,
+  const NetBounds& b, Leaf& leaf, LeafBox& oriented, Eigen::AlignedBox3f& aligned)
 {
   const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
   leaf.Center = BezierPoint(patch, part, 0.5, 0.5);
-  Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  CenterNet(leaf.Center, size, part, centered);
-  const NetBounds b = BoundNet(p, q, centered);
 
   // Frame of the oriented box; for a curve or a collapsed leaf any frame will do.
   Vec3 x = b.MeanU, z = b.MeanU.cross(b.MeanV);
@@ -77,7 +76,7 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   for (int k = 0; k < size; ++k)
   {
     const Vec3 point = part[k].head<3>() / part[k].w();
-    const Vec3 d = centered[k].head<3>() / part[k].w();
+    const Vec3 d = (part[k].head<3>() - part[k].w() * leaf.Center) / part[k].w();
     const Vec3 local(x.dot(d), y.dot(d), z.dot(d));
     low = low.cwiseMin(local);
     high = high.cwiseMax(local);
@@ -145,12 +144,21 @@ namespace
 class TreeBuilder
 {
 public:
-  TreeBuilder(std::vector<int>& leaves, const std::vector<Eigen::AlignedBox3f>& boxes)
-    : Leaves(leaves)
-    , Boxes(boxes)
+  explicit TreeBuilder(std::vector<int>& leaves, const std::vector<Eigen::AlignedBox3f>& boxes)
   {
+    this->Items.reserve(leaves.size());
+    for (const int leaf : leaves)
+    {
+      this->Items.push_back({ boxes[leaf], leaf });
+    }
   }
 
+  struct Item
+  {
+    Eigen::AlignedBox3f Box;
+    int Leaf;
+  };
+  std::vector<Item> Items; ///< together with their boxes: what is sorted is looked at
   std::vector<TreeNode> Nodes;
 
   int Build(int begin, int end)
@@ -167,7 +175,7 @@ public:
       Eigen::AlignedBox3f box;
       for (int k = first; k < last; ++k)
       {
-        box.extend(this->Boxes[this->Leaves[k]]);
+        box.extend(this->Items[k].Box);
       }
       const int child = last - first == 0 ? TreeNode::Empty
                                           : (last - first == 1 ? ~first : this->Build(first, last));
@@ -195,23 +203,20 @@ private:
     Eigen::AlignedBox3f centers;
     for (int k = begin; k < end; ++k)
     {
-      centers.extend(this->Boxes[this->Leaves[k]].center());
+      centers.extend(this->Items[k].Box.center());
     }
     int axis;
     centers.sizes().maxCoeff(&axis);
-    std::nth_element(this->Leaves.begin() + begin, this->Leaves.begin() + middle,
-      this->Leaves.begin() + end,
-      [&](int a, int b)
+    std::nth_element(this->Items.begin() + begin, this->Items.begin() + middle,
+      this->Items.begin() + end,
+      [axis](const Item& a, const Item& b)
       {
-        const float x = this->Boxes[a].min()[axis] + this->Boxes[a].max()[axis];
-        const float y = this->Boxes[b].min()[axis] + this->Boxes[b].max()[axis];
-        return x != y ? x < y : a < b;
+        const float x = a.Box.min()[axis] + a.Box.max()[axis];
+        const float y = b.Box.min()[axis] + b.Box.max()[axis];
+        return x != y ? x < y : a.Leaf < b.Leaf;
       });
     return middle;
   }
-
-  std::vector<int>& Leaves;
-  const std::vector<Eigen::AlignedBox3f>& Boxes;
 };
 
 }
@@ -220,7 +225,10 @@ std::vector<TreeNode> BuildTree(
   std::vector<int>& order, const std::vector<Eigen::AlignedBox3f>& boxes)
 {
   TreeBuilder builder(order, boxes);
+  builder.Nodes.reserve(order.size() / 2 + 1);
   builder.Build(0, static_cast<int>(order.size()));
+  std::transform(builder.Items.begin(), builder.Items.end(), order.begin(),
+    [](const TreeBuilder::Item& item) { return item.Leaf; });
   return std::move(builder.Nodes);
 }
 

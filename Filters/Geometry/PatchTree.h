@@ -9,6 +9,7 @@
 #define PatchTree_h
 
 #include "BezierPatch.h"
+#include "NetBounds.h"
 #include "TrimLoops.h"
 
 #include <Eigen/Geometry>
@@ -58,15 +59,23 @@ struct LeafDomain
 };
 LeafDomain DomainOf(const BezierPatch& patch, int leaf);
 
+/// The bounds of a whole patch about the point in its middle.
+NetBounds BoundPatch(const BezierPatch& patch, const Vec4* net);
+
 /// How far the tangents of a patch turn along s and t, relative to its size (about radians).
-Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net);
+Vec2 MeasureBend(const NetBounds& bounds);
 
 /// Divides a patch so that no leaf bends by more than the flatness, within bounds.
 void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch);
 
-/// Boxes, inverse map and certificates of one leaf; part is the net restricted to it.
-void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
-  LeafBox& oriented, Eigen::AlignedBox3f& aligned);
+/**
+ * Boxes, inverse map and certificates of one leaf.
+ *
+ * @param part the net restricted to it.
+ * @param bounds of the part about the point in its middle.
+ */
+void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part,
+  const NetBounds& bounds, Leaf& leaf, LeafBox& oriented, Eigen::AlignedBox3f& aligned);
 
 /// Four-way tree over aligned boxes; order is permuted into that of the tree.
 std::vector<TreeNode> BuildTree(

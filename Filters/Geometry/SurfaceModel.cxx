@@ -135,11 +135,14 @@ void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
 void SurfaceModel::AddLeaves()
 {
   std::size_t count = 0;
+  PageVector<NetBounds> bounds;
   std::vector<Vec2> bends;
+  bounds.reserve(this->Patches.size());
   bends.reserve(this->Patches.size());
   for (const BezierPatch& patch : this->Patches)
   {
-    bends.push_back(MeasureBend(patch, this->Net(patch)));
+    bounds.push_back(BoundPatch(patch, this->Net(patch)));
+    bends.push_back(MeasureBend(bounds.back()));
   }
   this->Blocks.Build(*this, bends);
   this->ChooseGrids(bends);
@@ -156,16 +159,17 @@ void SurfaceModel::AddLeaves()
   for (std::size_t index = 0; index < this->Patches.size(); ++index)
   {
     const BezierPatch& patch = this->Patches[index];
-    for (int k = 0; k < patch.GridU * patch.GridV; ++k)
+    const bool whole = patch.GridU * patch.GridV == 1;
+    for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
     {
-      const LeafDomain domain = DomainOf(patch, patch.FirstLeaf + k);
+      const LeafDomain domain = DomainOf(patch, k);
       RestrictNet(patch, this->Net(patch), domain.S0, domain.S1, domain.T0, domain.T1, part);
-      Leaf& leaf = this->Leaves[patch.FirstLeaf + k];
+      Leaf& leaf = this->Leaves[k];
       leaf.Patch = static_cast<int>(index);
       leaf.Trim = TrimState::Inside;
-      MeasureLeaf(
-        patch, domain, part, leaf, oriented[patch.FirstLeaf + k], boxes[patch.FirstLeaf + k]);
-      oriented[patch.FirstLeaf + k].Leaf = patch.FirstLeaf + k;
+      MeasureLeaf(patch, domain, part, whole ? bounds[index] : BoundPatch(patch, part), leaf,
+        oriented[k], boxes[k]);
+      oriented[k].Leaf = k;
     }
   }
   this->FindTrimStates();

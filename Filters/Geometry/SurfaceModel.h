@@ -31,9 +31,9 @@ struct SurfaceModel
 
   std::vector<NurbsSurface> Faces;
   std::vector<FaceData> Data;
-  std::vector<BezierPatch> Patches;
-  std::vector<Vec4> Nets;
-  std::vector<Leaf> Leaves;
+  PageVector<BezierPatch> Patches;
+  PageVector<Vec4> Nets;
+  PageVector<Leaf> Leaves;
   std::vector<LeafBox> LeafBoxes; ///< in the order of the tree, without leaves outside loops
   std::vector<TreeNode> Nodes;
   SurfaceBlocks Blocks;

@@ -6,7 +6,6 @@
 #define BandCells_h
 
 #include "HexMesh.h"
-#include "PageVector.h"
 
 #include <array>
 #include <functional>

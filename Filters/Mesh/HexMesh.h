@@ -9,6 +9,7 @@
 #define HexMesh_h
 
 #include "NurbsSurface.h"
+#include "PageVector.h"
 
 #include <vtkType.h>
 
@@ -20,6 +21,7 @@ class vtkUnstructuredGrid;
 
 namespace trim
 {
+using nurbs::PageVector;
 using nurbs::Vec3;
 using Id = vtkIdType;
 

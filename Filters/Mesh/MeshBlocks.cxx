@@ -240,8 +240,8 @@ Two MeasureHexahedra(const Coordinate* points, const std::array<Id, 8>& nodesA,
     high[2] = high[2].max(p[i].Z);
   }
   run.Add(low, high);
-  return HexahedronVolume(p, [](const auto& a, const auto& b, const auto& c)
-    { return Determinant(a, b, c); })
+  return HexahedronVolume(
+    p, [](const auto& a, const auto& b, const auto& c) { return Determinant(a, b, c); })
     .abs();
 }
 
@@ -262,8 +262,8 @@ double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
 
 /// Boxes and volumes of one block of cells.
 template <typename Coordinate>
-void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks,
-  double& largest)
+void MeasureBlock(
+  const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks, double& largest)
 {
   const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
   for (Id first = MeshBlocks::FirstCell(block); first < last; first += MeshBlocks::CellsPerRun)

@@ -10,7 +10,6 @@
 
 #include "HexMesh.h"
 #include "Jacobian.h"
-#include "PageVector.h"
 #include "Ranks.h"
 #include "TrimmingSurface.h"
 
@@ -43,7 +42,7 @@ struct MeshBlocks
   /// Patch and a run before it with a common node. All patches with a node are linked with one
   /// another, through others or through runs that are no patches.
   std::vector<std::pair<int, int>> Links;
-  std::vector<Id> UnusedNodes;            ///< ascending
+  std::vector<Id> UnusedNodes; ///< ascending
 
   Box3 Bounds;                ///< of all points used by cells
   double LargestDiagonal = 0; ///< of the boxes of single cells

@@ -61,7 +61,7 @@ void FreeOfArray(void* memory)
   }
   if (size > 0)
   {
-    FreeZeros(memory, size);
+    nurbs::FreeZeros(memory, size);
   }
   else
   {
@@ -71,10 +71,10 @@ void FreeOfArray(void* memory)
 
 }
 
-Zeros AllocateZerosForArray(std::size_t bytes, PageSize pages)
+Zeros AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages)
 {
-  void* const memory = AllocateZeros(bytes, pages);
-  if (!IsMapped(bytes))
+  void* const memory = nurbs::AllocateZeros(bytes, pages);
+  if (!nurbs::IsMapped(bytes))
   {
     return { memory, &std::free };
   }

@@ -25,20 +25,19 @@ struct Zeros
   void (*Free)(void*);
 };
 /// Throws if there is none.
-Zeros AllocateZerosForArray(std::size_t bytes, PageSize pages);
+Zeros AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages);
 
 /// An array of zeros. They cost no time, and no memory where they are not written to.
 template <typename Array>
 vtkSmartPointer<Array> MakeZeros(
-  const char* name, Id tuples, int components = 1, PageSize pages = PageSize::Small)
+  const char* name, Id tuples, int components = 1, nurbs::PageSize pages = nurbs::PageSize::Small)
 {
   using Value = typename Array::ValueType;
   const Id count = tuples * components;
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  const Zeros zeros =
-    AllocateZerosForArray(static_cast<std::size_t>(count) * sizeof(Value), pages);
+  const Zeros zeros = AllocateZerosForArray(static_cast<std::size_t>(count) * sizeof(Value), pages);
   array->SetArray(static_cast<Value*>(zeros.Memory), count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
   array->SetArrayFreeFunction(zeros.Free);
   return array;
@@ -48,7 +47,7 @@ vtkSmartPointer<Array> MakeZeros(
 template <typename Array>
 vtkSmartPointer<Array> MakeArray(const char* name, Id tuples, int components = 1)
 {
-  return MakeZeros<Array>(name, tuples, components, PageSize::Large);
+  return MakeZeros<Array>(name, tuples, components, nurbs::PageSize::Large);
 }
 
 }

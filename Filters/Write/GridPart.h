@@ -39,7 +39,7 @@ struct GridPart
   IdList Cells{ "vtkOriginalCellIds" };   ///< input ids, ascending
   IdList Points{ "vtkOriginalPointIds" }; ///< input ids, by new number
   PageVector<int> Number; ///< of each input point: its new number, -1: it is not in the part
-  std::vector<Id> Offset;  ///< nodes of the cells before each run of PartGrain cells, and of all
+  std::vector<Id> Offset; ///< nodes of the cells before each run of PartGrain cells, and of all
 
   Selection CellIds() const { return Selection::Ascending(this->Cells); }
   Selection PointIds() const { return Selection::Numbered(this->Points, this->Number); }
@@ -99,8 +99,7 @@ void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
 
 /// The elements of the part in its numbers; returns the largest difference of them within one.
 template <typename Index, typename NodesOf>
-Id NumberElements(
-  const GridPart& part, const NodesOf& nodesOf, Index* offsets, Index* connectivity)
+Id NumberElements(const GridPart& part, const NodesOf& nodesOf, Index* offsets, Index* connectivity)
 {
   std::vector<int> widest(part.Offset.size(), 0);
   const int* const number = part.Number.data();

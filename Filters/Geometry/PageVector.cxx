@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace trim
+namespace nurbs
 {
 #ifdef __linux__
 namespace

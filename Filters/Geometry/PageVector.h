@@ -1,7 +1,8 @@
 /**
  * @file PageVector.h
- * @brief Memory for arrays with a value for every node or cell: in large pages, as far from the cut
- * most of a trim's time is the kernel's, to hand over memory that was never touched before.
+ * @brief Memory for long arrays, as those with a value for every node or cell: in large pages, as
+ * far from the cut most of a trim's time is the kernel's, to hand over memory that was never
+ * touched before.
  */
 #ifndef PageVector_h
 #define PageVector_h
@@ -12,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace trim
+namespace nurbs
 {
 
 enum class PageSize
@@ -41,6 +42,7 @@ struct PageAllocator
   }
   T* allocate(std::size_t count)
   {
+    static_assert(alignof(T) <= alignof(std::max_align_t), "small pieces are those of calloc");
     return static_cast<T*>(AllocateZeros(count * sizeof(T), PageSize::Large));
   }
   void deallocate(T* memory, std::size_t count) { FreeZeros(memory, count * sizeof(T)); }
@@ -67,7 +69,7 @@ struct PageAllocator
   }
 };
 
-/// A value for every node or cell. PageVector<T>(count) is zero, and so is resize() of an empty one.
+/// A long array of values. PageVector<T>(count) is zero, and so is resize() of an empty one.
 template <typename T>
 using PageVector = std::vector<T, PageAllocator<T>>;
 
