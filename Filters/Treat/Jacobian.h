@@ -39,10 +39,12 @@ double VolumeOf(const ElementPoints& points, int count);
 template <typename Points, typename Determinant>
 EIGEN_ALWAYS_INLINE auto HexahedronVolume(const Points& p, const Determinant& determinant)
 {
-  return (determinant(p[3] - p[1] + p[7] - p[2], p[6] - p[3], p[2] - p[0]) +
-           determinant(p[4] - p[3] + p[5] - p[7], p[6] - p[4], p[7] - p[0]) +
-           determinant(p[1] - p[4] + p[2] - p[5], p[6] - p[1], p[5] - p[0])) /
-    12.0;
+  // No expression of Eigen is to outlive what it refers to.
+  using Value = decltype(determinant(p[0], p[1], p[2]));
+  return Value((determinant(p[3] - p[1] + p[7] - p[2], p[6] - p[3], p[2] - p[0]) +
+                 determinant(p[4] - p[3] + p[5] - p[7], p[6] - p[4], p[7] - p[0]) +
+                 determinant(p[1] - p[4] + p[2] - p[5], p[6] - p[1], p[5] - p[0])) /
+    12.0);
 }
 
 /**
