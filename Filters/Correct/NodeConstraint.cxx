@@ -17,6 +17,10 @@ namespace
 constexpr double RidgeCosine = 0.7071;
 /// A border that turns by more than 30 degrees at a node has a corner there.
 constexpr double CornerCosine = 0.866;
+/// An edge goes on straight with another one that turns by less than 45 degrees.
+constexpr double StraightOn = 0.7071;
+/// How far along the border a cut that leans is looked for, in edges.
+constexpr int LongestStepsBack = 4;
 
 Vec3 FaceNormal(const Band& band, const BandFace& face)
 {
@@ -70,6 +74,104 @@ void AddCreases(
   }
 }
 
+/// Edges along the layers that faces of the lateral border have at a node.
+std::vector<int> LateralEdges(
+  const Band& band, const Columns& columns, const std::vector<int>& faces, int node)
+{
+  std::vector<int> edges;
+  for (const int f : faces)
+  {
+    for (const int edge : EdgesAt(band, band.Faces[f], node))
+    {
+      if (!columns.IsThicknessEdge(band, edge))
+      {
+        AddUnique(edges, edge);
+      }
+    }
+  }
+  return edges;
+}
+
+/// Whether a node of a pillar does not lie beyond the surface.
+bool HasNodeThatStays(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, int node, int from = -1)
+{
+  if (nodeStatus[node] != NodeEliminate)
+  {
+    return true;
+  }
+  const auto edges = band.EdgesOfNode(node);
+  return std::any_of(edges.begin(), edges.end(),
+    [&](int edge)
+    {
+      const int other = band.OtherEnd(edge, node);
+      return other != from && columns.IsThicknessEdge(band, edge) &&
+        HasNodeThatStays(band, columns, nodeStatus, other, node);
+    });
+}
+
+/// How many edges straight on from a node the first one is that does not lie beyond the surface.
+int StepsBack(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, int node, int edge, int most)
+{
+  for (int steps = 1; steps <= most; ++steps)
+  {
+    const int other = band.OtherEnd(edge, node);
+    if (nodeStatus[other] != NodeEliminate)
+    {
+      return steps;
+    }
+    const Vec3 way = (band.Point[other] - band.Point[node]).normalized();
+    double straightest = StraightOn;
+    int next = -1;
+    for (const int e : band.EdgesOfNode(other))
+    {
+      const double straight =
+        way.dot((band.Point[band.OtherEnd(e, other)] - band.Point[other]).normalized());
+      if (!columns.IsThicknessEdge(band, e) && straight > straightest)
+      {
+        straightest = straight;
+        next = e;
+      }
+    }
+    if (next < 0)
+    {
+      break;
+    }
+    node = other;
+    edge = next;
+  }
+  return most + 1;
+}
+
+/**
+ * A cut that leans takes away a layer of the border before it comes to another. A node beyond it
+ * stays on the border all the same if others of its pillar do, and the surface is nearer along
+ * the border than into the sheet.
+ */
+bool StaysOnBorder(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<int>& borderEdges, int node)
+{
+  if (borderEdges.empty() || !HasNodeThatStays(band, columns, nodeStatus, node))
+  {
+    return false;
+  }
+  int along = LongestStepsBack + 1;
+  for (const int edge : borderEdges)
+  {
+    along = std::min(along, StepsBack(band, columns, nodeStatus, node, edge, LongestStepsBack));
+  }
+  const auto edges = band.EdgesOfNode(node);
+  return along <= LongestStepsBack &&
+    std::none_of(edges.begin(), edges.end(),
+      [&](int edge)
+      {
+        return !columns.IsThicknessEdge(band, edge) &&
+          std::find(borderEdges.begin(), borderEdges.end(), edge) == borderEdges.end() &&
+          StepsBack(band, columns, nodeStatus, node, edge, along) <= along;
+      });
+}
+
 void SetKind(const Band& band, int node, NodeConstraint& constraint)
 {
   const auto& ridges = constraint.RidgeEdges;
@@ -106,6 +208,7 @@ NodeConstraint ConstrainNode(
   const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node)
 {
   NodeConstraint constraint;
+  std::vector<int> lateral;
   std::vector<int> exterior;
   bool sheet = false;
   for (const int f : band.FacesOfNode(node))
@@ -117,23 +220,22 @@ NodeConstraint ConstrainNode(
     {
       constraint.Faces.push_back(f);
     }
-    else if (face.Exterior && !GoesWhole(face, nodeStatus))
+    else if (face.Exterior)
     {
-      exterior.push_back(f);
-    }
-  }
-  if (sheet)
-  {
-    for (const int f : exterior)
-    {
-      for (const int edge : EdgesAt(band, band.Faces[f], node))
+      lateral.push_back(f);
+      if (!GoesWhole(face, nodeStatus))
       {
-        if (!columns.IsThicknessEdge(band, edge))
-        {
-          AddUnique(constraint.RidgeEdges, edge);
-        }
+        exterior.push_back(f);
       }
     }
+  }
+  bool stays = false;
+  if (sheet)
+  {
+    const auto border = LateralEdges(band, columns, lateral, node);
+    stays =
+      nodeStatus[node] == NodeEliminate && StaysOnBorder(band, columns, nodeStatus, border, node);
+    constraint.RidgeEdges = stays ? border : LateralEdges(band, columns, exterior, node);
     // Folds of the skin without a radius hold their nodes; inner layers fold alike.
     AddCreases(band, constraint.Faces, node, constraint.RidgeEdges);
   }
@@ -143,7 +245,7 @@ NodeConstraint ConstrainNode(
     AddCreases(band, exterior, node, constraint.RidgeEdges);
   }
   // A ridge that lies beyond the surface to both sides of the node goes with what is cut off.
-  const bool ridgeGoes = nodeStatus[node] == NodeEliminate &&
+  const bool ridgeGoes = nodeStatus[node] == NodeEliminate && !stays &&
     std::all_of(constraint.RidgeEdges.begin(), constraint.RidgeEdges.end(),
       [&](int edge) { return nodeStatus[band.OtherEnd(edge, node)] == NodeEliminate; });
   if (ridgeGoes)

@@ -283,8 +283,8 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
     return false;
   }
   std::vector<int> tried{ faces.front() };
-  const std::vector<int> around =
-    outside > InsideSlack ? this->FacesAround(faces) : std::vector<int>();
+  std::vector<int> around = outside > InsideSlack ? this->FacesAround(faces) : std::vector<int>();
+  int rings = 1;
   while (outside > InsideSlack && tried.size() < 6)
   {
     // The point lies beyond this facet: go on with the one that holds it.
@@ -305,6 +305,12 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
         nearest = distance;
         next = f;
       }
+    }
+    if (next < 0 && rings < LongestMove)
+    {
+      around = this->FacesAround(around);
+      ++rings;
+      continue;
     }
     if (next < 0)
     {
@@ -377,9 +383,10 @@ bool NodeMover::MayRelax(int node, bool onCut) const
   {
     return constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Free;
   }
-  const bool slides = constraint.Kind == ConstraintKind::Faces ||
+  const bool slides =
+    (constraint.Kind == ConstraintKind::Faces && this->NodeStatus[node] != NodeEliminate) ||
     (constraint.Kind == ConstraintKind::Ridge && !onCut);
-  return slides && this->NodeStatus[node] != NodeEliminate && this->IsStraight(node, constraint);
+  return slides && this->IsStraight(node, constraint);
 }
 
 /// Whether the ridge of a node does not turn there, or its faces lie in one plane.

@@ -57,13 +57,37 @@ std::vector<char> TrialTrim::FindPillarsBehind(const TrimmedBand& trimmed) const
   {
     behind[this->TheColumns.Pillar[n]] |= trimmed.Moving[n];
   }
-  const std::vector<char> atCut = FindCutNodes(this->TheBand, trimmed.Kept);
+  std::vector<char> atCut(this->TheBand.NumberOfNodes(), 0);
+  const std::vector<char> cutNodes = FindCutNodes(this->TheBand, trimmed.Kept);
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
-    behind[this->TheColumns.Pillar[n]] &=
-      !atCut[n] && !this->TheColumns.IsOnBorder(this->TheBand, n);
+    atCut[this->TheColumns.Pillar[n]] |= cutNodes[n];
+  }
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    const int pillar = this->TheColumns.Pillar[n];
+    if (behind[pillar])
+    {
+      behind[pillar] = !atCut[pillar] &&
+        (!this->TheColumns.IsOnBorder(this->TheBand, n) || this->IsBehindOnBorder(n, atCut));
+    }
   }
   return behind;
+}
+
+/// Whether a node beyond the surface slides along a straight border, next to the cut. Another one
+/// has to go to the surface: there the border itself is cut.
+bool TrialTrim::IsBehindOnBorder(int node, const std::vector<char>& atCut) const
+{
+  const auto edges = this->TheBand.EdgesOfNode(node);
+  return this->Mover.MayRelax(node, false) &&
+    std::any_of(edges.begin(), edges.end(),
+      [&](int edge)
+      {
+        const int other = this->TheBand.OtherEnd(edge, node);
+        return atCut[this->TheColumns.Pillar[other]] &&
+          this->TheColumns.IsOnBorder(this->TheBand, other);
+      });
 }
 
 /// A pillar that has come to the cut by another decision is behind it no more.

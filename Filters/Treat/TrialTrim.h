@@ -63,11 +63,13 @@ public:
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
 
-  /// Pillars that should go to the surface, as they lie beyond it, though no facet of the cut nor
-  /// of the border is at them: a surface that leans by more than an element has such.
+  /// Pillars that should go to the surface, as they lie beyond it, though no facet of the cut is at
+  /// them: a surface that leans by more than an element has such.
   std::vector<char> FindPillarsBehind(const TrimmedBand& trimmed) const;
 
 private:
+  /// @param atCut by pillar.
+  bool IsBehindOnBorder(int node, const std::vector<char>& atCut) const;
   Choices WithDemands(Choices choices) const;
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const;

@@ -69,8 +69,7 @@ std::vector<std::pair<int, float>> FindNodesLeft(
       continue;
     }
     const auto foot = surface.ClosestPoint(moves.Position[n]);
-    const bool inside =
-      !atCut[n] && !near.Structure.IsOnBorder(near.Mesh, n) && foot.SignedDistance < 0.0;
+    const bool inside = !atCut[n] && foot.SignedDistance < 0.0;
     if (!inside && foot.Distance > StoredPrecision(near.Mesh, n, precision))
     {
       left.emplace_back(n, static_cast<float>(foot.Distance));

@@ -23,7 +23,7 @@ constexpr int BandRings = 4;
 constexpr int DeepBandRings = 12;
 /// A surface that shifts by more than this share of an element from skin to skin cannot be
 /// followed by whole columns: the sheet is treated as a block.
-constexpr double LargestColumnShift = 2.0;
+constexpr double LargestColumnShift = 3.5;
 
 /// Turns the surface round for a scope.
 class Turned

@@ -87,10 +87,13 @@ void CheckThickSheets()
     at.X = at.Y = at.Angle = 0;
     at.Size = 0.6;
     at.Lean = degrees * M_PI / 180;
-    for (const char* kind : { "cylinder", "plane" })
+    for (const char* kind : { "cylinder", "plane", "slanting plane" })
     {
       const std::string what = std::string(kind) + ", leaning by " + std::to_string(degrees);
-      const Surface cut = MakeSurface(kind, thick.Box, at);
+      // Meets the border of the sheet elsewhere on one skin than on the other.
+      const bool slants = std::string(kind) == "slanting plane";
+      at.Angle = slants ? 0.3 : 0;
+      const Surface cut = MakeSurface(slants ? "plane" : kind, thick.Box, at);
       Expect(LowestOf(thick, cut, false, what.c_str()) >= 0.5, "thick sheet: 0.5");
       Report report(what);
       JudgeBothSides(thick, cut, TrimOptions(), report);
