@@ -24,9 +24,11 @@ add_library(NURBSTrimStages STATIC
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
   Treat/Jacobian.cxx
+  Treat/JointRelaxation.cxx
   Treat/Offcut.cxx
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx
+  Treat/RelaxedMesh.cxx
   Treat/TrimmedBand.cxx
   Treat/TrialTrim.cxx
   Treat/ValidityLadder.cxx

@@ -445,10 +445,7 @@ std::vector<Vec3> NodeMover::Directions(
   };
   if (constraint.Kind == ConstraintKind::Ridge)
   {
-    const Vec3 along =
-      (this->TheBand.Point[this->TheBand.OtherEnd(constraint.RidgeEdges.front(), node)] -
-        this->TheBand.Point[node])
-        .normalized();
+    const Vec3 along = this->AlongRidge(node, constraint);
     return { along, -along };
   }
   const Vec3 across = onCut ? this->Surface.ClosestPoint(x).Normal : Vec3::Zero();
@@ -475,6 +472,13 @@ std::vector<Vec3> NodeMover::Directions(
   directions.push_back(Vec3::UnitZ());
   directions.push_back(-Vec3::UnitZ());
   return directions;
+}
+
+Vec3 NodeMover::AlongRidge(int node, const NodeConstraint& constraint) const
+{
+  return (this->TheBand.Point[this->TheBand.OtherEnd(constraint.RidgeEdges.front(), node)] -
+    this->TheBand.Point[node])
+    .normalized();
 }
 
 /// Nearest point of the two ridge edges at the node.
@@ -518,6 +522,15 @@ bool NodeMover::Constrained(
     place = move.Target;
     return move.Found;
   }
+  return this->NearestFacet(freedom, x, place, nullptr);
+}
+
+/// The nearest place on the faces that a node may come to lie on, and, if asked for, their normal
+/// there.
+bool NodeMover::NearestFacet(
+  const NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const
+{
+  int face = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (const int f : freedom.FacesAround)
   {
@@ -532,9 +545,39 @@ bool NodeMover::Constrained(
     {
       nearest = distance;
       place = on;
+      face = f;
     }
   }
-  return std::isfinite(nearest);
+  if (normal && face >= 0)
+  {
+    *normal = Facet(this->TheBand, this->TheBand.Faces[face]).Project(x).Normal;
+  }
+  return face >= 0;
+}
+
+std::vector<Vec3> NodeMover::Tangents(
+  int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const
+{
+  const auto& constraint = freedom.Constraint;
+  if (constraint.Kind == ConstraintKind::Ridge)
+  {
+    return { this->AlongRidge(node, constraint) };
+  }
+  const auto plane = [](const Vec3& normal) -> std::vector<Vec3>
+  {
+    const Vec3 u = normal.unitOrthogonal();
+    return { u, normal.cross(u) };
+  };
+  const Vec3 across = onCut ? this->Surface.ClosestPoint(x).Normal : Vec3::Zero();
+  if (constraint.Kind == ConstraintKind::Faces)
+  {
+    const auto& face = this->TheBand.Faces[constraint.Faces.front()];
+    Vec3 place;
+    Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
+    this->NearestFacet(freedom, x, place, &normal);
+    return onCut ? std::vector<Vec3>{ across.cross(normal).normalized() } : plane(normal);
+  }
+  return onCut ? plane(across) : std::vector<Vec3>{ Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ() };
 }
 
 }

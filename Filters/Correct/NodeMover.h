@@ -84,6 +84,10 @@ public:
   std::vector<Vec3> Directions(
     int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const;
 
+  /// Orthonormal directions that span the ways a node at x may go; on a bent skin those of the
+  /// facet that it has come to.
+  std::vector<Vec3> Tangents(int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const;
+
   /// The place nearest to x where the node may be: on its faces, and on the surface if it is on
   /// the cut. False if there is none.
   bool Constrained(
@@ -92,6 +96,8 @@ public:
 private:
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
+  bool NearestFacet(const NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const;
+  Vec3 AlongRidge(int node, const NodeConstraint& constraint) const;
   bool PlaceOnRidge(int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const;
   NodeMove ProjectOnFaces(int node, const NodeConstraint& constraint) const;
   /// The meeting point of the surface, a facet (the one it lies in) and a plane, from a guess;

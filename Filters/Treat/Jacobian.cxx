@@ -128,6 +128,44 @@ double SmallestCorner(const ElementPoints& p, const int (&corners)[N][3])
   return smallest;
 }
 
+/// An ideal wedge has the scaled Jacobian 1.
+const double WedgeScale = 2.0 / std::sqrt(3.0);
+
+/// Which end of each axis of a hexahedron its nodes are at.
+constexpr double AxisSide[3][8] = { { -1, 1, 1, -1, -1, 1, 1, -1 }, { -1, -1, 1, 1, -1, -1, 1, 1 },
+  { -1, -1, -1, -1, 1, 1, 1, 1 } };
+
+/// Sums of the edges along each axis of a hexahedron.
+std::array<Vec3, 3> PrincipalAxes(const ElementPoints& p)
+{
+  return { p[1] + p[2] + p[5] + p[6] - p[0] - p[3] - p[4] - p[7],
+    p[2] + p[3] + p[6] + p[7] - p[0] - p[1] - p[4] - p[5],
+    p[4] + p[5] + p[6] + p[7] - p[0] - p[1] - p[2] - p[3] };
+}
+
+struct DeterminantGradient
+{
+  double Value = 0;
+  std::array<Vec3, 3> By{ Vec3::Zero(), Vec3::Zero(), Vec3::Zero() }; ///< by each of the edges
+};
+
+DeterminantGradient UnitDeterminantGradient(const std::array<Vec3, 3>& edge)
+{
+  DeterminantGradient d;
+  const double lengths = edge[0].norm() * edge[1].norm() * edge[2].norm();
+  if (lengths == 0.0)
+  {
+    return d;
+  }
+  d.Value = Determinant(edge[0], edge[1], edge[2]) / lengths;
+  for (int k = 0; k < 3; ++k)
+  {
+    d.By[k] = edge[(k + 1) % 3].cross(edge[(k + 2) % 3]) / lengths -
+      d.Value / edge[k].squaredNorm() * edge[k];
+  }
+  return d;
+}
+
 }
 
 namespace
@@ -187,12 +225,53 @@ double ScaledJacobian(const ElementPoints& p, int count)
 {
   if (count == 6)
   {
-    return std::min(1.0, SmallestCorner(p, WedgeCorners) * 2.0 / std::sqrt(3.0));
+    return std::min(1.0, SmallestCorner(p, WedgeCorners) * WedgeScale);
   }
-  const Vec3 r = p[1] + p[2] + p[5] + p[6] - p[0] - p[3] - p[4] - p[7];
-  const Vec3 s = p[2] + p[3] + p[6] + p[7] - p[0] - p[1] - p[4] - p[5];
-  const Vec3 t = p[4] + p[5] + p[6] + p[7] - p[0] - p[1] - p[2] - p[3];
+  const auto [r, s, t] = PrincipalAxes(p);
   return std::min(SmallestCorner(p, HexahedronCorners), UnitDeterminant(r, s, t));
+}
+
+std::vector<ScaledDeterminant> ScaledDeterminants(const ElementPoints& p, int count)
+{
+  std::vector<ScaledDeterminant> found;
+  for (int i = 0; i < count; ++i)
+  {
+    const int* corner = count == 8 ? HexahedronCorners[i] : WedgeCorners[i];
+    const auto d =
+      UnitDeterminantGradient({ p[corner[0]] - p[i], p[corner[1]] - p[i], p[corner[2]] - p[i] });
+    ScaledDeterminant at{ d.Value, {} };
+    at.Gradient.fill(Vec3::Zero());
+    for (int k = 0; k < 3; ++k)
+    {
+      at.Gradient[corner[k]] += d.By[k];
+      at.Gradient[i] -= d.By[k];
+    }
+    found.push_back(at);
+  }
+  if (count == 8)
+  {
+    const auto d = UnitDeterminantGradient(PrincipalAxes(p));
+    ScaledDeterminant centre{ d.Value, {} };
+    for (int i = 0; i < 8; ++i)
+    {
+      centre.Gradient[i] = Vec3::Zero();
+      for (int k = 0; k < 3; ++k)
+      {
+        centre.Gradient[i] += AxisSide[k][i] * d.By[k];
+      }
+    }
+    found.push_back(centre);
+    return found;
+  }
+  for (auto& at : found)
+  {
+    at.Value *= WedgeScale;
+    for (int i = 0; i < count; ++i)
+    {
+      at.Gradient[i] *= WedgeScale;
+    }
+  }
+  return found;
 }
 
 }

@@ -14,6 +14,7 @@
 #include "NurbsSurface.h"
 
 #include <array>
+#include <vector>
 
 namespace trim
 {
@@ -52,6 +53,17 @@ EIGEN_ALWAYS_INLINE auto HexahedronVolume(const Points& p, const Determinant& de
  * for hexahedra also over the centre's; for wedges scaled so that the ideal one has 1.
  */
 double ScaledJacobian(const ElementPoints& points, int count);
+
+/// One of the determinants that the scaled Jacobian is the smallest of, and how it changes with
+/// the element's nodes.
+struct ScaledDeterminant
+{
+  double Value;
+  std::array<Vec3, 8> Gradient; ///< by node
+};
+
+/// All of them: of the corners, for hexahedra also of the centre.
+std::vector<ScaledDeterminant> ScaledDeterminants(const ElementPoints& points, int count);
 
 }
 

@@ -246,14 +246,15 @@ private:
 
   void RelaxBad()
   {
-    std::vector<char> active(this->Slots.size(), 0);
-    bool any = false;
-    for (std::size_t e = 0; e < this->Slots.size(); ++e)
+    std::vector<int> active;
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
     {
-      active[e] = this->SplitCorner[e] < 0 && this->IsBad(static_cast<int>(e));
-      any |= active[e] != 0;
+      if (this->SplitCorner[e] < 0 && this->IsBad(e))
+      {
+        active.push_back(e);
+      }
     }
-    if (!any)
+    if (active.empty())
     {
       return;
     }
@@ -268,7 +269,7 @@ private:
       elements[e].Count = this->SplitCorner[e] >= 0 ? 0 : elements[e].Count;
     }
     const std::vector<char> onCut(this->Shared.size(), 0);
-    Relax(this->TheBand, this->Mover, elements, active, fixed, onCut,
+    Relax({ this->TheBand, this->Mover, elements, fixed, onCut }, active,
       { this->Goal, this->Goal, Thorough }, this->Result.NodeMoves);
   }
 

@@ -1,14 +1,10 @@
 #include "Relaxation.h"
 
 #include "DisjointSets.h"
-#include "Jacobian.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 namespace trim
@@ -25,30 +21,25 @@ constexpr double Margin = 1.02;
 /// Where an element is below this, the ways to the surface are spread over the nodes behind first.
 constexpr double SpreadQuality = 0.2;
 constexpr int SpreadRounds = 30;
+/// No step makes an edge shorter than this share of what it was.
+constexpr double LeastEdgeShare = 0.05;
 /// On a curved surface or skin a step may turn out better than it looks by this much.
 constexpr double Foresight = 0.02;
 
-class Relaxer
+class Relaxer : private RelaxedMesh
 {
 public:
-  Relaxer(const Band& band, const NodeMover& mover, const std::vector<RelaxedElement>& elements,
-    const std::vector<char>& fixed, const std::vector<char>& onCut, const RelaxationGoal& goal,
-    Moves& moves)
-    : TheBand(band)
-    , Mover(mover)
-    , Elements(elements)
-    , Fixed(fixed)
-    , OnCut(onCut)
+  Relaxer(const RelaxationCase& given, const RelaxationGoal& goal, Moves& moves)
+    : RelaxedMesh(given, moves)
     , Floor(goal.Floor)
     , Goal(Margin * goal.Quality)
     , Effort(goal.Effort)
-    , TheMoves(moves)
   {
   }
 
-  void Run(const std::vector<char>& active)
+  void Run(const std::vector<int>& active)
   {
-    const std::vector<int> nodes = this->NodesRound(active);
+    const std::vector<int> nodes = this->NodesRound(active, Rings);
     this->Spread(nodes);
     const std::vector<std::vector<int>> pillars = this->PillarsOf(nodes);
     for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
@@ -145,43 +136,6 @@ private:
     return found;
   }
 
-  /// Scaled Jacobian of an element.
-  double Quality(int element) const
-  {
-    const auto& e = this->Elements[element];
-    ElementPoints points;
-    for (int i = 0; i < e.Count; ++i)
-    {
-      points[i] = this->TheMoves.Position[e.Node[i]];
-    }
-    return ScaledJacobian(points, e.Count);
-  }
-
-  bool Uses(int element, int node) const
-  {
-    const auto& e = this->Elements[element];
-    return std::find(e.Node.begin(), e.Node.begin() + e.Count, node) != e.Node.begin() + e.Count;
-  }
-
-  /// Kept elements that use one of the nodes.
-  std::vector<int> ElementsAt(const std::vector<int>& nodes) const
-  {
-    std::vector<int> elements;
-    for (const int node : nodes)
-    {
-      for (const int e : this->TheBand.ElementsOfNode(node))
-      {
-        if (this->Elements[e].Count > 0 && this->Uses(e, node))
-        {
-          elements.push_back(e);
-        }
-      }
-    }
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-    return elements;
-  }
-
   /// Nodes grouped by their pillars, in the order of the first of each.
   std::vector<std::vector<int>> PillarsOf(const std::vector<int>& nodes) const
   {
@@ -198,14 +152,6 @@ private:
       pillars[at].push_back(node);
     }
     return pillars;
-  }
-
-  const NodeFreedom& FreedomOf(int node)
-  {
-    const auto found = this->Freedoms.find(node);
-    return found != this->Freedoms.end()
-      ? found->second
-      : this->Freedoms.emplace(node, this->Mover.FreedomOf(node)).first->second;
   }
 
   /// Smallest quality of elements, no more than the goal; of what is below a limit, any.
@@ -234,87 +180,10 @@ private:
     return ranked.empty() ? this->Goal : std::min(this->Goal, ranked.front().first);
   }
 
-  bool Reached(const std::vector<char>& active) const
+  bool Reached(const std::vector<int>& active) const
   {
-    for (std::size_t e = 0; e < active.size(); ++e)
-    {
-      if (active[e] && this->Quality(static_cast<int>(e)) < this->Goal)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// Movable nodes near the elements below the goal, nearest first.
-  std::vector<int> NodesRound(const std::vector<char>& active) const
-  {
-    std::vector<char> seen(this->TheBand.NumberOfNodes(), 0);
-    std::vector<int> nodes;
-    const auto add = [&](int element)
-    {
-      const auto& e = this->Elements[element];
-      for (int i = 0; i < e.Count; ++i)
-      {
-        if (!seen[e.Node[i]])
-        {
-          seen[e.Node[i]] = 1;
-          nodes.push_back(e.Node[i]);
-        }
-      }
-    };
-    for (std::size_t e = 0; e < active.size(); ++e)
-    {
-      if (active[e])
-      {
-        add(static_cast<int>(e));
-      }
-    }
-    for (int ring = 1; ring < Rings; ++ring)
-    {
-      const std::size_t end = nodes.size();
-      for (std::size_t i = 0; i < end; ++i)
-      {
-        for (const int e : this->TheBand.ElementsOfNode(nodes[i]))
-        {
-          add(e);
-        }
-      }
-    }
-    nodes.erase(
-      std::remove_if(nodes.begin(), nodes.end(), [&](int n) { return !this->IsMovable(n); }),
-      nodes.end());
-    return nodes;
-  }
-
-  bool IsMovable(int node) const
-  {
-    if (this->Fixed[node])
-    {
-      return false;
-    }
-    const auto elements = this->TheBand.ElementsOfNode(node);
-    return std::none_of(
-             elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); }) &&
-      this->Mover.MayRelax(node, this->OnCut[node] != 0);
-  }
-
-  double ShortestEdge(int node) const
-  {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const int e : this->TheBand.ElementsOfNode(node))
-    {
-      for (int i = 0; i < this->Elements[e].Count; ++i)
-      {
-        const int other = this->Elements[e].Node[i];
-        if (other != node && this->Mover.IsLateral(node, other))
-        {
-          shortest = std::min(
-            shortest, (this->TheMoves.Position[other] - this->TheMoves.Position[node]).norm());
-        }
-      }
-    }
-    return shortest;
+    return std::all_of(
+      active.begin(), active.end(), [this](int e) { return this->Quality(e) >= this->Goal; });
   }
 
   /// Mean displacement of the neighbours within the layer, against the node's own.
@@ -360,7 +229,7 @@ private:
       {
         const double quality = this->Lowest(elements, best);
         const double floor = std::min(this->Floor, this->Goal);
-        if (quality > best && this->Lowest(guarded, floor) >= floor)
+        if (quality > best && this->Lowest(guarded, floor) >= floor && !this->Collapses(elements))
         {
           best = quality;
           to = this->PositionsOf(nodes);
@@ -396,31 +265,11 @@ private:
     return true;
   }
 
-  void TellMoved(const std::vector<int>& nodes)
+  /// Whether an edge vanishes, which the scaled Jacobian need not show.
+  bool Collapses(const std::vector<int>& elements) const
   {
-    for (const int node : nodes)
-    {
-      const bool moved = this->TheMoves.Position[node] != this->TheBand.Point[node];
-      this->TheMoves.Applied[node] = moved ? Correction::Relax : Correction::None;
-    }
-  }
-
-  std::vector<Vec3> PositionsOf(const std::vector<int>& nodes) const
-  {
-    std::vector<Vec3> positions;
-    for (const int node : nodes)
-    {
-      positions.push_back(this->TheMoves.Position[node]);
-    }
-    return positions;
-  }
-
-  void Place(const std::vector<int>& nodes, const std::vector<Vec3>& positions)
-  {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
-      this->TheMoves.Position[nodes[i]] = positions[i];
-    }
+    return std::any_of(elements.begin(), elements.end(),
+      [this](int e) { return this->ShortestEdgeShare(e) < LeastEdgeShare; });
   }
 
   void Shift(const std::vector<int>& nodes, const std::vector<Vec3>& from, const Vec3& step)
@@ -431,41 +280,17 @@ private:
     }
   }
 
-  /// Takes each node to the nearest place where it may be; false if one has none.
-  bool Settle(const std::vector<int>& nodes)
-  {
-    for (const int node : nodes)
-    {
-      Vec3 place;
-      if (!this->Mover.Constrained(node, this->FreedomOf(node), this->TheMoves.Position[node],
-            this->OnCut[node] != 0, place))
-      {
-        return false;
-      }
-      this->TheMoves.Position[node] = AsStored(this->TheBand, place);
-    }
-    return true;
-  }
-
-  const Band& TheBand;
-  const NodeMover& Mover;
-  const std::vector<RelaxedElement>& Elements;
-  const std::vector<char>& Fixed;
-  const std::vector<char>& OnCut;
   double Floor;
   double Goal;
   RelaxationEffort Effort;
-  Moves& TheMoves;
-  std::unordered_map<int, NodeFreedom> Freedoms;
 };
 
 }
 
-void Relax(const Band& band, const NodeMover& mover, const std::vector<RelaxedElement>& elements,
-  const std::vector<char>& active, const std::vector<char>& fixed, const std::vector<char>& onCut,
-  const RelaxationGoal& goal, Moves& moves)
+void Relax(const RelaxationCase& given, const std::vector<int>& active, const RelaxationGoal& goal,
+  Moves& moves)
 {
-  Relaxer(band, mover, elements, fixed, onCut, goal, moves).Run(active);
+  Relaxer(given, goal, moves).Run(active);
 }
 
 }

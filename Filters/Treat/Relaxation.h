@@ -11,20 +11,12 @@
 #ifndef Relaxation_h
 #define Relaxation_h
 
-#include "Moves.h"
+#include "RelaxedMesh.h"
 
-#include <array>
 #include <vector>
 
 namespace trim
 {
-
-/// A kept element as it will be written.
-struct RelaxedElement
-{
-  int Count = 0; ///< 0: not kept
-  std::array<int, 8> Node;
-};
 
 /// How long the relaxation goes on.
 struct RelaxationEffort
@@ -46,15 +38,11 @@ struct RelaxationGoal
 /**
  * Relaxes the nodes round the elements whose scaled Jacobian is below the goal.
  *
- * @param elements of the band, with degenerated ones as wedges.
- * @param active elements that should reach the goal.
- * @param fixed nodes that must not move.
- * @param onCut nodes of the new boundary.
+ * @param active elements that should reach the goal, ascending.
  * @param[in,out] moves positions; nodes that are moved get Correction::Relax.
  */
-void Relax(const Band& band, const NodeMover& mover, const std::vector<RelaxedElement>& elements,
-  const std::vector<char>& active, const std::vector<char>& fixed, const std::vector<char>& onCut,
-  const RelaxationGoal& goal, Moves& moves);
+void Relax(const RelaxationCase& given, const std::vector<int>& active, const RelaxationGoal& goal,
+  Moves& moves);
 
 }
 

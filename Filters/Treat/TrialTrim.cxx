@@ -1,5 +1,7 @@
 #include "TrialTrim.h"
 
+#include "JointRelaxation.h"
+
 #include <algorithm>
 
 namespace trim
@@ -8,7 +10,7 @@ namespace
 {
 
 /// Elements up to which the relaxation takes its time, again and again.
-constexpr int MostThorough = 40;
+constexpr std::size_t MostThorough = 40;
 /// What elements are polished to at last, as far as the nodes round them can give it, where a
 /// lower floor is asked for: the floor is what they must reach.
 constexpr double PolishedGoal = 0.6;
@@ -148,9 +150,16 @@ void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBan
   {
     trimmed.Relaxed[e] = 1;
   }
-  const auto bad = std::count(trimmed.Relaxed.begin(), trimmed.Relaxed.end(), 1);
-  this->RelaxRound(set, trimmed.Relaxed, std::max(goal.GetFloor(), SmallestGoal),
-    bad > MostThorough ? Brief : Thorough, trimmed);
+  std::vector<int> bad;
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+  {
+    if (trimmed.Relaxed[e])
+    {
+      bad.push_back(e);
+    }
+  }
+  this->RelaxRound(set, bad, std::max(goal.GetFloor(), SmallestGoal),
+    bad.size() > MostThorough ? Brief : Thorough, trimmed);
 }
 
 void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
@@ -162,6 +171,11 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
   }
   const Moves before = trimmed.NodeMoves;
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  const double aim = std::max(AimedFloor, this->Options.QualityFloor);
+  if (this->Options.Treatment == Optimization::Degenerate)
+  {
+    this->RelaxRound(set, this->Quality.FindShortOf(trimmed, aim), aim, Thorough, trimmed);
+  }
   this->PolishTo(set, PolishedGoal, false, trimmed);
   this->PolishTo(set, PolishedOnCutGoal, true, trimmed);
   if (this->Quality.FindInvalid(trimmed).size() > trimmed.Invalid.size())
@@ -173,18 +187,14 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
 /// Relaxes what is short of the goal and was not so before.
 void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const
 {
-  std::vector<char> active(this->TheBand.NumberOfElements(), 0);
-  for (const int e : this->Quality.FindShortOf(trimmed, goal))
-  {
-    active[e] = 1;
-  }
-  this->RelaxRound(set, active, PolishedGoal, Brief, trimmed, onCutToo);
+  this->RelaxRound(
+    set, this->Quality.FindShortOf(trimmed, goal), PolishedGoal, Brief, trimmed, onCutToo);
 }
 
-void TrialTrim::RelaxRound(const Choices& set, const std::vector<char>& active, double quality,
+void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
   const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo) const
 {
-  if (std::none_of(active.begin(), active.end(), [](char c) { return c; }))
+  if (active.empty())
   {
     return;
   }
@@ -212,8 +222,15 @@ void TrialTrim::RelaxRound(const Choices& set, const std::vector<char>& active, 
     fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
       choice == CorrectionChoice::Leave;
   }
-  Relax(this->TheBand, this->Mover, elements, active, fixed, onCut,
-    { quality, this->Options.QualityFloor, effort }, trimmed.NodeMoves);
+  const RelaxationCase given{ this->TheBand, this->Mover, elements, fixed, onCut };
+  const RelaxationGoal towards{ quality, this->Options.QualityFloor, effort };
+  Relax(given, active, towards, trimmed.NodeMoves);
+  // Straight corners that stay would pull nodes along the cut for nothing.
+  if (quality < PolishedGoal && active.size() <= MostThorough &&
+    this->Options.Treatment == Optimization::Degenerate)
+  {
+    RelaxJointly(given, active, towards, trimmed.NodeMoves);
+  }
 }
 
 }

@@ -35,6 +35,9 @@ struct LadderOptions
 /// What elements are relaxed to where no floor is asked for.
 constexpr double SmallestGoal = 0.05;
 
+/// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
+constexpr double AimedFloor = 0.3;
+
 /// Everything the ladder may set.
 struct Choices
 {
@@ -74,7 +77,7 @@ private:
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
-  void RelaxRound(const Choices& set, const std::vector<char>& active, double quality,
+  void RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
     const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
 
   const Band& TheBand;

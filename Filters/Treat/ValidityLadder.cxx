@@ -11,10 +11,8 @@ namespace
 constexpr int LongestClimb = 40;
 /// How many columns below the quality floor are tried with the other correction.
 constexpr int MostFloorTrials = 16;
-/// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
-constexpr double AimedFloor = 0.3;
-/// Columns below that aim, but not below the floor, that are worth other choices.
-constexpr int MostAimedColumns = 3;
+/// Columns below what is aimed at, but not below the floor, that are worth other choices.
+constexpr std::size_t MostAimedColumns = 8;
 /// A choice that leaves more than this of what misses the floor is none.
 constexpr double LeastProgress = 0.999;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor

@@ -69,6 +69,22 @@ bool IsOrdinary(const std::string& surface, const Mesh& mesh, int optimization)
     !(closed && (mesh.Name == "stretched" || mesh.Name == "hole"));
 }
 
+// What the worst element reaches at least with wedges. Below the project's 0.3 are blocks, and
+// trims that no place of the nodes makes better:
+// - inclined: border, skin and cut meet in a spike whose edges are given; it has 0.198, as a wedge
+//   0.229;
+// - roundrect in a channel and cone in a cup: the surface leans from the wall by 17 and 15 degrees,
+//   whose sines are 0.296 and 0.259.
+double FloorOf(const std::string& surface, const Mesh& mesh)
+{
+  const std::map<std::string, double> lower{ { "channel inclined", 0.22 },
+    { "hole inclined", 0.22 }, { "lshape inclined", 0.22 }, { "islands inclined", 0.22 },
+    { "channel roundrect", 0.25 }, { "cup cone", 0.25 }, { "cup roundrect", 0.25 },
+    { "stretched roundrect", 0.29 } };
+  const auto found = lower.find(mesh.Name + " " + surface);
+  return !mesh.Sheet ? 0.2 : found != lower.end() ? found->second : 0.3;
+}
+
 std::string KindOf(const std::string& surface)
 {
   return surface == "leaning" ? "cylinder" : surface == "inclined" ? "plane" : surface;
@@ -115,9 +131,10 @@ int main(int argc, char* argv[])
         {
           report.Fail("left off the surface on an ordinary trim", "points", left->second, 0);
         }
-        if (ordinary && options.CorrectionType != 1 && options.Optimization == 2 && lowest < 0.3)
+        const double floor = FloorOf(name, mesh);
+        if (options.CorrectionType != 1 && options.Optimization == 2 && lowest < floor)
         {
-          report.Fail("scaled Jacobian of an ordinary trim", "lowest", lowest, 0.3);
+          report.Fail("scaled Jacobian with wedges", "lowest", lowest, floor);
         }
         ++trials;
         bad += report.Failures() > 0;

@@ -103,6 +103,25 @@ void CheckThickSheets()
   }
 }
 
+/// Cuts that run along the wall of a formed part under a few degrees, and elements twenty times as
+/// long as wide: there no single node gets an element up, all round it have to move at once.
+void CheckHardCuts()
+{
+  for (const char* name : { "channel", "stretched" })
+  {
+    const Mesh mesh = MakeMesh(name);
+    Placement at;
+    at.Seed = 3;
+    at.Size = mesh.Flat ? 0.9 : 0.45;
+    const Surface cone = MakeSurface("cone", mesh.Box, at);
+    for (const bool invert : { false, true })
+    {
+      const std::string what = std::string(name) + ", cone, side " + std::to_string(invert);
+      Expect(LowestOf(mesh, cone, invert, what.c_str()) >= 0.3, "hard cuts: 0.3");
+    }
+  }
+}
+
 /// What one trim by a leaning cylinder says of itself and of its nodes.
 struct Trimmed
 {
@@ -152,6 +171,7 @@ int main()
 {
   CheckTargets();
   CheckThickSheets();
+  CheckHardCuts();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",

@@ -1,0 +1,195 @@
+#include "RelaxedMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trim
+{
+
+ElementPoints RelaxedMesh::PointsOf(int element) const
+{
+  const auto& e = this->Elements[element];
+  ElementPoints points;
+  for (int i = 0; i < e.Count; ++i)
+  {
+    points[i] = this->TheMoves.Position[e.Node[i]];
+  }
+  return points;
+}
+
+double RelaxedMesh::Quality(int element) const
+{
+  return ScaledJacobian(this->PointsOf(element), this->Elements[element].Count);
+}
+
+double RelaxedMesh::ShortestEdgeShare(int element) const
+{
+  const auto& e = this->Elements[element];
+  const auto& topology = TopologyOf(e.Count);
+  double share = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    const int a = e.Node[topology.Edges[i].First];
+    const int b = e.Node[topology.Edges[i].Second];
+    share = std::min(share,
+      (this->TheMoves.Position[a] - this->TheMoves.Position[b]).squaredNorm() /
+        (this->TheBand.Point[a] - this->TheBand.Point[b]).squaredNorm());
+  }
+  return std::sqrt(share);
+}
+
+bool RelaxedMesh::Uses(int element, int node) const
+{
+  const auto& e = this->Elements[element];
+  return std::find(e.Node.begin(), e.Node.begin() + e.Count, node) != e.Node.begin() + e.Count;
+}
+
+std::vector<int> RelaxedMesh::ElementsAt(const std::vector<int>& nodes) const
+{
+  std::vector<int> elements;
+  for (const int node : nodes)
+  {
+    for (const int e : this->TheBand.ElementsOfNode(node))
+    {
+      if (this->Elements[e].Count > 0 && this->Uses(e, node))
+      {
+        elements.push_back(e);
+      }
+    }
+  }
+  std::sort(elements.begin(), elements.end());
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  return elements;
+}
+
+std::vector<int> RelaxedMesh::NodesRound(const std::vector<int>& elements, int rings) const
+{
+  std::vector<char> seen(this->TheBand.NumberOfNodes(), 0);
+  std::vector<int> nodes;
+  const auto add = [&](int element)
+  {
+    const auto& e = this->Elements[element];
+    for (int i = 0; i < e.Count; ++i)
+    {
+      if (!seen[e.Node[i]])
+      {
+        seen[e.Node[i]] = 1;
+        nodes.push_back(e.Node[i]);
+      }
+    }
+  };
+  for (const int e : elements)
+  {
+    add(e);
+  }
+  for (int ring = 1; ring < rings; ++ring)
+  {
+    const std::size_t end = nodes.size();
+    for (std::size_t i = 0; i < end; ++i)
+    {
+      for (const int e : this->TheBand.ElementsOfNode(nodes[i]))
+      {
+        add(e);
+      }
+    }
+  }
+  nodes.erase(
+    std::remove_if(nodes.begin(), nodes.end(), [&](int n) { return !this->IsMovable(n); }),
+    nodes.end());
+  return nodes;
+}
+
+bool RelaxedMesh::IsMovable(int node) const
+{
+  if (this->Fixed[node])
+  {
+    return false;
+  }
+  const auto elements = this->TheBand.ElementsOfNode(node);
+  return std::none_of(
+           elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); }) &&
+    this->Mover.MayRelax(node, this->OnCut[node] != 0);
+}
+
+const NodeFreedom& RelaxedMesh::FreedomOf(int node)
+{
+  const auto found = this->Freedoms.find(node);
+  return found != this->Freedoms.end()
+    ? found->second
+    : this->Freedoms.emplace(node, this->Mover.FreedomOf(node)).first->second;
+}
+
+double RelaxedMesh::ShortestEdge(int node) const
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const int e : this->TheBand.ElementsOfNode(node))
+  {
+    for (int i = 0; i < this->Elements[e].Count; ++i)
+    {
+      const int other = this->Elements[e].Node[i];
+      if (other != node && this->Mover.IsLateral(node, other))
+      {
+        shortest = std::min(
+          shortest, (this->TheMoves.Position[other] - this->TheMoves.Position[node]).norm());
+      }
+    }
+  }
+  return shortest;
+}
+
+Eigen::Matrix3d RelaxedMesh::EdgeMetric(int node) const
+{
+  Eigen::Matrix3d metric = Eigen::Matrix3d::Zero();
+  for (const int edge : this->TheBand.EdgesOfNode(node))
+  {
+    const Vec3 way =
+      this->TheBand.Point[this->TheBand.OtherEnd(edge, node)] - this->TheBand.Point[node];
+    metric += way * way.transpose() / (way.squaredNorm() * way.squaredNorm());
+  }
+  return 0.5 * metric;
+}
+
+std::vector<Vec3> RelaxedMesh::PositionsOf(const std::vector<int>& nodes) const
+{
+  std::vector<Vec3> positions;
+  for (const int node : nodes)
+  {
+    positions.push_back(this->TheMoves.Position[node]);
+  }
+  return positions;
+}
+
+void RelaxedMesh::Place(const std::vector<int>& nodes, const std::vector<Vec3>& positions)
+{
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    this->TheMoves.Position[nodes[i]] = positions[i];
+  }
+}
+
+bool RelaxedMesh::Settle(const std::vector<int>& nodes)
+{
+  for (const int node : nodes)
+  {
+    Vec3 place;
+    if (!this->Mover.Constrained(node, this->FreedomOf(node), this->TheMoves.Position[node],
+          this->OnCut[node] != 0, place))
+    {
+      return false;
+    }
+    this->TheMoves.Position[node] = AsStored(this->TheBand, place);
+  }
+  return true;
+}
+
+void RelaxedMesh::TellMoved(const std::vector<int>& nodes)
+{
+  for (const int node : nodes)
+  {
+    const bool moved = this->TheMoves.Position[node] != this->TheBand.Point[node];
+    this->TheMoves.Applied[node] = moved ? Correction::Relax : Correction::None;
+  }
+}
+
+}

@@ -1,0 +1,97 @@
+/**
+ * @file RelaxedMesh.h
+ * @brief The elements at the cut while their nodes are moved for the sake of quality: which nodes
+ * may move, where to, and how good the elements are.
+ */
+#ifndef RelaxedMesh_h
+#define RelaxedMesh_h
+
+#include "Jacobian.h"
+#include "Moves.h"
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+namespace trim
+{
+
+/// A kept element as it will be written.
+struct RelaxedElement
+{
+  int Count = 0; ///< 0: not kept
+  std::array<int, 8> Node;
+};
+
+/// What there is to relax. All of it must outlive the relaxation.
+struct RelaxationCase
+{
+  const Band& TheBand;
+  const NodeMover& Mover;
+  const std::vector<RelaxedElement>& Elements; ///< of the band, with degenerated ones as wedges
+  const std::vector<char>& Fixed;              ///< nodes that must not move
+  const std::vector<char>& OnCut;              ///< nodes of the new boundary
+};
+
+class RelaxedMesh
+{
+public:
+  /// @param[in,out] moves positions; nodes that are moved get Correction::Relax.
+  RelaxedMesh(const RelaxationCase& given, Moves& moves)
+    : TheBand(given.TheBand)
+    , Mover(given.Mover)
+    , Elements(given.Elements)
+    , OnCut(given.OnCut)
+    , TheMoves(moves)
+    , Fixed(given.Fixed)
+  {
+  }
+
+  const Band& TheBand;
+  const NodeMover& Mover;
+  const std::vector<RelaxedElement>& Elements;
+  const std::vector<char>& OnCut;
+  Moves& TheMoves;
+
+  ElementPoints PointsOf(int element) const;
+
+  /// Scaled Jacobian of an element.
+  double Quality(int element) const;
+
+  /// How much of its length that edge of an element has left which lost most.
+  double ShortestEdgeShare(int element) const;
+
+  /// Kept elements that use one of the nodes, ascending.
+  std::vector<int> ElementsAt(const std::vector<int>& nodes) const;
+
+  /// Movable nodes of elements and of rings round them, nearest first.
+  std::vector<int> NodesRound(const std::vector<int>& elements, int rings) const;
+
+  const NodeFreedom& FreedomOf(int node);
+
+  /// To the nearest neighbour within the layer.
+  double ShortestEdge(int node) const;
+
+  /// The metric in which the edges at a node are of length one, more or less.
+  Eigen::Matrix3d EdgeMetric(int node) const;
+
+  std::vector<Vec3> PositionsOf(const std::vector<int>& nodes) const;
+  void Place(const std::vector<int>& nodes, const std::vector<Vec3>& positions);
+
+  /// Takes each node to the nearest place where it may be; false if one has none.
+  bool Settle(const std::vector<int>& nodes);
+
+  /// Sets Applied of nodes that have got their places.
+  void TellMoved(const std::vector<int>& nodes);
+
+private:
+  bool Uses(int element, int node) const;
+  bool IsMovable(int node) const;
+
+  const std::vector<char>& Fixed;
+  std::unordered_map<int, NodeFreedom> Freedoms;
+};
+
+}
+
+#endif
