@@ -21,6 +21,8 @@ constexpr double CornerCosine = 0.866;
 constexpr double StraightOn = 0.7071;
 /// How far along the border a cut that leans is looked for, in edges.
 constexpr int LongestStepsBack = 4;
+/// Nodes of a pillar that are looked at.
+constexpr std::size_t MostLayers = 200;
 
 Vec3 FaceNormal(const Band& band, const BandFace& face)
 {
@@ -93,21 +95,26 @@ std::vector<int> LateralEdges(
 }
 
 /// Whether a node of a pillar does not lie beyond the surface.
-bool HasNodeThatStays(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, int node, int from = -1)
+bool HasNodeThatStays(
+  const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node)
 {
-  if (nodeStatus[node] != NodeEliminate)
+  // Corrupt grids have pillars that branch and close.
+  std::vector<int> pillar{ node };
+  for (std::size_t i = 0; i < pillar.size() && pillar.size() < MostLayers; ++i)
   {
-    return true;
-  }
-  const auto edges = band.EdgesOfNode(node);
-  return std::any_of(edges.begin(), edges.end(),
-    [&](int edge)
+    if (nodeStatus[pillar[i]] != NodeEliminate)
     {
-      const int other = band.OtherEnd(edge, node);
-      return other != from && columns.IsThicknessEdge(band, edge) &&
-        HasNodeThatStays(band, columns, nodeStatus, other, node);
-    });
+      return true;
+    }
+    for (const int edge : band.EdgesOfNode(pillar[i]))
+    {
+      if (columns.IsThicknessEdge(band, edge))
+      {
+        AddUnique(pillar, band.OtherEnd(edge, pillar[i]));
+      }
+    }
+  }
+  return false;
 }
 
 /// How many edges straight on from a node the first one is that does not lie beyond the surface.
