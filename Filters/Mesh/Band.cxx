@@ -1,5 +1,7 @@
 #include "Band.h"
 
+#include <vtkSMPTools.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -107,55 +109,47 @@ void Band::OrientWedges()
   }
 }
 
-int Band::FindTwin(int element, const std::array<int, 4>& key, int& slot) const
+Band::Side Band::FindTwin(int element, int slot) const
 {
+  const std::array<int, 4> key = FaceKey(this->Elements[element], slot);
   for (const int other : this->ElementsOfNode(key[0]))
   {
     const auto& candidate = this->Elements[other];
-    for (slot = 0; other > element && slot < TopologyOf(candidate.Count).NumberOfFaces; ++slot)
+    for (int i = 0; other > element && i < TopologyOf(candidate.Count).NumberOfFaces; ++i)
     {
-      if (candidate.Face[slot] < 0 && FaceKey(candidate, slot) == key)
+      if (FaceKey(candidate, i) == key)
       {
-        return other;
+        return { other, i };
       }
     }
   }
-  return -1;
+  return {};
 }
 
 void Band::BuildFaces()
 {
+  std::vector<std::array<Side, 6>> twins(this->Elements.size());
+  vtkSMPTools::For(0, this->NumberOfElements(), 500,
+    [&](Id begin, Id end)
+    {
+      for (int e = static_cast<int>(begin); e < end; ++e)
+      {
+        for (int slot = 0; slot < TopologyOf(this->Elements[e].Count).NumberOfFaces; ++slot)
+        {
+          twins[e][slot] = this->FindTwin(e, slot);
+        }
+      }
+    });
+  this->Faces.reserve(4 * this->Elements.size());
   for (int e = 0; e < this->NumberOfElements(); ++e)
   {
-    auto& element = this->Elements[e];
-    const auto& topology = TopologyOf(element.Count);
-    for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
+    for (int slot = 0; slot < TopologyOf(this->Elements[e].Count).NumberOfFaces; ++slot)
     {
-      if (element.Face[slot] >= 0)
+      // Of three elements with one face the first two are twins, as no face has more than two.
+      if (this->Elements[e].Face[slot] < 0)
       {
-        continue;
+        this->AddFace({ e, slot }, twins[e][slot]);
       }
-      BandFace face;
-      face.Count = topology.Faces[slot].Count;
-      face.Node.fill(-1);
-      for (int i = 0; i < face.Count; ++i)
-      {
-        face.Node[i] = element.Node[topology.Faces[slot].Node[i]];
-      }
-      face.Element[0] = e;
-      face.Slot[0] = slot;
-      const int index = static_cast<int>(this->Faces.size());
-      element.Face[slot] = index;
-      int twinSlot = -1;
-      const int twin = this->FindTwin(e, FaceKey(element, slot), twinSlot);
-      if (twin >= 0)
-      {
-        face.Element[1] = twin;
-        face.Slot[1] = twinSlot;
-        this->Elements[twin].Face[twinSlot] = index;
-      }
-      face.Exterior = twin < 0 && element.Ring < this->Halo;
-      this->Faces.push_back(face);
     }
   }
   this->FaceLists = BuildLists(this->NumberOfNodes(),
@@ -171,36 +165,46 @@ void Band::BuildFaces()
     });
 }
 
+void Band::AddFace(Side side, Side twin)
+{
+  auto& element = this->Elements[side.Element];
+  const auto& corners = TopologyOf(element.Count).Faces[side.Slot];
+  BandFace face;
+  face.Count = corners.Count;
+  face.Node.fill(-1);
+  for (int i = 0; i < face.Count; ++i)
+  {
+    face.Node[i] = element.Node[corners.Node[i]];
+  }
+  face.Element[0] = side.Element;
+  face.Slot[0] = side.Slot;
+  element.Face[side.Slot] = static_cast<int>(this->Faces.size());
+  if (twin.Element >= 0)
+  {
+    face.Element[1] = twin.Element;
+    face.Slot[1] = twin.Slot;
+    this->Elements[twin.Element].Face[twin.Slot] = element.Face[side.Slot];
+  }
+  face.Exterior = twin.Element < 0 && element.Ring < this->Halo;
+  this->Faces.push_back(face);
+}
+
 void Band::BuildEdges()
 {
-  std::vector<int> ends;
-  for (int n = 0; n < this->NumberOfNodes(); ++n)
-  {
-    ends.clear();
-    for (const int e : this->ElementsOfNode(n))
+  constexpr int grain = 1000;
+  std::vector<std::vector<BandEdge>> edges((this->NumberOfNodes() + grain - 1) / grain);
+  vtkSMPTools::For(0, static_cast<Id>(edges.size()), 1,
+    [&](Id begin, Id end)
     {
-      const auto& element = this->Elements[e];
-      const auto& topology = TopologyOf(element.Count);
-      for (int i = 0; i < topology.NumberOfEdges; ++i)
+      const int last = std::min(this->NumberOfNodes(), static_cast<int>(end) * grain);
+      for (int n = static_cast<int>(begin) * grain; n < last; ++n)
       {
-        const int a = element.Node[topology.Edges[i].First];
-        const int b = element.Node[topology.Edges[i].Second];
-        if (a == n && b > n)
-        {
-          ends.push_back(b);
-        }
-        else if (b == n && a > n)
-        {
-          ends.push_back(a);
-        }
+        this->ListEdges(n, edges[n / grain]);
       }
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    for (const int other : ends)
-    {
-      this->Edges.push_back({ n, other });
-    }
+    });
+  for (const auto& list : edges)
+  {
+    this->Edges.insert(this->Edges.end(), list.begin(), list.end());
   }
   this->EdgeLists = BuildLists(this->NumberOfNodes(),
     [this](auto&& add)
@@ -211,6 +215,31 @@ void Band::BuildEdges()
         add(this->Edges[i].Second, static_cast<int>(i));
       }
     });
+}
+
+void Band::ListEdges(int node, std::vector<BandEdge>& edges) const
+{
+  const auto first = static_cast<std::ptrdiff_t>(edges.size());
+  for (const int e : this->ElementsOfNode(node))
+  {
+    const auto& element = this->Elements[e];
+    const auto& topology = TopologyOf(element.Count);
+    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    {
+      const int a = element.Node[topology.Edges[i].First];
+      const int b = element.Node[topology.Edges[i].Second];
+      if (std::min(a, b) == node)
+      {
+        edges.push_back({ node, std::max(a, b) });
+      }
+    }
+  }
+  const auto begin = edges.begin() + first;
+  std::sort(
+    begin, edges.end(), [](const BandEdge& a, const BandEdge& b) { return a.Second < b.Second; });
+  edges.erase(std::unique(begin, edges.end(),
+                [](const BandEdge& a, const BandEdge& b) { return a.Second == b.Second; }),
+    edges.end());
 }
 
 int Band::FindEdge(int a, int b) const

@@ -104,10 +104,18 @@ public:
 private:
   void TakeElements(const BandCells& cells);
   void OrientWedges();
-  /// The later element with a face of the same nodes, and its slot there; -1 if there is none.
-  int FindTwin(int element, const std::array<int, 4>& key, int& slot) const;
+  /// A face as one of its elements has it; element -1: none.
+  struct Side
+  {
+    int Element = -1, Slot = -1;
+  };
+  /// The first later element with a face of the same nodes.
+  Side FindTwin(int element, int slot) const;
   void BuildFaces();
+  void AddFace(Side side, Side twin);
   void BuildEdges();
+  /// The edges from a node to later ones, ascending.
+  void ListEdges(int node, std::vector<BandEdge>& edges) const;
 
   int Halo = 0;
   std::vector<std::pair<Id, int>> NodeByPoint, ElementByCell; ///< ascending

@@ -188,7 +188,8 @@ EIGEN_ALWAYS_INLINE Two Determinant(const TwoPoints& a, const TwoPoints& b, cons
 struct RunSize
 {
   Two Low[3], High[3]; ///< the boxes of the first and of the second cells of pairs
-  Two Diagonal{ 0.0, 0.0 };
+  Two Sides[3] = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } };
+  Two Diagonal{ 0.0, 0.0 }; ///< squared
 
   RunSize()
   {
@@ -205,7 +206,9 @@ struct RunSize
     {
       this->Low[k] = this->Low[k].min(low[k]);
       this->High[k] = this->High[k].max(high[k]);
-      squared += (high[k] - low[k]).square();
+      const Two side = high[k] - low[k];
+      this->Sides[k] = this->Sides[k].max(side);
+      squared += side.square();
     }
     this->Diagonal = this->Diagonal.max(squared);
   }
@@ -260,10 +263,17 @@ double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
   return std::abs(VolumeOf(points, count));
 }
 
+/// The largest cells of a block.
+struct LargestCells
+{
+  double Diagonal = 0.0;
+  Vec3 Sides = Vec3::Zero();
+};
+
 /// Boxes and volumes of one block of cells.
 template <typename Coordinate>
-void MeasureBlock(
-  const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks, double& largest)
+void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks,
+  LargestCells& largest)
 {
   const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
   for (Id first = MeshBlocks::FirstCell(block); first < last; first += MeshBlocks::CellsPerRun)
@@ -291,12 +301,16 @@ void MeasureBlock(
     const Box3 box = run.Box();
     blocks.RunBoxes[first / MeshBlocks::CellsPerRun] = RoundOutwards(box);
     blocks.Boxes[block].extend(box);
-    largest = std::max(largest, run.Diagonal.maxCoeff());
+    largest.Diagonal = std::max(largest.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
+    for (int k = 0; k < 3; ++k)
+    {
+      largest.Sides[k] = std::max(largest.Sides[k], run.Sides[k].maxCoeff());
+    }
   }
 }
 
 void MeasureAndJoin(
-  const HexMesh& mesh, Id block, MeshBlocks& blocks, Joiner& joiner, double& largest)
+  const HexMesh& mesh, Id block, MeshBlocks& blocks, Joiner& joiner, LargestCells& largest)
 {
   constexpr Id patches = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerPatch;
   const auto end = std::min(static_cast<Id>(blocks.IsPatch.size()), (block + 1) * patches);
@@ -332,7 +346,7 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
   blocks.RunBoxes.resize(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
   blocks.IsPatch.assign(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
-  std::vector<double> largest(count, 0.0);
+  std::vector<LargestCells> largest(count);
   blocks.RunOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   constexpr Id grain = 256;
   const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
@@ -354,7 +368,8 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
   for (Id b = 0; b < count; ++b)
   {
     blocks.Bounds.extend(blocks.Boxes[b]);
-    blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, std::sqrt(largest[b]));
+    blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, largest[b].Diagonal);
+    blocks.LargestCell = blocks.LargestCell.cwiseMax(largest[b].Sides);
   }
   if (usedNodes < mesh.NumberOfPoints)
   {
@@ -369,6 +384,7 @@ void ShareBounds(const Ranks& ranks, MeshBlocks& blocks)
   {
     blocks.Bounds.min()[k] = -ranks.Largest(-blocks.Bounds.min()[k]);
     blocks.Bounds.max()[k] = ranks.Largest(blocks.Bounds.max()[k]);
+    blocks.LargestCell[k] = ranks.Largest(blocks.LargestCell[k]);
   }
   blocks.LargestDiagonal = ranks.Largest(blocks.LargestDiagonal);
 }

@@ -44,8 +44,9 @@ struct MeshBlocks
   std::vector<std::pair<int, int>> Links;
   std::vector<Id> UnusedNodes; ///< ascending
 
-  Box3 Bounds;                ///< of all points used by cells
-  double LargestDiagonal = 0; ///< of the boxes of single cells
+  Box3 Bounds;                     ///< of all points used by cells
+  double LargestDiagonal = 0;      ///< of the boxes of single cells
+  Vec3 LargestCell = Vec3::Zero(); ///< largest sides of the boxes of single cells
 
   /// The first run of CellsPerPatch cells with a node; NoRun: no cell uses it.
   int FirstRunOf(Id node) const
@@ -64,7 +65,7 @@ struct MeshBlocks
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh);
 
-/// Widens Bounds and LargestDiagonal to those of all ranks' pieces; collective.
+/// Widens Bounds, LargestDiagonal and LargestCell to those of all ranks' pieces; collective.
 void ShareBounds(const Ranks& ranks, MeshBlocks& blocks);
 
 /// Places of the nodes of one cell; returns their number.

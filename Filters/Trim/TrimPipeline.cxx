@@ -188,11 +188,13 @@ std::vector<Id> FindSeeds(const HexMesh& mesh, const TrimResult& result)
   return seeds;
 }
 
-/// Cells within so many of the largest elements of the surface: all rings lie among them.
+/// Cells within so many of the largest elements of the surface: all rings lie among them, as cells
+/// of one ring share nodes with the ring before, and those that the surface meets are the first.
 std::vector<Id> FindNearCells(
   const HexMesh& mesh, const MeshBlocks& blocks, const nurbs::TrimmingSurface& surface, int rings)
 {
-  const Vec3 margin = Vec3::Constant((rings + 1) * blocks.LargestDiagonal);
+  const Vec3 slack = Vec3::Constant(1e-6 * blocks.LargestDiagonal);
+  const Vec3 margin = rings * blocks.LargestCell + slack;
   const auto near = [&](Box3 box)
   {
     box.min() -= margin;
