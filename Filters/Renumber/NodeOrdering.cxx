@@ -62,20 +62,20 @@ int WidestElement(const NodeGraph& graph, const Number& number)
   return widest.load();
 }
 
-std::vector<int> Identity(int count)
+PageVector<int> Identity(int count)
 {
-  std::vector<int> number(count);
+  PageVector<int> number(count);
   std::iota(number.begin(), number.end(), 0);
   return number;
 }
 
 /// Row index of each value: values without a gap between them share one.
-std::vector<int> Rows(const std::vector<double>& values)
+PageVector<int> Rows(const std::vector<double>& values)
 {
-  std::vector<int> order = Identity(static_cast<int>(values.size()));
+  PageVector<int> order = Identity(static_cast<int>(values.size()));
   std::sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
   const double gap = RowGap * (values[order.back()] - values[order.front()]);
-  std::vector<int> row(values.size());
+  PageVector<int> row(values.size());
   int current = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -89,9 +89,9 @@ std::vector<int> Rows(const std::vector<double>& values)
 }
 
 /// Numbers by rows along the columns of `axes`, the first outermost.
-std::vector<int> SortAlong(int count, const NodePlaces& position, const Eigen::Matrix3d& axes)
+PageVector<int> SortAlong(int count, const NodePlaces& position, const Eigen::Matrix3d& axes)
 {
-  std::array<std::vector<int>, 3> rows;
+  std::array<PageVector<int>, 3> rows;
   std::vector<double> values(count);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -101,7 +101,7 @@ std::vector<int> SortAlong(int count, const NodePlaces& position, const Eigen::M
     }
     rows[axis] = Rows(values);
   }
-  std::vector<int> order = Identity(count);
+  PageVector<int> order = Identity(count);
   std::sort(order.begin(), order.end(),
     [&](int a, int b)
     {
@@ -114,7 +114,7 @@ std::vector<int> SortAlong(int count, const NodePlaces& position, const Eigen::M
       }
       return a < b;
     });
-  std::vector<int> number(count);
+  PageVector<int> number(count);
   for (int i = 0; i < count; ++i)
   {
     number[order[i]] = i;
@@ -174,12 +174,12 @@ LevelStructure Levels(const NodeGraph& graph, const Band::Lists& links, int root
   LevelStructure levels;
   std::vector<char> seen(graph.NumberOfNodes, 0);
   std::vector<char> elementSeen(graph.Offset.size() - 1, 0);
-  std::vector<int> front{ root };
+  PageVector<int> front{ root };
   seen[root] = 1;
   levels.Reached = 1;
   while (true)
   {
-    std::vector<int> next;
+    PageVector<int> next;
     for (const int node : front)
     {
       for (auto* e = links.begin(node); e != links.end(node); ++e)
@@ -218,10 +218,10 @@ using Csr = boost::compressed_sparse_row_graph<boost::directedS, boost::no_prope
 
 /// Node graph, neighbours ascending. Unless `side` is empty there is one more vertex, the last,
 /// joined to its nodes: a search from it starts at the whole side at once.
-Csr BuildGraph(const NodeGraph& graph, const Band::Lists& links, const std::vector<int>& side)
+Csr BuildGraph(const NodeGraph& graph, const Band::Lists& links, const PageVector<int>& side)
 {
   std::vector<std::pair<int, int>> edges;
-  std::vector<int> mark(graph.NumberOfNodes, -1);
+  PageVector<int> mark(graph.NumberOfNodes, -1);
   const int root = graph.NumberOfNodes;
   std::vector<char> onSide(graph.NumberOfNodes, 0);
   for (const int node : side)
@@ -274,14 +274,14 @@ struct OrderingMaps
   auto Degrees() { return boost::make_iterator_property_map(this->Degree.begin(), this->Index); }
 
   std::vector<boost::default_color_type> Color;
-  std::vector<int> Degree;
+  PageVector<int> Degree;
   decltype(boost::get(boost::vertex_index, std::declval<const Csr&>())) Index;
 };
 
 /// Numbers from a Cuthill-McKee order, reversed, without the extra vertex.
-std::vector<int> Reversed(const std::vector<int>& order, int count)
+PageVector<int> Reversed(const PageVector<int>& order, int count)
 {
-  std::vector<int> number(count);
+  PageVector<int> number(count);
   int next = 0;
   for (auto it = order.rbegin(); it != order.rend(); ++it)
   {
@@ -294,20 +294,20 @@ std::vector<int> Reversed(const std::vector<int>& order, int count)
 }
 
 /// Boost's ordering with the starts it finds itself.
-std::vector<int> ReverseCuthillMcKee(const Csr& csr)
+PageVector<int> ReverseCuthillMcKee(const Csr& csr)
 {
   OrderingMaps maps(csr);
-  std::vector<int> order;
+  PageVector<int> order;
   boost::cuthill_mckee_ordering(csr, std::back_inserter(order), maps.Colors(), maps.Degrees());
   return Reversed(order, static_cast<int>(boost::num_vertices(csr)));
 }
 
 /// The same from a given root; parts that are not joined with it follow, each from its node of
 /// least degree.
-std::vector<int> ReverseCuthillMcKee(const Csr& csr, int count, int root)
+PageVector<int> ReverseCuthillMcKee(const Csr& csr, int count, int root)
 {
   OrderingMaps maps(csr);
-  std::vector<int> order;
+  PageVector<int> order;
   std::vector<char> done(boost::num_vertices(csr), 0);
   const auto search = [&](int start)
   {
@@ -321,7 +321,7 @@ std::vector<int> ReverseCuthillMcKee(const Csr& csr, int count, int root)
     }
   };
   search(root);
-  std::vector<int> byDegree = Identity(count);
+  PageVector<int> byDegree = Identity(count);
   std::stable_sort(byDegree.begin(), byDegree.end(),
     [&](int a, int b) { return maps.Degree[a] < maps.Degree[b]; });
   for (const int node : byDegree)
@@ -346,14 +346,14 @@ int LeastDegree(const Csr& csr)
 }
 
 /// Nodes at one end of the longest axis.
-std::vector<int> WholeSide(int count, const NodePlaces& position, const Vec3& axis, double width)
+PageVector<int> WholeSide(int count, const NodePlaces& position, const Vec3& axis, double width)
 {
   double low = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count; ++i)
   {
     low = std::min(low, position(i).dot(axis));
   }
-  std::vector<int> side;
+  PageVector<int> side;
   for (int i = 0; i < count; ++i)
   {
     if (position(i).dot(axis) <= low + width)
@@ -367,10 +367,10 @@ std::vector<int> WholeSide(int count, const NodePlaces& position, const Vec3& ax
 /// The best of the orderings seen so far.
 struct Best
 {
-  std::vector<int> Number;
+  PageVector<int> Number;
   int Bandwidth;
 
-  void Offer(const NodeGraph& graph, std::vector<int> number)
+  void Offer(const NodeGraph& graph, PageVector<int> number)
   {
     const int bandwidth = NodeBandwidth(graph, number);
     if (bandwidth < this->Bandwidth)
@@ -398,7 +398,7 @@ Band::Lists LinkElements(const NodeGraph& graph)
 }
 
 /// Offers Cuthill-McKee orderings, from several starts, of the graph numbered by `number`.
-void OfferCuthillMcKee(const NodeGraph& graph, const std::vector<int>& number, Best& best)
+void OfferCuthillMcKee(const NodeGraph& graph, const PageVector<int>& number, Best& best)
 {
   NodeGraph renumbered = graph;
   for (int& node : renumbered.Connectivity)
@@ -407,9 +407,9 @@ void OfferCuthillMcKee(const NodeGraph& graph, const std::vector<int>& number, B
   }
   const auto links = LinkElements(renumbered);
   const Csr csr = BuildGraph(renumbered, links, {});
-  const auto offer = [&](const std::vector<int>& next)
+  const auto offer = [&](const PageVector<int>& next)
   {
-    std::vector<int> chained(number.size());
+    PageVector<int> chained(number.size());
     for (std::size_t i = 0; i < number.size(); ++i)
     {
       chained[i] = next[number[i]];
@@ -426,7 +426,7 @@ void OfferCuthillMcKee(const NodeGraph& graph, const std::vector<int>& number, B
 
 }
 
-int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number)
+int NodeBandwidth(const NodeGraph& graph, const PageVector<int>& number)
 {
   return WidestElement(graph, [&number](int node) { return number[node]; });
 }
@@ -447,7 +447,7 @@ Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const NodePlaces& position)
   return frame;
 }
 
-std::vector<int> OrderNodes(
+PageVector<int> OrderNodes(
   const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted)
 {
   const int count = graph.NumberOfNodes;

@@ -24,8 +24,8 @@ namespace trim
 struct NodeGraph
 {
   int NumberOfNodes = 0;
-  std::vector<int> Offset;       ///< number of elements + 1
-  std::vector<int> Connectivity; ///< node numbers as they came
+  PageVector<int> Offset;       ///< number of elements + 1
+  PageVector<int> Connectivity; ///< node numbers as they came
 };
 
 /// Where the nodes of a graph are: points of the mesh.
@@ -45,7 +45,7 @@ private:
 };
 
 /// Largest difference of node numbers within an element, under number[node].
-int NodeBandwidth(const NodeGraph& graph, const std::vector<int>& number);
+int NodeBandwidth(const NodeGraph& graph, const PageVector<int>& number);
 
 /// The same under the numbers as they are.
 int NodeBandwidth(const NodeGraph& graph);
@@ -59,7 +59,7 @@ Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const NodePlaces& position);
  * @param position of each node; neighbours in a row of a regular mesh should have equal
  * coordinates, so the positions before the correction serve better than those after.
  */
-std::vector<int> OrderNodes(
+PageVector<int> OrderNodes(
   const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted);
 
 }

@@ -40,8 +40,11 @@ int PillarsOf(
 PillarGraph::PillarGraph(const NodeGraph& graph, const Pillars& pillars)
   : ThePillars(pillars)
 {
-  std::vector<int> offset{ 0 }, member;
-  std::vector<int> head(pillars.Count, -1), next;
+  PageVector<int> offset{ 0 }, member;
+  PageVector<int> head(pillars.Count, -1), next;
+  offset.reserve(pillars.Count + 1); // in a sheet there are fewer columns than pillars
+  next.reserve(pillars.Count);
+  member.reserve(4 * static_cast<std::size_t>(pillars.Count));
   std::array<int, 8> set;
   for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
   {
@@ -64,17 +67,17 @@ PillarGraph::PillarGraph(const NodeGraph& graph, const Pillars& pillars)
   this->Link(offset, member);
 }
 
-void PillarGraph::Link(const std::vector<int>& offset, const std::vector<int>& member)
+void PillarGraph::Link(const PageVector<int>& offset, const PageVector<int>& member)
 {
   const int count = this->ThePillars.Count;
-  std::vector<int> first(count + 1, 0);
+  PageVector<int> first(count + 1, 0);
   for (const int p : member)
   {
     ++first[p + 1];
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<int> column(member.size());
-  std::vector<int> fill(first.begin(), first.end() - 1);
+  PageVector<int> column(member.size());
+  PageVector<int> fill(first.begin(), first.end() - 1);
   for (std::size_t c = 0; c + 1 < offset.size(); ++c)
   {
     for (int i = offset[c]; i < offset[c + 1]; ++i)
@@ -85,7 +88,7 @@ void PillarGraph::Link(const std::vector<int>& offset, const std::vector<int>& m
   this->Start.reserve(count + 1);
   this->Start.push_back(0);
   this->Neighbour.reserve(3 * member.size());
-  std::vector<int> mark(count, -1);
+  PageVector<int> mark(count, -1);
   for (int p = 0; p < count; ++p)
   {
     mark[p] = p;
@@ -109,7 +112,7 @@ PillarGraph::Levels PillarGraph::FindLevels(int root) const
 {
   Levels levels;
   std::vector<char> seen(this->Count(), 0);
-  std::vector<int> queue{ root };
+  PageVector<int> queue{ root };
   queue.reserve(this->Count());
   seen[root] = 1;
   std::size_t begin = 0;
@@ -143,12 +146,12 @@ PillarGraph::Levels PillarGraph::FindLevels(int root) const
   return levels;
 }
 
-std::vector<int> PillarGraph::ReverseCuthillMcKee(
-  const std::vector<int>& roots, const std::vector<int>& rank) const
+PageVector<int> PillarGraph::ReverseCuthillMcKee(
+  const PageVector<int>& roots, const PageVector<int>& rank) const
 {
   const int count = this->Count();
   std::vector<char> seen(count, 0);
-  std::vector<int> order;
+  PageVector<int> order;
   order.reserve(count);
   const auto before = [this, &rank](int a, int b)
   {
@@ -182,7 +185,7 @@ std::vector<int> PillarGraph::ReverseCuthillMcKee(
   search(0);
   if (static_cast<int>(order.size()) < count)
   {
-    std::vector<int> rest;
+    PageVector<int> rest;
     for (int p = 0; p < count; ++p)
     {
       if (!seen[p])
@@ -205,9 +208,9 @@ std::vector<int> PillarGraph::ReverseCuthillMcKee(
   return order;
 }
 
-int PillarGraph::Bandwidth(const std::vector<int>& order, int enough) const
+int PillarGraph::Bandwidth(const PageVector<int>& order, int enough) const
 {
-  std::vector<int> first(order.size());
+  PageVector<int> first(order.size());
   int next = 0;
   for (const int p : order)
   {

@@ -36,18 +36,18 @@ public:
    *
    * @param roots where the search starts, all at once.
    */
-  std::vector<int> ReverseCuthillMcKee(
-    const std::vector<int>& roots, const std::vector<int>& rank) const;
+  PageVector<int> ReverseCuthillMcKee(
+    const PageVector<int>& roots, const PageVector<int>& rank) const;
 
   /// The node bandwidth that an order gives, but for the layers of one element; once it is no less
   /// than `enough`, any such value.
-  int Bandwidth(const std::vector<int>& order, int enough) const;
+  int Bandwidth(const PageVector<int>& order, int enough) const;
 
 private:
-  void Link(const std::vector<int>& offset, const std::vector<int>& member);
+  void Link(const PageVector<int>& offset, const PageVector<int>& member);
 
   const Pillars& ThePillars;
-  std::vector<int> Start, Neighbour; ///< neighbours ascending
+  PageVector<int> Start, Neighbour; ///< neighbours ascending
 };
 
 }

@@ -20,9 +20,9 @@ namespace
 /// Orderings are applied to their own result up to this often.
 constexpr int MostRounds = 2;
 
-std::vector<Vec3> Centres(const Pillars& pillars, const NodePlaces& position)
+PageVector<Vec3> Centres(const Pillars& pillars, const NodePlaces& position)
 {
-  std::vector<Vec3> centres(pillars.Count);
+  PageVector<Vec3> centres(pillars.Count);
   vtkSMPTools::For(0, pillars.Count, 10000,
     [&](Id begin, Id end)
     {
@@ -40,7 +40,7 @@ std::vector<Vec3> Centres(const Pillars& pillars, const NodePlaces& position)
 }
 
 /// The columns of a frame in the order of the extent along them, longest first.
-Eigen::Matrix3d ByExtent(const Eigen::Matrix3d& frame, const std::vector<Vec3>& points)
+Eigen::Matrix3d ByExtent(const Eigen::Matrix3d& frame, const PageVector<Vec3>& points)
 {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
@@ -61,7 +61,7 @@ Eigen::Matrix3d ByExtent(const Eigen::Matrix3d& frame, const std::vector<Vec3>& 
   return sorted;
 }
 
-Eigen::Matrix3d PrincipalAxes(const std::vector<Vec3>& points)
+Eigen::Matrix3d PrincipalAxes(const PageVector<Vec3>& points)
 {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& point : points)
@@ -77,9 +77,9 @@ Eigen::Matrix3d PrincipalAxes(const std::vector<Vec3>& points)
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
 }
 
-std::vector<int> Inverse(const std::vector<int>& order)
+PageVector<int> Inverse(const PageVector<int>& order)
 {
-  std::vector<int> rank(order.size());
+  PageVector<int> rank(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     rank[order[i]] = static_cast<int>(i);
@@ -104,7 +104,7 @@ public:
     this->Bandwidth = this->Pillar.Bandwidth(this->Best, std::numeric_limits<int>::max());
   }
 
-  std::vector<int> Run()
+  PageVector<int> Run()
   {
     // A pseudo-peripheral pillar: the far end of the far end. Its depth gives the bound.
     const int oneEnd = this->Pillar.FindLevels(0).Last;
@@ -127,7 +127,7 @@ public:
 private:
   bool Done() const { return this->Bandwidth <= this->Bound || this->Aborted(); }
 
-  void Offer(std::vector<int> order)
+  void Offer(PageVector<int> order)
   {
     const int bandwidth = this->Pillar.Bandwidth(order, this->Bandwidth);
     if (bandwidth < this->Bandwidth)
@@ -153,10 +153,10 @@ private:
     }
   }
 
-  void OfferCuthillMcKee(const std::vector<int>& ends)
+  void OfferCuthillMcKee(const PageVector<int>& ends)
   {
-    const std::vector<int> rank = Inverse(this->Best);
-    std::vector<std::vector<int>> roots = { this->WholeSide() };
+    const PageVector<int> rank = Inverse(this->Best);
+    std::vector<PageVector<int>> roots = { this->WholeSide() };
     for (const int end : ends)
     {
       roots.push_back({ end });
@@ -171,7 +171,7 @@ private:
   }
 
   /// Pillars at one end of the longest axis, less than an element from it.
-  std::vector<int> WholeSide() const
+  PageVector<int> WholeSide() const
   {
     const Vec3 axis = this->Longest.col(0);
     double low = std::numeric_limits<double>::infinity();
@@ -181,7 +181,7 @@ private:
     }
     const int* nodes = this->Graph.Connectivity.data();
     const double width = 0.5 * (this->Position(nodes[1]) - this->Position(nodes[0])).norm();
-    std::vector<int> side;
+    PageVector<int> side;
     for (int p = 0; p < this->Pillar.Count(); ++p)
     {
       if (this->Points[p].dot(axis) <= low + width)
@@ -196,20 +196,20 @@ private:
   const PillarGraph Pillar;
   const NodePlaces& Position;
   const std::function<bool()>& Aborted;
-  const std::vector<Vec3> Points; ///< the centres of the pillars
+  const PageVector<Vec3> Points; ///< the centres of the pillars
   Eigen::Matrix3d Longest;
   int Bound = 0;
   int Bandwidth = 0;
-  std::vector<int> Best; ///< order
+  PageVector<int> Best; ///< order
 };
 
 }
 
-std::vector<int> OrderByPillars(
+PageVector<int> OrderByPillars(
   const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted)
 {
   const Pillars pillars = FindPillars(graph, position);
-  std::vector<int> number(graph.NumberOfNodes);
+  PageVector<int> number(graph.NumberOfNodes);
   int next = 0;
   for (const int p : Search(graph, pillars, position, aborted).Run())
   {

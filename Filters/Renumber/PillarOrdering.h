@@ -11,7 +11,7 @@ namespace trim
 {
 
 /// New number of each node; the numbers as they came where nothing found is better.
-std::vector<int> OrderByPillars(
+PageVector<int> OrderByPillars(
   const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted);
 
 }

@@ -59,7 +59,7 @@ void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
   }
   std::partial_sum(pillars.Start.begin(), pillars.Start.end(), pillars.Start.begin());
   pillars.Node.resize(pillars.Pillar.size());
-  std::vector<int> next(pillars.Start.begin(), pillars.Start.end() - 1);
+  PageVector<int> next(pillars.Start.begin(), pillars.Start.end() - 1);
   for (std::size_t n = 0; n < pillars.Pillar.size(); ++n)
   {
     pillars.Node[next[pillars.Pillar[n]]++] = static_cast<int>(n);
@@ -117,7 +117,7 @@ Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position)
   }
   Pillars pillars;
   pillars.Pillar.resize(graph.NumberOfNodes);
-  std::vector<int> size;
+  PageVector<int> size;
   for (int n = 0; n < graph.NumberOfNodes; ++n)
   {
     // The root is the smallest member, so it comes first and has its number already.

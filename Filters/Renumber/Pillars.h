@@ -18,9 +18,9 @@ namespace trim
 struct Pillars
 {
   int Count = 0;
-  std::vector<int> Pillar; ///< of each node
-  std::vector<int> Start;  ///< of each pillar in Node; Count + 1
-  std::vector<int> Node;   ///< nodes by pillar, from one skin to the other
+  PageVector<int> Pillar; ///< of each node
+  PageVector<int> Start;  ///< of each pillar in Node; Count + 1
+  PageVector<int> Node;   ///< nodes by pillar, from one skin to the other
 };
 
 Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position);

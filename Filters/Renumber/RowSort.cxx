@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 namespace trim
 {
@@ -16,9 +17,9 @@ constexpr double Steps = 2147483648.0;
 constexpr std::uint64_t RowGap = 2147;
 
 /// Sorts by the upper 32 bits: three passes of eleven.
-void RadixSort(std::vector<std::uint64_t>& items)
+void RadixSort(PageVector<std::uint64_t>& items)
 {
-  std::vector<std::uint64_t> other(items.size());
+  PageVector<std::uint64_t> other(items.size());
   for (const int shift : { 32, 43, 54 })
   {
     std::vector<std::size_t> start(2049, 0);
@@ -39,7 +40,7 @@ void RadixSort(std::vector<std::uint64_t>& items)
 class Coordinates
 {
 public:
-  Coordinates(const std::vector<nurbs::Vec3>& points, const nurbs::Vec3& axis)
+  Coordinates(const PageVector<nurbs::Vec3>& points, const nurbs::Vec3& axis)
     : Points(points)
     , Axis(axis)
   {
@@ -60,7 +61,7 @@ public:
   }
 
 private:
-  const std::vector<nurbs::Vec3>& Points;
+  const PageVector<nurbs::Vec3>& Points;
   const nurbs::Vec3 Axis;
   double Low = std::numeric_limits<double>::infinity();
   double Scale = 0.0;
@@ -102,12 +103,12 @@ public:
 private:
   static constexpr int Bits = 14;
   static constexpr std::size_t Most = std::size_t(1) << (Bits - 2);
-  std::vector<int> Slots = std::vector<int>(std::size_t(1) << Bits, -1);
+  PageVector<int> Slots = PageVector<int>(std::size_t(1) << Bits, -1);
   int Last = 0;
 };
 
 /// Rows of items, each a step in the upper and an index in the lower half; returns how many.
-int FindRows(std::vector<std::uint64_t>& items, std::vector<int>& row)
+int FindRows(PageVector<std::uint64_t>& items, PageVector<int>& row)
 {
   RadixSort(items);
   int current = 0;
@@ -123,7 +124,7 @@ int FindRows(std::vector<std::uint64_t>& items, std::vector<int>& row)
 }
 
 /// The rows by those of the values, if these are few; else 0.
-int FindRowsOfFew(const Coordinates& coordinates, std::vector<int>& row)
+int FindRowsOfFew(const Coordinates& coordinates, PageVector<int>& row)
 {
   FewValues few;
   for (std::size_t i = 0; i < row.size(); ++i)
@@ -134,12 +135,12 @@ int FindRowsOfFew(const Coordinates& coordinates, std::vector<int>& row)
       return 0;
     }
   }
-  std::vector<std::uint64_t> items;
+  PageVector<std::uint64_t> items;
   for (const double value : few.Values)
   {
     items.push_back((coordinates.StepOf(value) << 32) | items.size());
   }
-  std::vector<int> rowOfValue(items.size());
+  PageVector<int> rowOfValue(items.size());
   const int rows = FindRows(items, rowOfValue);
   for (int& r : row)
   {
@@ -149,14 +150,14 @@ int FindRowsOfFew(const Coordinates& coordinates, std::vector<int>& row)
 }
 
 /// Row of each point along one axis; returns how many rows there are.
-int FindRows(const std::vector<nurbs::Vec3>& points, const nurbs::Vec3& axis, std::vector<int>& row)
+int FindRows(const PageVector<nurbs::Vec3>& points, const nurbs::Vec3& axis, PageVector<int>& row)
 {
   const Coordinates coordinates(points, axis);
   if (const int rows = FindRowsOfFew(coordinates, row))
   {
     return rows;
   }
-  std::vector<std::uint64_t> items(points.size());
+  PageVector<std::uint64_t> items(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     items[i] = (coordinates.StepOf(coordinates.Value(i)) << 32) | i;
@@ -166,17 +167,17 @@ int FindRows(const std::vector<nurbs::Vec3>& points, const nurbs::Vec3& axis, st
 
 }
 
-std::vector<int> SortByRows(const std::vector<nurbs::Vec3>& points, const Eigen::Matrix3d& axes)
+PageVector<int> SortByRows(const PageVector<nurbs::Vec3>& points, const Eigen::Matrix3d& axes)
 {
-  std::vector<int> order(points.size());
+  PageVector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
-  std::vector<int> row(points.size());
-  std::vector<int> next(points.size());
+  PageVector<int> row(points.size());
+  PageVector<int> next(points.size());
   // The innermost axis first: each pass keeps the order of the one before within a row.
   for (const int axis : { 2, 1, 0 })
   {
     const int rows = FindRows(points, axes.col(axis), row);
-    std::vector<int> start(rows + 1, 0);
+    PageVector<int> start(rows + 1, 0);
     for (const int r : row)
     {
       ++start[r + 1];

@@ -6,17 +6,17 @@
 #define RowSort_h
 
 #include "NurbsSurface.h"
-
-#include <vector>
+#include "PageVector.h"
 
 namespace trim
 {
+using nurbs::PageVector;
 
 /**
  * The points by their rows along the columns of `axes`, the first outermost, then as they came.
  * Coordinates without a gap of a millionth of the extent between them are one row.
  */
-std::vector<int> SortByRows(const std::vector<nurbs::Vec3>& points, const Eigen::Matrix3d& axes);
+PageVector<int> SortByRows(const PageVector<nurbs::Vec3>& points, const Eigen::Matrix3d& axes);
 
 }
 

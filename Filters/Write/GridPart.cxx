@@ -90,7 +90,7 @@ void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& 
     });
 }
 
-void TakeNumbers(const std::vector<int>& number, GridPart& part)
+void TakeNumbers(const PageVector<int>& number, GridPart& part)
 {
   const auto count = static_cast<Id>(part.Number.size());
   Id* points = part.Points.data();

@@ -146,7 +146,7 @@ Id NumberElements(const GridPart& part, const NodesOf& nodesOf, Index* offsets, 
 }
 
 /// Takes the new numbers of the points, by the old ones.
-void TakeNumbers(const std::vector<int>& number, GridPart& part);
+void TakeNumbers(const PageVector<int>& number, GridPart& part);
 
 /// New numbers for the points, so that the band is narrow.
 template <typename NodesOf>
