@@ -13,6 +13,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <type_traits>
 
 namespace trim
 {
@@ -110,10 +111,34 @@ enum class CellDefect
   Repeated
 };
 
+/// Whether a cell is a hexahedron without a defect: most are, and this asks no question twice. The
+/// ends of cells are within the connectivity.
+template <typename T>
+bool IsGoodHexahedron(const T* nodes, Id numberOfPoints)
+{
+  bool inRange = true;
+  bool repeated = false;
+  for (int i = 0; i < 8; ++i)
+  {
+    inRange &= static_cast<std::make_unsigned_t<T>>(nodes[i]) <
+      static_cast<std::make_unsigned_t<Id>>(numberOfPoints);
+    for (int j = 0; j < i; ++j)
+    {
+      repeated |= nodes[i] == nodes[j];
+    }
+  }
+  return inRange && !repeated;
+}
+
 template <typename T>
 CellDefect FindCellDefect(const T* connectivity, const T* offsets, Id connectivitySize,
   const unsigned char* types, Id numberOfPoints, Id c)
 {
+  if (types[c] == VTK_HEXAHEDRON && offsets[c] >= 0 && offsets[c] <= connectivitySize - 8 &&
+    offsets[c + 1] == offsets[c] + 8 && IsGoodHexahedron(connectivity + offsets[c], numberOfPoints))
+  {
+    return CellDefect::None;
+  }
   const int expected = types[c] == VTK_HEXAHEDRON ? 8 : types[c] == VTK_WEDGE ? 6 : 0;
   if (expected == 0)
   {
