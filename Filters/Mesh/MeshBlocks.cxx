@@ -104,7 +104,11 @@ public:
         const int seen = runs[nodes[i]].load(std::memory_order_relaxed);
         if (seen != own && seen != known[i])
         {
-          known[i] = this->JoinNode(runs[nodes[i]], seen, own, first);
+          known[i] = this->JoinNode(runs[nodes[i]], seen, own);
+          if (isPatch && known[i] != own)
+          {
+            this->AddLink(run, MeshBlocks::NoRun - known[i], first);
+          }
         }
       }
       before = nodes;
@@ -121,7 +125,7 @@ public:
 
 private:
   /// Runs are told by how far they lie before NoRun. Returns the first that the node has now.
-  int JoinNode(std::atomic<int>& node, int seen, int own, std::size_t firstLink)
+  int JoinNode(std::atomic<int>& node, int seen, int own)
   {
     if (this->Alone && seen == 0)
     {
@@ -133,24 +137,19 @@ private:
     {
     }
     this->NumberOfNodes += seen == 0;
-    if (seen > own)
+    if (seen != 0 && seen < own)
     {
-      this->AddLink(MeshBlocks::NoRun - own, MeshBlocks::NoRun - seen, firstLink, this->Links);
-    }
-    else if (seen != 0 && seen != own)
-    {
-      this->AddLink(MeshBlocks::NoRun - seen, MeshBlocks::NoRun - own, 0, this->Later);
+      this->Later.emplace_back(MeshBlocks::NoRun - seen, MeshBlocks::NoRun - own);
     }
     return std::max(seen, own);
   }
 
-  static void AddLink(
-    int run, int earlier, std::size_t first, std::vector<std::pair<int, int>>& links)
+  void AddLink(int run, int earlier, std::size_t first)
   {
     const std::pair<int, int> link(run, earlier);
-    if (std::find(links.begin() + first, links.end(), link) == links.end())
+    if (std::find(this->Links.begin() + first, this->Links.end(), link) == this->Links.end())
     {
-      links.push_back(link);
+      this->Links.push_back(link);
     }
   }
 
