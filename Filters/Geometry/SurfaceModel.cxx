@@ -163,12 +163,15 @@ void SurfaceModel::AddLeaves()
     for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
     {
       const LeafDomain domain = DomainOf(patch, k);
-      RestrictNet(patch, this->Net(patch), domain.S0, domain.S1, domain.T0, domain.T1, part);
+      if (!whole)
+      {
+        RestrictNet(patch, this->Net(patch), domain.S0, domain.S1, domain.T0, domain.T1, part);
+      }
       Leaf& leaf = this->Leaves[k];
       leaf.Patch = static_cast<int>(index);
       leaf.Trim = TrimState::Inside;
-      MeasureLeaf(patch, domain, part, whole ? bounds[index] : BoundPatch(patch, part), leaf,
-        oriented[k], boxes[k]);
+      MeasureLeaf(patch, domain, whole ? this->Net(patch) : part,
+        whole ? bounds[index] : BoundPatch(patch, part), leaf, oriented[k], boxes[k]);
       oriented[k].Leaf = k;
     }
   }
@@ -300,10 +303,13 @@ void SurfaceModel::FindTrimStates()
         share = 0.0;
       }
     }
-    SurfaceJet jet;
-    EvaluateBezier(patch, this->Net(patch), s, t, jet);
-    this->Data[patch.Face].Area +=
-      share * jet.Su.cross(jet.Sv).norm() * (d.S1 - d.S0) * (d.T1 - d.T0);
+    if (this->Faces.size() > 1) // to compare them
+    {
+      SurfaceJet jet;
+      EvaluateBezier(patch, this->Net(patch), s, t, jet);
+      this->Data[patch.Face].Area +=
+        share * jet.Su.cross(jet.Sv).norm() * (d.S1 - d.S0) * (d.T1 - d.T0);
+    }
   }
 }
 

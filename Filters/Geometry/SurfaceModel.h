@@ -22,7 +22,7 @@ struct FaceData
   int FirstPatch = 0;
   TrimLoops Loops;
   double Sign = 1.0; ///< of S_u x S_v, so that the shell is oriented alike
-  double Area = 0.0;
+  double Area = 0.0; ///< of one of several faces
 };
 
 struct SurfaceModel
