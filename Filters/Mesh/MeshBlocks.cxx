@@ -251,7 +251,11 @@ double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
 {
   ElementPoints points;
   const int count = PointsOfCell(mesh, cell, points);
-  const Box3 box = CellBox(mesh, cell);
+  Box3 box;
+  for (int i = 0; i < count; ++i)
+  {
+    box.extend(points[i]);
+  }
   Two low[3], high[3];
   for (int k = 0; k < 3; ++k)
   {

@@ -1,13 +1,10 @@
 #include "JointRelaxation.h"
 
-#include "DisjointSets.h"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -16,11 +13,7 @@ namespace trim
 namespace
 {
 
-/// Rings of nodes round the elements below the goal that may move.
-constexpr int Rings = 3;
-/// Elements are raised to a little above the goal, so that rounding does not undo it, and count as
-/// raised a little earlier.
-constexpr double Margin = 1.02;
+/// Elements count as raised a little before they are at the margin above the goal.
 constexpr double Reached = 1.01;
 /// Steps of one patch, at most.
 constexpr int MostSteps = 60;
@@ -63,7 +56,7 @@ public:
   Patch(const RelaxationCase& given, const RelaxationGoal& goal, Moves& moves)
     : RelaxedMesh(given, moves)
     , Floor(goal.Floor)
-    , Goal(Margin * goal.Quality)
+    , Goal(GoalMargin * goal.Quality)
   {
   }
 
@@ -75,9 +68,10 @@ public:
     {
       std::vector<int> low;
       std::copy_if(active.begin(), active.end(), std::back_inserter(low),
-        [this](int e) { return this->Worth(e) < this->Goal / Margin; });
+        [this](int e) { return this->Worth(e) < this->Goal / GoalMargin; });
       gained = 0.0;
-      for (const auto& part : this->PartsOf(this->NodesRound(low, Rings)))
+      // Nodes that do not share elements are relaxed apart.
+      for (const auto& part : this->PartsOf(this->NodesRound(low, RelaxedRings)))
       {
         gained = std::max(gained, this->RaisePart(part, low));
       }
@@ -105,31 +99,6 @@ private:
     std::vector<Vec3> Direction; // as long as an edge
   };
 
-  /// Nodes that do not share elements are relaxed apart.
-  std::vector<std::vector<int>> PartsOf(const std::vector<int>& nodes) const
-  {
-    DisjointSets<int> sets(this->TheBand.NumberOfNodes());
-    for (const int e : this->ElementsAt(nodes))
-    {
-      const auto& element = this->Elements[e];
-      for (int i = 1; i < element.Count; ++i)
-      {
-        sets.Unite(element.Node[0], element.Node[i]);
-      }
-    }
-    std::map<int, std::vector<int>> parts;
-    for (const int node : nodes)
-    {
-      parts[sets.Find(node)].push_back(node);
-    }
-    std::vector<std::vector<int>> list;
-    for (auto& part : parts)
-    {
-      list.push_back(std::move(part.second));
-    }
-    return list;
-  }
-
   /// Raises the elements of a part, one after the other where it is large; see Raise.
   double RaisePart(const std::vector<int>& nodes, const std::vector<int>& low)
   {
@@ -140,10 +109,10 @@ private:
     double gained = 0.0;
     for (const int e : this->ElementsAt(nodes))
     {
-      if (std::binary_search(low.begin(), low.end(), e) && this->Worth(e) < this->Goal / Margin)
+      if (std::binary_search(low.begin(), low.end(), e) && this->Worth(e) < this->Goal / GoalMargin)
       {
-        std::vector<int> round = this->NodesRound({ e }, Rings);
-        for (int rings = Rings - 1; round.size() > MostNodes && rings > 0; --rings)
+        std::vector<int> round = this->NodesRound({ e }, RelaxedRings);
+        for (int rings = RelaxedRings - 1; round.size() > MostNodes && rings > 0; --rings)
         {
           round = this->NodesRound({ e }, rings);
         }
@@ -172,7 +141,7 @@ private:
     for (std::size_t i = 0; i < before.size(); ++i)
     {
       const double worth = this->Worth(part.Elements[i]);
-      if (wanted[i] && worth < this->Goal / Margin)
+      if (wanted[i] && worth < this->Goal / GoalMargin)
       {
         gained = std::max(gained, worth - before[i]);
       }
@@ -189,7 +158,7 @@ private:
     for (int step = 0; step < MostSteps && this->Work < MostWork; ++step)
     {
       const double lowest = this->LowestWanted(part);
-      if (lowest >= this->Goal * Reached / Margin)
+      if (lowest >= this->Goal * Reached / GoalMargin)
       {
         break;
       }

@@ -1,10 +1,7 @@
 #include "Relaxation.h"
 
-#include "DisjointSets.h"
-
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace trim
@@ -12,12 +9,8 @@ namespace trim
 namespace
 {
 
-/// Rings of nodes round the elements below the goal that may move.
-constexpr int Rings = 3;
 /// Steps of the search, in lengths of the shortest edge at the node.
 constexpr std::array<double, 4> Steps{ 0.3, 0.1, 0.03, 0.01 };
-/// Elements are raised to a little above the goal, so that rounding does not undo it.
-constexpr double Margin = 1.02;
 /// Where an element is below this, the ways to the surface are spread over the nodes behind first.
 constexpr double SpreadQuality = 0.2;
 constexpr int SpreadRounds = 30;
@@ -32,14 +25,14 @@ public:
   Relaxer(const RelaxationCase& given, const RelaxationGoal& goal, Moves& moves)
     : RelaxedMesh(given, moves)
     , Floor(goal.Floor)
-    , Goal(Margin * goal.Quality)
+    , Goal(GoalMargin * goal.Quality)
     , Effort(goal.Effort)
   {
   }
 
   void Run(const std::vector<int>& active)
   {
-    const std::vector<int> nodes = this->NodesRound(active, Rings);
+    const std::vector<int> nodes = this->NodesRound(active, RelaxedRings);
     this->Spread(nodes);
     const std::vector<std::vector<int>> pillars = this->PillarsOf(nodes);
     for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
@@ -72,26 +65,12 @@ private:
    */
   void Spread(const std::vector<int>& nodes)
   {
-    DisjointSets<int> sets(this->TheBand.NumberOfNodes());
-    for (const int e : this->ElementsAt(nodes))
+    for (auto& part : this->PartsOf(nodes))
     {
-      const auto& element = this->Elements[e];
-      for (int i = 1; i < element.Count; ++i)
-      {
-        sets.Unite(element.Node[0], element.Node[i]);
-      }
-    }
-    std::map<int, std::vector<int>> parts;
-    for (const int node : nodes)
-    {
-      if (!this->OnCut[node])
-      {
-        parts[sets.Find(node)].push_back(node);
-      }
-    }
-    for (const auto& part : parts)
-    {
-      this->SpreadOver(part.second);
+      part.erase(
+        std::remove_if(part.begin(), part.end(), [this](int n) { return this->OnCut[n] != 0; }),
+        part.end());
+      this->SpreadOver(part);
     }
   }
 

@@ -1,8 +1,12 @@
 #include "RelaxedMesh.h"
 
+#include "DisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace trim
 {
@@ -98,6 +102,30 @@ std::vector<int> RelaxedMesh::NodesRound(const std::vector<int>& elements, int r
     std::remove_if(nodes.begin(), nodes.end(), [&](int n) { return !this->IsMovable(n); }),
     nodes.end());
   return nodes;
+}
+
+std::vector<std::vector<int>> RelaxedMesh::PartsOf(const std::vector<int>& nodes) const
+{
+  DisjointSets<int> sets(this->TheBand.NumberOfNodes());
+  for (const int e : this->ElementsAt(nodes))
+  {
+    const auto& element = this->Elements[e];
+    for (int i = 1; i < element.Count; ++i)
+    {
+      sets.Unite(element.Node[0], element.Node[i]);
+    }
+  }
+  std::map<int, std::vector<int>> parts;
+  for (const int node : nodes)
+  {
+    parts[sets.Find(node)].push_back(node);
+  }
+  std::vector<std::vector<int>> list;
+  for (auto& part : parts)
+  {
+    list.push_back(std::move(part.second));
+  }
+  return list;
 }
 
 bool RelaxedMesh::IsMovable(int node) const

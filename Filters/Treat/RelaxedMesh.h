@@ -33,6 +33,11 @@ struct RelaxationCase
   const std::vector<char>& OnCut;              ///< nodes of the new boundary
 };
 
+/// Rings of nodes round the elements below the goal that may move.
+constexpr int RelaxedRings = 3;
+/// Elements are raised to a little above the goal, so that rounding does not undo it.
+constexpr double GoalMargin = 1.02;
+
 class RelaxedMesh
 {
 public:
@@ -66,6 +71,9 @@ public:
 
   /// Movable nodes of elements and of rings round them, nearest first.
   std::vector<int> NodesRound(const std::vector<int>& elements, int rings) const;
+
+  /// Nodes parted into those that are joined by elements at them, in their order.
+  std::vector<std::vector<int>> PartsOf(const std::vector<int>& nodes) const;
 
   const NodeFreedom& FreedomOf(int node);
 
