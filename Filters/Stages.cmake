@@ -14,6 +14,7 @@ add_library(NURBSTrimStages STATIC
   Classify/EdgeCrossing.cxx
   Classify/NodeClassification.cxx
   Decide/Decision.cxx
+  Decide/CutEdges.cxx
   Decide/EliminatedFraction.cxx
   Decide/Manifold.cxx
   Correct/Facet.cxx

@@ -251,28 +251,24 @@ bool MeasureShares(const Band& band, const Columns& columns,
   shares.Element.assign(count, 0.0);
   shares.Column.assign(count, 0.0);
   std::vector<double> volume(count, 0.0);
-  std::vector<std::array<int, 2>> missed(count, { -1, -1 });
+  const CutEdges edges(band, nodeStatus, surface, gap);
+  missedEdge = edges.FindMissed();
+  if (missedEdge[0] >= 0)
+  {
+    return false;
+  }
   vtkSMPTools::For(0, count, 64,
     [&](Id begin, Id end)
     {
       for (Id e = begin; e < end; ++e)
       {
-        const auto volumes =
-          MeasureEliminated(band, static_cast<int>(e), nodeStatus, surface, gap, missed[e]);
+        const auto volumes = MeasureEliminated(band, static_cast<int>(e), nodeStatus, edges);
         volume[e] = volumes.Total;
         shares.Element[e] = elementStatus[e] == ElementKeep ? 0.0
           : elementStatus[e] == ElementEliminate            ? 1.0
                                                             : volumes.Fraction();
       }
     });
-  for (const auto& edge : missed)
-  {
-    if (edge[0] >= 0)
-    {
-      missedEdge = edge;
-      return false;
-    }
-  }
   std::vector<double> total(count, 0.0);
   std::vector<double> eliminated(count, 0.0);
   for (int e = 0; e < count; ++e)

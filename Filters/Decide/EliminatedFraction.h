@@ -8,8 +8,7 @@
 #ifndef EliminatedFraction_h
 #define EliminatedFraction_h
 
-#include "Band.h"
-#include "TrimmingSurface.h"
+#include "CutEdges.h"
 
 namespace trim
 {
@@ -25,13 +24,9 @@ struct ElementVolumes
  * Volumes of one element.
  *
  * @param status node statuses of the band (NodeStatus).
- * @param gap see CrossEdge.
- * @param[out] missedEdge band nodes of an edge that joins kept and eliminated nodes without
- * meeting the surface, which shows that the surface ends there; untouched otherwise.
  */
-ElementVolumes MeasureEliminated(const Band& band, int element,
-  const std::vector<unsigned char>& status, const nurbs::TrimmingSurface& surface, double gap,
-  std::array<int, 2>& missedEdge);
+ElementVolumes MeasureEliminated(
+  const Band& band, int element, const std::vector<unsigned char>& status, const CutEdges& edges);
 
 }
 

@@ -245,15 +245,25 @@ std::vector<LineHit> TrimmingSurface::Intersect(
   return hits;
 }
 
-bool TrimmingSurface::MayIntersect(const Box3& box) const
+namespace
 {
-  const SurfaceModel& model = this->Impl->Model;
+
+/**
+ * Visits the leaves whose oriented boxes meet a box, until it is told to stop.
+ *
+ * @param gap how far from the box they count all the same.
+ * @param visit takes the index of a leaf box and returns false to stop.
+ * @return false if it was stopped.
+ */
+template <typename Visit>
+bool ForLeavesMeeting(const SurfaceModel& model, const Box3& box, double gap, const Visit& visit)
+{
   if (box.isEmpty())
   {
-    return false;
+    return true;
   }
   const Vec3 center = box.center() - model.Origin, half = 0.5 * box.sizes();
-  const double slack = 2e-7 * (center.cwiseAbs().maxCoeff() + half.maxCoeff()) + model.Resolution;
+  const double slack = 2e-7 * (center.cwiseAbs().maxCoeff() + half.maxCoeff()) + gap;
   float low[3], high[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -291,13 +301,43 @@ bool TrimmingSurface::MayIntersect(const Box3& box) const
         const float x = axis.dot(d), reach = axis.cwiseAbs().dot(h) + rim;
         return x - reach > leaf.High[k] || x + reach < leaf.Low[k];
       };
-      if (!apart(leaf.X.cross(leaf.Y), 2) && !apart(leaf.X, 0) && !apart(leaf.Y, 1))
+      if (!apart(leaf.X.cross(leaf.Y), 2) && !apart(leaf.X, 0) && !apart(leaf.Y, 1) &&
+        !visit(~child))
       {
-        return true;
+        return false;
       }
     }
   }
-  return false;
+  return true;
+}
+
+}
+
+bool TrimmingSurface::MayIntersect(const Box3& box) const
+{
+  const SurfaceModel& model = this->Impl->Model;
+  return !ForLeavesMeeting(model, box, model.Resolution, [](int) { return false; });
+}
+
+bool TrimmingSurface::NormalsLieWithin(const Box3& box, const Vec3& direction, double angle) const
+{
+  const SurfaceModel& model = this->Impl->Model;
+  return ForLeavesMeeting(model, box, model.Resolution + model.Gap,
+    [&](int index)
+    {
+      const Leaf& leaf = model.Leaves[model.LeafBoxes[index].Leaf];
+      const BezierPatch& patch = model.Patches[leaf.Patch];
+      if (patch.Curve)
+      {
+        return true; // along a loop; its face is visited too
+      }
+      // No tangent leaves the mean tangent plane by a greater sine than Deviation.
+      constexpr double Rounding = 1e-6;
+      const double turn = std::asin(std::min(1.0, double(leaf.Deviation)));
+      const double cosine = model.Data[patch.Face].Sign * leaf.Z.cast<double>().dot(direction);
+      return leaf.Deviation < 1 &&
+        std::acos(std::clamp(cosine, -1.0, 1.0)) + turn < angle - Rounding;
+    });
 }
 
 const Box3& TrimmingSurface::Bounds() const

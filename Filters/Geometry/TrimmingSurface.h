@@ -90,6 +90,15 @@ public:
   /// False only if the surface certainly does not meet the box.
   bool MayIntersect(const Box3& box) const;
 
+  /**
+   * True only if all normals of the surface within a box, or within the gap tolerance of it,
+   * certainly are within an angle of a direction.
+   *
+   * @param direction of unit length.
+   * @param angle in radians, up to pi.
+   */
+  bool NormalsLieWithin(const Box3& box, const Vec3& direction, double angle) const;
+
   const Box3& Bounds() const;
   int NumberOfFaces() const;
   const NurbsSurface& Face(int i) const;

@@ -19,6 +19,9 @@ int Locate(const std::vector<std::pair<Id, int>>& indices, Id id)
   return it != indices.end() && it->first == id ? it->second : -1;
 }
 
+/// Of an element.
+constexpr int MostFaces = 6;
+
 /// The nodes of a face in ascending order: the same from both its elements.
 std::array<int, 4> FaceKey(const BandElement& element, int slot)
 {
@@ -109,37 +112,58 @@ void Band::OrientWedges()
   }
 }
 
-Band::Side Band::FindTwin(int element, int slot) const
+std::vector<Band::Side> Band::FindTwins() const
 {
-  const std::array<int, 4> key = FaceKey(this->Elements[element], slot);
-  for (const int other : this->ElementsOfNode(key[0]))
-  {
-    const auto& candidate = this->Elements[other];
-    for (int i = 0; other > element && i < TopologyOf(candidate.Count).NumberOfFaces; ++i)
+  const int count = this->NumberOfElements();
+  std::vector<std::array<int, 4>> keys(MostFaces * static_cast<std::size_t>(count));
+  vtkSMPTools::For(0, count, 500,
+    [&](Id begin, Id end)
     {
-      if (FaceKey(candidate, i) == key)
+      for (Id e = begin; e < end; ++e)
       {
-        return { other, i };
+        const auto& element = this->Elements[e];
+        for (int slot = 0; slot < TopologyOf(element.Count).NumberOfFaces; ++slot)
+        {
+          keys[MostFaces * e + slot] = FaceKey(element, slot);
+        }
       }
-    }
-  }
-  return {};
+    });
+  // By their first nodes only few are left to be compared.
+  const Lists sides = BuildLists(this->NumberOfNodes(),
+    [&](auto&& add)
+    {
+      for (int e = 0; e < count; ++e)
+      {
+        for (int slot = 0; slot < TopologyOf(this->Elements[e].Count).NumberOfFaces; ++slot)
+        {
+          add(keys[MostFaces * e + slot][0], MostFaces * e + slot);
+        }
+      }
+    });
+  std::vector<Side> twins(keys.size());
+  vtkSMPTools::For(0, this->NumberOfNodes(), 1000,
+    [&](Id begin, Id end)
+    {
+      for (int n = static_cast<int>(begin); n < end; ++n)
+      {
+        for (const int* side = sides.begin(n); side != sides.end(n); ++side)
+        {
+          const int* twin = std::find_if(side + 1, sides.end(n),
+            [&](int other)
+            { return other / MostFaces > *side / MostFaces && keys[other] == keys[*side]; });
+          if (twin != sides.end(n))
+          {
+            twins[*side] = { *twin / MostFaces, *twin % MostFaces };
+          }
+        }
+      }
+    });
+  return twins;
 }
 
 void Band::BuildFaces()
 {
-  std::vector<std::array<Side, 6>> twins(this->Elements.size());
-  vtkSMPTools::For(0, this->NumberOfElements(), 500,
-    [&](Id begin, Id end)
-    {
-      for (int e = static_cast<int>(begin); e < end; ++e)
-      {
-        for (int slot = 0; slot < TopologyOf(this->Elements[e].Count).NumberOfFaces; ++slot)
-        {
-          twins[e][slot] = this->FindTwin(e, slot);
-        }
-      }
-    });
+  const std::vector<Side> twins = this->FindTwins();
   this->Faces.reserve(4 * this->Elements.size());
   for (int e = 0; e < this->NumberOfElements(); ++e)
   {
@@ -148,7 +172,7 @@ void Band::BuildFaces()
       // Of three elements with one face the first two are twins, as no face has more than two.
       if (this->Elements[e].Face[slot] < 0)
       {
-        this->AddFace({ e, slot }, twins[e][slot]);
+        this->AddFace({ e, slot }, twins[MostFaces * e + slot]);
       }
     }
   }

@@ -109,8 +109,9 @@ private:
   {
     int Element = -1, Slot = -1;
   };
-  /// The first later element with a face of the same nodes.
-  Side FindTwin(int element, int slot) const;
+  /// For each face of each element (six to an element) the first later element with a face of the
+  /// same nodes.
+  std::vector<Side> FindTwins() const;
   void BuildFaces();
   void AddFace(Side side, Side twin);
   void BuildEdges();

@@ -38,7 +38,9 @@ double ShortestDistance(const ElementPoints& p, int count)
 
 bool IsValid(const ElementPoints& points, int count, Optimization treatment)
 {
-  const JacobianRange range = MeasureJacobian(points, count);
+  const JacobianRange range = treatment == Optimization::None
+    ? MeasureAtIntegrationPoints(points, count)
+    : MeasureJacobian(points, count);
   if (!(range.IntegrationPoint > SmallestJacobian * std::abs(range.Mean)))
   {
     return false;

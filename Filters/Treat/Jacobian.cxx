@@ -18,19 +18,46 @@ double Determinant(const Vec3& a, const Vec3& b, const Vec3& c)
   return a.cross(b).dot(c);
 }
 
-/// Determinant of a hexahedron at (r, s, t) in [0, 1]^3.
-double HexahedronAt(const ElementPoints& p, double r, double s, double t)
+/// Blends of four vectors for each pair of parameters: the first leads from at00 to at10.
+template <std::size_t N>
+std::array<std::array<Vec3, N>, N> Blend(const std::array<double, N>& parameters, const Vec3& at00,
+  const Vec3& at10, const Vec3& at01, const Vec3& at11)
 {
-  const double a = 1.0 - r;
-  const double b = 1.0 - s;
-  const double c = 1.0 - t;
-  const Vec3 dr = (b * c) * (p[1] - p[0]) + (s * c) * (p[2] - p[3]) + (b * t) * (p[5] - p[4]) +
-    (s * t) * (p[6] - p[7]);
-  const Vec3 ds = (a * c) * (p[3] - p[0]) + (r * c) * (p[2] - p[1]) + (a * t) * (p[7] - p[4]) +
-    (r * t) * (p[6] - p[5]);
-  const Vec3 dt = (a * b) * (p[4] - p[0]) + (r * b) * (p[5] - p[1]) + (r * s) * (p[6] - p[2]) +
-    (a * s) * (p[7] - p[3]);
-  return Determinant(dr, ds, dt);
+  std::array<std::array<Vec3, N>, N> blends;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    const double x = parameters[i];
+    const Vec3 at0 = (1.0 - x) * at00 + x * at10;
+    const Vec3 at1 = (1.0 - x) * at01 + x * at11;
+    for (std::size_t j = 0; j < N; ++j)
+    {
+      blends[i][j] = (1.0 - parameters[j]) * at0 + parameters[j] * at1;
+    }
+  }
+  return blends;
+}
+
+/// Determinants of a hexahedron wherever all three parameters are of a list, in [0, 1]. The
+/// derivative by each of them depends on the other two only.
+template <std::size_t N>
+std::array<std::array<std::array<double, N>, N>, N> HexahedronLattice(
+  const ElementPoints& p, const std::array<double, N>& parameters)
+{
+  const auto dr = Blend(parameters, p[1] - p[0], p[2] - p[3], p[5] - p[4], p[6] - p[7]);
+  const auto ds = Blend(parameters, p[3] - p[0], p[2] - p[1], p[7] - p[4], p[6] - p[5]);
+  const auto dt = Blend(parameters, p[4] - p[0], p[5] - p[1], p[7] - p[3], p[6] - p[2]);
+  std::array<std::array<std::array<double, N>, N>, N> determinants;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    for (std::size_t j = 0; j < N; ++j)
+    {
+      for (std::size_t k = 0; k < N; ++k)
+      {
+        determinants[i][j][k] = Determinant(dr[j][k], ds[i][k], dt[i][j]);
+      }
+    }
+  }
+  return determinants;
 }
 
 /// Determinant of a wedge at (r, s) of the triangle and t of the axis.
@@ -51,17 +78,7 @@ double MiddleCoefficient(double at0, double atHalf, double at1)
 
 double SmallestHexahedronCoefficient(const ElementPoints& p)
 {
-  std::array<std::array<std::array<double, 3>, 3>, 3> b;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        b[i][j][k] = HexahedronAt(p, 0.5 * i, 0.5 * j, 0.5 * k);
-      }
-    }
-  }
+  auto b = HexahedronLattice<3>(p, { 0.0, 0.5, 1.0 });
   // From values on the lattice to coefficients, one direction after the other.
   for (int i = 0; i < 3; ++i)
   {
@@ -175,12 +192,13 @@ namespace
 template <typename Take>
 int ForIntegrationPoints(const ElementPoints& points, int count, const Take& take)
 {
-  const double gauss[2] = { 0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0) };
+  const std::array<double, 2> gauss = { 0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0) };
   if (count == 8)
   {
+    const auto determinants = HexahedronLattice(points, gauss);
     for (int i = 0; i < 8; ++i)
     {
-      take(HexahedronAt(points, gauss[i & 1], gauss[(i >> 1) & 1], gauss[i >> 2]));
+      take(determinants[i & 1][(i >> 1) & 1][i >> 2]);
     }
     return 8;
   }
@@ -194,7 +212,7 @@ int ForIntegrationPoints(const ElementPoints& points, int count, const Take& tak
 
 }
 
-JacobianRange MeasureJacobian(const ElementPoints& points, int count)
+JacobianRange MeasureAtIntegrationPoints(const ElementPoints& points, int count)
 {
   JacobianRange range;
   range.IntegrationPoint = std::numeric_limits<double>::infinity();
@@ -205,6 +223,12 @@ JacobianRange MeasureJacobian(const ElementPoints& points, int count)
       range.Mean += value;
     });
   range.Mean /= samples;
+  return range;
+}
+
+JacobianRange MeasureJacobian(const ElementPoints& points, int count)
+{
+  JacobianRange range = MeasureAtIntegrationPoints(points, count);
   range.Bezier =
     count == 8 ? SmallestHexahedronCoefficient(points) : SmallestWedgeCoefficient(points);
   return range;

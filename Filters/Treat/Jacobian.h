@@ -32,6 +32,9 @@ struct JacobianRange
 /// All three of one element of `count` (8 or 6) nodes in VTK's order.
 JacobianRange MeasureJacobian(const ElementPoints& points, int count);
 
+/// The first two only.
+JacobianRange MeasureAtIntegrationPoints(const ElementPoints& points, int count);
+
 /// Volume, exact for trilinear hexahedra (J. Grandy, Efficient computation of volume of hexahedral
 /// cells, 1997) and for wedges.
 double VolumeOf(const ElementPoints& points, int count);

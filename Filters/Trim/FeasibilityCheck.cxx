@@ -28,10 +28,13 @@ constexpr double SmallestSine = 0.05;
 /// Within one element a surface of the smallest radius turns by 29 degrees (chord 1, radius 2).
 /// What turns less between two crossings of an edge merely touches it.
 constexpr double CrossingCosine = 0.866;
+/// Normals within this angle of one direction turn less than that against each other.
+constexpr double HalfCrossingAngle = 0.2618;
 /// Between two nodes' feet the normal turns by at least 20 degrees where a bend is read off it;
 /// beyond 120 degrees the feet lie on two opposite walls.
 constexpr double SmallestTurnCosine = 0.940;
 constexpr double LargestTurnCosine = -0.5;
+constexpr double RightAngle = 1.5707963;
 /// Share of a ray within which a hit is its own start.
 constexpr double RayStart = 1e-3;
 
@@ -272,6 +275,12 @@ private:
       return false;
     }
     across *= SmallestWidth / probe.InElements(across);
+    Box3 way(foot.Point);
+    way.extend(Vec3(foot.Point + across));
+    if (this->Surface.NormalsLieWithin(way, across.normalized(), RightAngle))
+    {
+      return false;
+    }
     for (const auto& hit :
       this->Surface.Intersect(foot.Point, Vec3(foot.Point + across), RayStart, 1.0))
     {
@@ -370,6 +379,19 @@ private:
     return !wentBehind && !near.Structure.IsOnBorder(near.Mesh, node);
   }
 
+  /// Whether the surface certainly turns too little near a cell to cross an edge of it twice.
+  bool IsFlatAt(const std::array<Id, 8>& nodes, int count) const
+  {
+    const auto& near = this->Result.Nodes.Near;
+    Box3 box;
+    for (int i = 0; i < count; ++i)
+    {
+      box.extend(this->Mesh.Point(nodes[i]));
+    }
+    const Vec3& normal = near.Feet[near.Find(nodes[0])].Normal;
+    return this->Surface.NormalsLieWithin(box, normal, HalfCrossingAngle);
+  }
+
   /// Edges near enough to the surface to be crossed: it is nowhere nearer to a node than its foot.
   std::vector<Edge> FindNearEdges() const
   {
@@ -379,6 +401,10 @@ private:
     for (const Id c : this->Result.Nodes.CandidateCells)
     {
       const auto& topology = TopologyOf(this->Mesh.Cell(c, nodes));
+      if (this->IsFlatAt(nodes, topology.NumberOfNodes))
+      {
+        continue;
+      }
       std::array<double, 8> distance;
       for (int i = 0; i < topology.NumberOfNodes; ++i)
       {

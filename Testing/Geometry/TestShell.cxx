@@ -299,6 +299,44 @@ void TestBoxes()
   }
 }
 
+/// Normals in boxes round points of the surface, against those of feet in the box.
+void TestNormalCones()
+{
+  int asked = 0, certain = 0;
+  for (const samples::Named& sample : samples::All())
+  {
+    TrimmingSurface surface({ sample.Surface }, 1e-9);
+    const double scale = surface.Bounds().diagonal().norm();
+    for (int k = 0; k < check::Trials(2000); ++k)
+    {
+      const NurbsSurface& s = sample.Surface;
+      const Vec3 p = Evaluate(s, Uniform(s.FirstU(), s.LastU()), Uniform(s.FirstV(), s.LastV()));
+      const Vec3 direction = surface.ClosestPoint(p).Normal;
+      const double half = scale * std::pow(10.0, Uniform(-4, -1));
+      const double angle = Uniform(0.1, 1.5);
+      const Box3 box(p - Vec3::Constant(half), p + Vec3::Constant(half));
+      const bool answer = surface.NormalsLieWithin(box, direction, angle);
+      asked += half < 1e-3 * scale;
+      certain += answer && half < 1e-3 * scale;
+      for (int i = 0; i < 20 && answer; ++i)
+      {
+        const Foot foot = surface.ClosestPoint(p + half * RandomVector());
+        check::That(!box.contains(foot.Point) || foot.Kind != FootKind::Interior ||
+            std::acos(std::min(1.0, foot.Normal.dot(direction))) <= angle + 1e-6,
+          sample.Name + ": a normal outside of the cone" + Place(p, foot));
+      }
+      check::That(!surface.NormalsLieWithin(box, -direction, angle),
+        sample.Name + ": no cone the other way round");
+    }
+    surface.Flip();
+    const Foot foot = surface.ClosestPoint(surface.Bounds().center());
+    check::That(!surface.NormalsLieWithin(Box3(foot.Point, foot.Point), -foot.Normal, 1.5),
+      sample.Name + ": cones of the surface turned round");
+  }
+  check::That(certain > 0.5 * asked,
+    "cones of small boxes: " + std::to_string(certain) + " of " + std::to_string(asked));
+}
+
 void TestCurvature()
 {
   const TrimmingSurface sphere({ samples::Sphere(2) }, 1e-9),
@@ -372,6 +410,7 @@ int main()
   TestFreeBorders();
   TestOrientation();
   TestBoxes();
+  TestNormalCones();
   TestCurvature();
   TestManyFaces();
   return check::Result();

@@ -1,0 +1,52 @@
+/**
+ * @file CutEdges.h
+ * @brief Where the surface crosses the edges of the tetrahedra that elements are divided into.
+ *
+ * Neighbours have most of these edges in common, so each is crossed once.
+ */
+#ifndef CutEdges_h
+#define CutEdges_h
+
+#include "Band.h"
+#include "TrimmingSurface.h"
+
+namespace trim
+{
+
+using Tetrahedron = std::array<int, 4>; ///< local nodes of an element
+
+/// Six tetrahedra round the diagonal 0-6, and three in a wedge; positive in VTK's node order.
+constexpr std::array<Tetrahedron, 6> HexahedronTetrahedra = { { { 0, 1, 2, 6 }, { 0, 2, 3, 6 },
+  { 0, 3, 7, 6 }, { 0, 7, 4, 6 }, { 0, 4, 5, 6 }, { 0, 5, 1, 6 } } };
+constexpr std::array<Tetrahedron, 3> WedgeTetrahedra = { { { 0, 1, 2, 5 }, { 0, 1, 5, 4 },
+  { 0, 4, 5, 3 } } };
+
+class CutEdges
+{
+public:
+  /**
+   * @param status node statuses of the band (NodeStatus).
+   * @param gap see CrossEdge.
+   */
+  CutEdges(const Band& band, const std::vector<unsigned char>& status,
+    const nurbs::TrimmingSurface& surface, double gap);
+
+  /// Share of the edge from an eliminated node to one that is not, which lies beyond.
+  double Beyond(int eliminated, int other) const;
+
+  /// The first edge that joins eliminated and kept nodes without meeting the surface, which shows
+  /// that the surface ends there; -1: there is none.
+  std::array<int, 2> FindMissed() const;
+
+private:
+  void ListEdges(const Band& band);
+  void Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap);
+
+  const std::vector<unsigned char>& Status;
+  Band::Lists Others;         ///< kept nodes of the edges, by their eliminated nodes, ascending
+  std::vector<double> Shares; ///< in the order of Others.Item; negative: missed
+};
+
+}
+
+#endif
