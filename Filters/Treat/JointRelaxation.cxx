@@ -32,6 +32,8 @@ constexpr double Window = 0.3;
 constexpr double FirstDamping = 1e-3;
 constexpr double LeastDamping = 1e-7;
 constexpr int MostTrials = 4;
+/// A longer step, in edges, is the rounding of equations without a solution: nodes that coincide.
+constexpr double LongestStep = 1e3;
 /// Elements this near to the lowest of a patch cannot be raised when it cannot.
 constexpr double SameLevel = 5e-3;
 /// How much an element that is held may lose.
@@ -230,10 +232,14 @@ private:
     const std::vector<Row> rows = this->Linearise(part, variables, target);
     const std::vector<Vec3> from = this->PositionsOf(part.Nodes);
     const std::vector<double> before = this->WorthOf(part.Elements);
-    for (int trial = 0; trial < MostTrials; ++trial)
+    for (int trial = 0; trial < MostTrials; ++trial, damping *= 8.0)
     {
       const Eigen::VectorXd way =
         Solve(rows, static_cast<int>(variables.Direction.size()), damping);
+      if (!(way.norm() < LongestStep))
+      {
+        continue;
+      }
       for (const double share : { 1.0, 0.5 })
       {
         this->Shift(part.Nodes, from, variables, share * way);
@@ -245,7 +251,6 @@ private:
         }
         this->Place(part.Nodes, from);
       }
-      damping *= 8.0;
     }
     return false;
   }
