@@ -213,15 +213,17 @@ double BandQuality::LowestIfLeft(const TrimmedBand& trimmed, const Columns& colu
   return lowest;
 }
 
-double BandQuality::Deficit(const TrimmedBand& trimmed) const
+BandQuality::Shortage BandQuality::MeasureShortage(const TrimmedBand& trimmed) const
 {
-  double deficit = 0.0;
+  Shortage shortage;
   for (const int e : this->FindBelowFloor(trimmed))
   {
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    deficit += this->Floor - ScaledJacobian(final.Points, final.Count);
+    const double missing = this->Floor - ScaledJacobian(final.Points, final.Count);
+    shortage.Sum += missing;
+    shortage.Largest = std::max(shortage.Largest, missing);
   }
-  return deficit;
+  return shortage;
 }
 
 }

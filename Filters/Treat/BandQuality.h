@@ -45,8 +45,12 @@ public:
   double LowestIfLeft(const TrimmedBand& trimmed, const Columns& columns, int column,
     const std::vector<int>& pillars, double way) const;
 
-  /// By how much elements miss the floor, in sum.
-  double Deficit(const TrimmedBand& trimmed) const;
+  struct Shortage
+  {
+    double Sum = 0;     ///< by how much elements miss the floor
+    double Largest = 0; ///< by how much the worst one does
+  };
+  Shortage MeasureShortage(const TrimmedBand& trimmed) const;
 
   /// Whether an element becomes invalid by taking a shape.
   bool Spoils(int element, const ElementPoints& points, int count) const;

@@ -252,11 +252,12 @@ private:
     {
       return false;
     }
-    const double before = this->Quality.Deficit(trimmed);
-    const double after = this->Quality.Deficit(other);
-    if (after > before ||
-      (after > LeastProgress * before &&
-        this->Aimed.Deficit(other) > LeastProgress * this->Aimed.Deficit(trimmed)))
+    const double before = this->Quality.MeasureShortage(trimmed).Sum;
+    const double after = this->Quality.MeasureShortage(other).Sum;
+    const auto aimedBefore = this->Aimed.MeasureShortage(trimmed);
+    const auto aimedAfter = this->Aimed.MeasureShortage(other);
+    if (after > before || aimedAfter.Largest > aimedBefore.Largest ||
+      (after > LeastProgress * before && aimedAfter.Sum > LeastProgress * aimedBefore.Sum))
     {
       return false;
     }
