@@ -18,6 +18,8 @@ constexpr double ThicknessRatio = 1.5;
 constexpr int LongestChain = 64;
 /// How many elements of a part are sampled to measure the chains.
 constexpr int Samples = 200;
+/// Shifts that differ by less, in elements, are the same: rounding must not decide.
+constexpr double ShiftRounding = 1e-6;
 
 int Slot(int element, int axis)
 {
@@ -87,6 +89,7 @@ double AxisLength(const Band& band, int element, int axis)
 
 struct Chain
 {
+  int Count = 1; ///< elements
   double Length = 0;
   bool Closed = true; ///< ends at the exterior on both sides
 };
@@ -120,6 +123,7 @@ Chain MeasureChain(const Band& band, int element, int axis)
         chain.Closed = false;
         break;
       }
+      ++chain.Count;
       chain.Length += AxisLength(band, next, nextAxis);
       leaving = OppositeFace(face.Slot[side]);
       current = next;
@@ -135,11 +139,13 @@ struct Candidate
   int Covered = 0; ///< elements with exactly one axis in the class
   int Twice = 0;   ///< elements with two: the class turns back on itself
   double MeanLength = 0;
+  double MeanShift = 0; ///< of the cut, from end to end
   double ClosedShare = 0;
 };
 
+/// @param shift may be empty.
 std::vector<Candidate> MeasureCandidates(
-  const Band& band, const std::vector<int>& part, DisjointSets<int>& axes)
+  const Band& band, const std::vector<int>& part, const AxisShift& shift, DisjointSets<int>& axes)
 {
   std::map<int, Candidate> candidates;
   std::map<int, int> measured;
@@ -165,6 +171,7 @@ std::vector<Candidate> MeasureCandidates(
         const Chain chain = MeasureChain(band, e, axis);
         ++measured[roots[axis]];
         candidate.MeanLength += chain.Length;
+        candidate.MeanShift += shift ? chain.Count * shift(e, axis) : 0.0;
         candidate.ClosedShare += chain.Closed ? 1.0 : 0.0;
       }
     }
@@ -176,6 +183,7 @@ std::vector<Candidate> MeasureCandidates(
     if (n > 0)
     {
       item.second.MeanLength /= n;
+      item.second.MeanShift /= n;
       item.second.ClosedShare /= n;
       list.push_back(item.second);
     }
@@ -206,6 +214,93 @@ int ChooseThickness(std::vector<Candidate> candidates, int partSize)
   }
   return -1;
 }
+
+/// The node next to the first one of an element, along an axis of a class: tells axes apart by
+/// place.
+int NextAlong(const Band& band, int e, int root, DisjointSets<int>& axes)
+{
+  const auto& element = band.Elements[e];
+  const auto& topology = TopologyOf(element.Count);
+  const int first = *std::min_element(element.Node.begin(), element.Node.begin() + element.Count);
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    const int a = element.Node[topology.Edges[i].First];
+    const int b = element.Node[topology.Edges[i].Second];
+    if ((a == first || b == first) && topology.Edges[i].Axis >= 0 &&
+      axes.Find(Slot(e, topology.Edges[i].Axis)) == root)
+    {
+      return a == first ? b : a;
+    }
+  }
+  return -1;
+}
+
+/// Root of the axis along which the cut of a part wanders least, or -1.
+int ChooseBySteadiness(const Band& band, const std::vector<int>& part, const AxisShift& shift,
+  double largest, DisjointSets<int>& axes)
+{
+  auto candidates = MeasureCandidates(band, part, shift, axes);
+  const auto next = [&](const Candidate& c) { return NextAlong(band, part.front(), c.Root, axes); };
+  std::sort(candidates.begin(), candidates.end(),
+    [&](const Candidate& a, const Candidate& b) { return next(a) < next(b); });
+  int best = -1;
+  for (const auto& candidate : candidates)
+  {
+    if (candidate.Covered == static_cast<int>(part.size()) && candidate.ClosedShare == 1.0 &&
+      candidate.MeanShift < largest + (best < 0 ? ShiftRounding : -ShiftRounding))
+    {
+      largest = candidate.MeanShift;
+      best = candidate.Root;
+    }
+  }
+  return best;
+}
+
+/// Axes that are the same all through a part of the band, and the parts.
+struct AxisClasses
+{
+  explicit AxisClasses(const Band& band)
+    : Axes(3 * band.NumberOfElements())
+  {
+    DisjointSets<int> joined(band.NumberOfElements());
+    for (const auto& face : band.Faces)
+    {
+      UniteAxes(band, face, this->Axes);
+      if (face.Element[1] >= 0)
+      {
+        joined.Unite(face.Element[0], face.Element[1]);
+      }
+    }
+    std::map<int, std::vector<int>> elementsOfPart;
+    for (int e = 0; e < band.NumberOfElements(); ++e)
+    {
+      elementsOfPart[joined.Find(e)].push_back(e);
+    }
+    for (auto& part : elementsOfPart)
+    {
+      this->Parts.push_back(std::move(part.second));
+    }
+  }
+
+  /// The axis of a class for all elements of a part; root -1: none.
+  void SetAxis(const Band& band, const std::vector<int>& part, int root, Columns& columns)
+  {
+    for (const int e : part)
+    {
+      const int count = TopologyOf(band.Elements[e].Count).NumberOfAxes;
+      for (int axis = 0; axis < count && root >= 0; ++axis)
+      {
+        if (this->Axes.Find(Slot(e, axis)) == root)
+        {
+          columns.Axis[e] = static_cast<signed char>(axis);
+        }
+      }
+    }
+  }
+
+  DisjointSets<int> Axes;
+  std::vector<std::vector<int>> Parts;
+};
 
 void BuildGroups(const Band& band, Columns& columns)
 {
@@ -268,41 +363,31 @@ bool Columns::Complete(const Band& band, int ring) const
 
 Columns FindColumns(const Band& band)
 {
-  DisjointSets<int> axes(3 * band.NumberOfElements());
-  DisjointSets<int> parts(band.NumberOfElements());
-  for (const auto& face : band.Faces)
-  {
-    UniteAxes(band, face, axes);
-    if (face.Element[1] >= 0)
-    {
-      parts.Unite(face.Element[0], face.Element[1]);
-    }
-  }
-  std::map<int, std::vector<int>> elementsOfPart;
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    elementsOfPart[parts.Find(e)].push_back(e);
-  }
+  AxisClasses classes(band);
   Columns columns;
   columns.Axis.assign(band.NumberOfElements(), -1);
-  for (const auto& part : elementsOfPart)
+  for (const auto& part : classes.Parts)
   {
     const int root = ChooseThickness(
-      MeasureCandidates(band, part.second, axes), static_cast<int>(part.second.size()));
-    for (const int e : part.second)
-    {
-      const int count = TopologyOf(band.Elements[e].Count).NumberOfAxes;
-      for (int axis = 0; axis < count && root >= 0; ++axis)
-      {
-        if (axes.Find(Slot(e, axis)) == root)
-        {
-          columns.Axis[e] = static_cast<signed char>(axis);
-        }
-      }
-    }
+      MeasureCandidates(band, part, {}, classes.Axes), static_cast<int>(part.size()));
+    classes.SetAxis(band, part, root, columns);
   }
   BuildGroups(band, columns);
   return columns;
+}
+
+void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Columns& columns)
+{
+  AxisClasses classes(band);
+  for (const auto& part : classes.Parts)
+  {
+    if (!columns.HasThickness(part.front()))
+    {
+      classes.SetAxis(
+        band, part, ChooseBySteadiness(band, part, shift, largest, classes.Axes), columns);
+    }
+  }
+  BuildGroups(band, columns);
 }
 
 Columns NoColumns(const Band& band)

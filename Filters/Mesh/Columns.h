@@ -5,7 +5,8 @@
  * The paper's meshes are sheets of one or more layers, so each element has a thickness axis:
  * the one whose chain of elements from skin to skin is the shortest. It is found locally in the
  * band and carried from element to element through their lateral faces, never taken from a
- * global direction, so that formed parts have it too. A solid block has none.
+ * global direction, so that formed parts have it too. A solid block has none; there the cut can
+ * choose one.
  */
 #ifndef Columns_h
 #define Columns_h
@@ -13,6 +14,7 @@
 #include "Band.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace trim
@@ -50,6 +52,19 @@ struct Columns
 };
 
 Columns FindColumns(const Band& band);
+
+/// How far the cut wanders along an element, in elements, by element and axis.
+using AxisShift = std::function<double(int, int)>;
+
+/**
+ * Gives the parts of a solid block the axis along which the cut wanders least. Where whole columns
+ * stay or go no element has facets of the cut to all three sides at one corner, which no place of
+ * its nodes makes valid; among elements that are decided one by one there always are such, for the
+ * corner that lies farthest out along the surface's normal is one.
+ *
+ * @param largest way of the cut from end to end of a column, in the mean, that columns can follow.
+ */
+void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Columns& columns);
 
 /// Columns of a band that is to be treated as a solid block: every element for itself.
 Columns NoColumns(const Band& band);

@@ -22,7 +22,7 @@ constexpr int BandRings = 4;
 /// Rings where columns reach farther, in a sheet of many layers under an inclined surface.
 constexpr int DeepBandRings = 12;
 /// A surface that shifts by more than this share of an element from skin to skin cannot be
-/// followed by whole columns: the sheet is treated as a block.
+/// followed by whole columns: other columns are looked for, else every element is decided alone.
 constexpr double LargestColumnShift = 3.5;
 
 /// Turns the surface round for a scope.
@@ -215,6 +215,35 @@ nurbs::Foot FootOf(
     : surface.ClosestPoint(band.Point[node]);
 }
 
+/// Shift of the surface along an axis of an element, in elements.
+double ShiftAlong(
+  const Band& band, int e, int axis, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
+{
+  const auto& element = band.Elements[e];
+  const auto& topology = TopologyOf(element.Count);
+  Vec3 thickness = Vec3::Zero();
+  double lateral = 0.0;
+  int lateralEdges = 0;
+  int axisEdges = 0;
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    const Vec3 edge = band.Point[element.Node[topology.Edges[i].Second]] -
+      band.Point[element.Node[topology.Edges[i].First]];
+    const bool along = topology.Edges[i].Axis == axis;
+    (along ? axisEdges : lateralEdges) += 1;
+    thickness += along ? edge : Vec3::Zero();
+    lateral += along ? 0.0 : edge.norm();
+  }
+  thickness /= axisEdges;
+  lateral /= lateralEdges;
+  // Not the first as the element has them: how it is numbered must not decide.
+  const int node = *std::min_element(element.Node.begin(), element.Node.begin() + element.Count);
+  const Vec3 normal = FootOf(band, node, known, surface).Normal;
+  const double sine = std::abs(normal.dot(thickness.normalized()));
+  const double tangent = sine / std::sqrt(std::max(1e-12, 1.0 - sine * sine));
+  return thickness.norm() * tangent / lateral;
+}
+
 /// Mean shift of the surface from skin to skin, in elements; 0 without thickness.
 double ColumnShift(const Band& band, const Columns& columns, const NodeFeet& known,
   const nurbs::TrimmingSurface& surface)
@@ -228,34 +257,37 @@ double ColumnShift(const Band& band, const Columns& columns, const NodeFeet& kno
   }
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
-    const auto& element = band.Elements[e];
-    if (element.Ring > 0 || columns.Axis[e] < 0)
+    if (band.Elements[e].Ring == 0 && columns.Axis[e] >= 0)
     {
-      continue;
+      shift += std::min(
+        10.0, layers[columns.Column[e]] * ShiftAlong(band, e, columns.Axis[e], known, surface));
+      ++count;
     }
-    const auto& topology = TopologyOf(element.Count);
-    Vec3 thickness = Vec3::Zero();
-    double lateral = 0.0;
-    int lateralEdges = 0;
-    int axisEdges = 0;
-    for (int i = 0; i < topology.NumberOfEdges; ++i)
-    {
-      const Vec3 edge = band.Point[element.Node[topology.Edges[i].Second]] -
-        band.Point[element.Node[topology.Edges[i].First]];
-      const bool along = topology.Edges[i].Axis == columns.Axis[e];
-      (along ? axisEdges : lateralEdges) += 1;
-      thickness += along ? edge : Vec3::Zero();
-      lateral += along ? 0.0 : edge.norm();
-    }
-    thickness /= axisEdges;
-    lateral /= lateralEdges;
-    const Vec3 normal = FootOf(band, element.Node[0], known, surface).Normal;
-    const double sine = std::abs(normal.dot(thickness.normalized()));
-    const double tangent = sine / std::sqrt(std::max(1e-12, 1.0 - sine * sine));
-    shift += std::min(10.0, layers[columns.Column[e]] * thickness.norm() * tangent / lateral);
-    ++count;
   }
   return count > 0 ? shift / count : 0.0;
+}
+
+/// Columns that the cut can be followed by: those through the sheet, else any.
+void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
+{
+  const Band& band = near.Mesh;
+  if (ColumnShift(band, near.Structure, known, surface) > LargestColumnShift ||
+    !near.Structure.Complete(band, 2))
+  {
+    near.Structure = NoColumns(band);
+  }
+  const auto& axes = near.Structure.Axis;
+  if (std::all_of(axes.begin(), axes.end(), [](signed char axis) { return axis >= 0; }))
+  {
+    return;
+  }
+  Columns chosen = near.Structure;
+  const auto shift = [&](int e, int axis) { return ShiftAlong(band, e, axis, known, surface); };
+  ChooseColumns(band, shift, LargestColumnShift, chosen);
+  if (chosen.Complete(band, 2))
+  {
+    near.Structure = std::move(chosen);
+  }
 }
 
 /// The same band on all ranks; false with an error if there can be none.
@@ -282,11 +314,7 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
     }
   }
   near->SheetAxis = near->Structure.Axis;
-  if (ColumnShift(near->Mesh, near->Structure, result.Nodes.Near, surface) > LargestColumnShift ||
-    !near->Structure.Complete(near->Mesh, 2))
-  {
-    near->Structure = NoColumns(near->Mesh);
-  }
+  SetColumns(*near, result.Nodes.Near, surface);
   return true;
 }
 

@@ -52,7 +52,7 @@ Placement PlacementOf(const std::string& surface, const Mesh& mesh)
   return at;
 }
 
-// Where every node has to come to lie on the surface; elsewhere (steep cuts, blocks, bends as
+// Where every node has to come to lie on the surface; elsewhere (steep cuts, bends as
 // sharp as two elements, slots, curves tighter than a stretched element, a corner of the model
 // right beside the curve) what is left off is a note, as long as the filter says so.
 bool IsOrdinary(const std::string& surface, const Mesh& mesh, int optimization)
@@ -65,11 +65,11 @@ bool IsOrdinary(const std::string& surface, const Mesh& mesh, int optimization)
   }
   const bool closed = surface == "cylinder" || surface == "leaning" || surface == "cone" ||
     surface == "contour" || surface == "roundrect";
-  return mesh.Sheet && mesh.Flat && surface != "inclined" && surface != "slot" &&
+  return mesh.Flat && surface != "inclined" && surface != "slot" &&
     !(closed && (mesh.Name == "stretched" || mesh.Name == "hole"));
 }
 
-// What the worst element reaches at least with wedges. Below the project's 0.3 are blocks, and
+// What the worst element reaches at least with wedges. Below the project's 0.3 are
 // - inclined: border, skin and cut meet in a spike whose edges are given; its corner has 0.198, as
 //   one of a wedge 0.229, wherever the nodes are;
 // - cone in a cup, roundrect in a channel: the surface leans from the wall by 15 and 17 degrees; a
@@ -79,10 +79,10 @@ double FloorOf(const std::string& surface, const Mesh& mesh)
 {
   const std::map<std::string, double> lower{ { "channel inclined", 0.22 },
     { "hole inclined", 0.22 }, { "lshape inclined", 0.22 }, { "islands inclined", 0.22 },
-    { "channel roundrect", 0.25 }, { "cup cone", 0.24 }, { "cup roundrect", 0.25 },
+    { "channel roundrect", 0.25 }, { "cup cone", 0.26 }, { "cup roundrect", 0.25 },
     { "stretched roundrect", 0.29 } };
   const auto found = lower.find(mesh.Name + " " + surface);
-  return !mesh.Sheet ? 0.2 : found != lower.end() ? found->second : 0.3;
+  return found != lower.end() ? found->second : 0.3;
 }
 
 std::string KindOf(const std::string& surface)

@@ -97,35 +97,44 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   }
 }
 
+using Places = std::set<std::array<double, 3>>;
+
+Places PlacesOfNodes(const Mesh& mesh, const Surface& surface)
+{
+  const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
+  Places places;
+  for (vtkIdType i = 0; i < outcome.Case.Trimmed->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p;
+    outcome.Case.Trimmed->GetPoint(i, p.data());
+    places.insert(p);
+  }
+  return places;
+}
+
 /// A mesh with its nodes and cells in another order is trimmed alike.
 void TestPermuted()
 {
   MeshOptions plain, permuted;
   plain.Data = permuted.Data = false;
   permuted.Permuted = true;
-  const Mesh mesh = Sheet(24, 18, 2, Vec3(1, 1, 0.4), plain);
-  const Mesh other = Sheet(24, 18, 2, Vec3(1, 1, 0.4), permuted);
+  const auto compare =
+    [](const std::string& name, const Mesh& mesh, const Mesh& other, const Surface& surface)
+  {
+    ++Trials;
+    if (PlacesOfNodes(mesh, surface) != PlacesOfNodes(other, surface))
+    {
+      Fail("permuted " + name, "nodes at other places");
+    }
+  };
+  const Vec3 element(1, 1, 0.4);
+  const Mesh mesh = Sheet(24, 18, 2, element, plain);
   for (const char* kind : { "wavy", "contour" })
   {
-    const Surface surface = SurfaceOf(kind, mesh);
-    const auto places = [&surface](const Mesh& m)
-    {
-      const Outcome outcome = RunTrim(m, surface, TrimOptions());
-      std::set<std::array<double, 3>> set;
-      for (vtkIdType i = 0; i < outcome.Case.Trimmed->GetNumberOfPoints(); ++i)
-      {
-        std::array<double, 3> p;
-        outcome.Case.Trimmed->GetPoint(i, p.data());
-        set.insert(p);
-      }
-      return set;
-    };
-    ++Trials;
-    if (places(mesh) != places(other))
-    {
-      Fail(std::string("permuted ") + kind, "nodes at other places");
-    }
+    compare(kind, mesh, Sheet(24, 18, 2, element, permuted), SurfaceOf(kind, mesh));
   }
+  const Mesh block = Block(11, 10, 9, plain);
+  compare("block", block, Block(11, 10, 9, permuted), SurfaceOf("cone", block));
 }
 
 std::vector<std::string> Chosen(const std::string& argument, const std::vector<std::string>& all)
