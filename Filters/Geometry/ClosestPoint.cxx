@@ -16,7 +16,7 @@ bool IsInsideTrim(const SurfaceModel& model, int index, double s, double t)
   {
     return true;
   }
-  const TrimState state = model.Leaves[model.LeafAt(patch, s, t)].Trim;
+  const TrimState state = model.TrimStates[model.LeafAt(patch, s, t)];
   return state == TrimState::Inside ||
     (state == TrimState::Crossed && loops.Inside(patch.U(s, t), patch.V(s, t)));
 }
@@ -180,13 +180,13 @@ void ClosestPointSearch::Run()
 
 void ClosestPointSearch::VisitLeaf(int boxIndex)
 {
-  const LeafBox& oriented = this->Model.LeafBoxes[boxIndex];
-  __builtin_prefetch(&this->Model.Leaves[oriented.Leaf].Patch);
+  const LeafBox& oriented = this->Model.BoxAt(boxIndex);
+  __builtin_prefetch(&this->Model.Leaves[oriented.Leaf()].Patch);
   if (SquaredDistanceToLeaf(oriented, this->P) > this->Bound)
   {
     return;
   }
-  const int index = oriented.Leaf;
+  const int index = oriented.Leaf();
   const Leaf& leaf = this->Model.Leaves[index];
   const BezierPatch& patch = this->Model.Patches[leaf.Patch];
   const Vec4* net = this->Model.Net(patch);

@@ -363,11 +363,12 @@ bool LineSearch::FindStart(
 
 void LineSearch::VisitLeaf(int boxIndex)
 {
-  if (!this->MeetsBox(this->Model.LeafBoxes[boxIndex]))
+  const LeafBox& oriented = this->Model.BoxAt(boxIndex);
+  if (!this->MeetsBox(oriented))
   {
     return;
   }
-  const int index = this->Model.LeafBoxes[boxIndex].Leaf;
+  const int index = oriented.Leaf();
   const Leaf& leaf = this->Model.Leaves[index];
   const BezierPatch& patch = this->Model.Patches[leaf.Patch];
   if (patch.Curve)

@@ -30,20 +30,25 @@ bool IsMapped(std::size_t bytes);
 void FreeZeros(void* memory, std::size_t bytes);
 
 /// For std::vector: elements that no value is given for are left as they are, zero in new memory.
-template <typename T>
+template <typename T, PageSize Pages>
 struct PageAllocator
 {
   using value_type = T;
+  template <typename U>
+  struct rebind
+  {
+    using other = PageAllocator<U, Pages>;
+  };
 
   PageAllocator() = default;
   template <typename U>
-  PageAllocator(const PageAllocator<U>&)
+  PageAllocator(const PageAllocator<U, Pages>&)
   {
   }
   T* allocate(std::size_t count)
   {
     static_assert(alignof(T) <= alignof(std::max_align_t), "small pieces are those of calloc");
-    return static_cast<T*>(AllocateZeros(count * sizeof(T), PageSize::Large));
+    return static_cast<T*>(AllocateZeros(count * sizeof(T), Pages));
   }
   void deallocate(T* memory, std::size_t count) { FreeZeros(memory, count * sizeof(T)); }
 
@@ -58,12 +63,12 @@ struct PageAllocator
     ::new (static_cast<void*>(item)) U(std::forward<Arguments>(arguments)...);
   }
   template <typename U>
-  bool operator==(const PageAllocator<U>&) const
+  bool operator==(const PageAllocator<U, Pages>&) const
   {
     return true;
   }
   template <typename U>
-  bool operator!=(const PageAllocator<U>&) const
+  bool operator!=(const PageAllocator<U, Pages>&) const
   {
     return false;
   }
@@ -71,7 +76,11 @@ struct PageAllocator
 
 /// A long array of values. PageVector<T>(count) is zero, and so is resize() of an empty one.
 template <typename T>
-using PageVector = std::vector<T, PageAllocator<T>>;
+using PageVector = std::vector<T, PageAllocator<T, PageSize::Large>>;
+
+/// The same for one of which few parts are written to: the rest takes no memory.
+template <typename T>
+using SparseVector = std::vector<T, PageAllocator<T, PageSize::Small>>;
 
 }
 

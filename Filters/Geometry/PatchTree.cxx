@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace nurbs
@@ -15,16 +17,23 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf)
     static_cast<double>(j) / patch.GridV, static_cast<double>(j + 1) / patch.GridV };
 }
 
-NetBounds BoundPatch(const BezierPatch& patch, const Vec4* net)
+namespace
+{
+
+/// Bounds about a point, that in the middle.
+NetBounds BoundAbout(const Vec3& center, const BezierPatch& patch, const Vec4* net)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
   Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  CenterNet(BezierPoint(patch, net, 0.5, 0.5), (p + 1) * (q + 1), net, centered);
+  CenterNet(center, (p + 1) * (q + 1), net, centered);
   return BoundNet(p, q, centered);
 }
 
-Vec2 MeasureBend(const NetBounds& b)
+}
+
+Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
 {
+  const NetBounds b = BoundAbout(BezierPoint(patch, net, 0.5, 0.5), patch, net);
   // Lengths of the patch along s and t; a collapsed direction is not divided for its own sake.
   const double lengthU = std::max(b.MeanU.norm(), 1e-3 * b.Extent);
   const double lengthV = std::max(b.MeanV.norm(), 1e-3 * b.Extent);
@@ -45,11 +54,26 @@ void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch)
   patch.GridV = patch.DegreeV > 0 ? static_cast<int>(divisions.y()) : 1;
 }
 
-void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part,
-  const NetBounds& b, Leaf& leaf, LeafBox& oriented, Eigen::AlignedBox3f& aligned)
+Eigen::AlignedBox3f BoxOfNet(const Vec4* net, int size)
+{
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
+  for (int k = 0; k < size; ++k)
+  {
+    const Vec3 point = net[k].head<3>() / net[k].w();
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const double margin = 1e-7 * std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  return Eigen::AlignedBox3f(
+    (low.array() - margin).matrix().cast<float>(), (high.array() + margin).matrix().cast<float>());
+}
+
+void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
+  LeafBox& oriented)
 {
   const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
   leaf.Center = BezierPoint(patch, part, 0.5, 0.5);
+  const NetBounds b = BoundAbout(leaf.Center, patch, part);
 
   // Frame of the oriented box; for a curve or a collapsed leaf any frame will do.
   Vec3 x = b.MeanU, z = b.MeanU.cross(b.MeanV);
@@ -71,17 +95,13 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   const Vec3 y = z.cross(x);
 
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
-  Vec3 boxLow = low, boxHigh = high;
   const double radius = b.Radius;
   for (int k = 0; k < size; ++k)
   {
-    const Vec3 point = part[k].head<3>() / part[k].w();
     const Vec3 d = (part[k].head<3>() - part[k].w() * leaf.Center) / part[k].w();
     const Vec3 local(x.dot(d), y.dot(d), z.dot(d));
     low = low.cwiseMin(local);
     high = high.cwiseMax(local);
-    boxLow = boxLow.cwiseMin(point);
-    boxHigh = boxHigh.cwiseMax(point);
   }
   leaf.X = x.cast<float>();
   leaf.Y = y.cast<float>();
@@ -101,10 +121,6 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   const double margin = 1e-6 * (radius + offset.norm()) + 1e-15 * leaf.Center.cwiseAbs().maxCoeff();
   oriented.Low = (low + shift - Vec3::Constant(margin)).cast<float>();
   oriented.High = (high + shift + Vec3::Constant(margin)).cast<float>();
-  const double boxMargin =
-    1e-7 * std::max(boxLow.cwiseAbs().maxCoeff(), boxHigh.cwiseAbs().maxCoeff());
-  aligned.min() = (boxLow.array() - boxMargin).matrix().cast<float>();
-  aligned.max() = (boxHigh.array() + boxMargin).matrix().cast<float>();
 
   const double sizeS = domain.S1 - domain.S0, sizeT = domain.T1 - domain.T0;
   std::fill(leaf.Inverse, leaf.Inverse + 4, 0.0f);
@@ -141,44 +157,109 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
 namespace
 {
 
+/// A leaf behind the key it is sorted by, so that whole numbers are compared and moved.
+using Item = std::uint64_t;
+
+int LeafOf(Item item)
+{
+  return static_cast<int>(item & 0xffffffffu);
+}
+
+/// Items go by rising value, those of the same value by leaf.
+Item MakeItem(float value, int leaf)
+{
+  const float x = value + 0.0f; // -0 is 0
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  constexpr std::uint32_t sign = 0x80000000u;
+  bits ^= (bits & sign) != 0 ? ~0u : sign;
+  return (static_cast<Item>(bits) << 32) | static_cast<std::uint32_t>(leaf);
+}
+
+/// Median of five items spread over a range.
+Item FindPivot(const Item* begin, const Item* end)
+{
+  const std::ptrdiff_t step = (end - begin - 1) / 4;
+  Item sample[5];
+  for (int k = 0; k < 5; ++k)
+  {
+    sample[k] = begin[k * step];
+  }
+  std::sort(sample, sample + 5);
+  return sample[2];
+}
+
+/// std::nth_element for items, all different; without branches that cannot be foreseen.
+void SelectItem(Item* begin, Item* middle, Item* end)
+{
+  constexpr std::ptrdiff_t Short = 24;
+  constexpr int MaximumRounds = 64; // bad pivots; beyond them the library's guarantee is taken
+  for (int round = 0; end - begin > Short && round < MaximumRounds; ++round)
+  {
+    const Item pivot = FindPivot(begin, end);
+    Item* below = begin;
+    for (Item* it = begin; it != end; ++it)
+    {
+      const Item item = *it;
+      *it = *below;
+      *below = item;
+      below += item < pivot ? 1 : 0;
+    }
+    if (middle < below)
+    {
+      end = below;
+    }
+    else
+    {
+      begin = below;
+    }
+  }
+  std::nth_element(begin, middle, end);
+}
+
 class TreeBuilder
 {
 public:
-  explicit TreeBuilder(std::vector<int>& leaves, const std::vector<Eigen::AlignedBox3f>& boxes)
+  TreeBuilder(const std::vector<int>& leaves, const std::vector<Eigen::AlignedBox3f>& boxes)
+    : Boxes(boxes)
   {
     this->Items.reserve(leaves.size());
     for (const int leaf : leaves)
     {
-      this->Items.push_back({ boxes[leaf], leaf });
+      this->Items.push_back(MakeItem(0, leaf));
     }
+    this->Nodes.reserve(leaves.size() / 2 + 1);
   }
 
-  struct Item
-  {
-    Eigen::AlignedBox3f Box;
-    int Leaf;
-  };
-  std::vector<Item> Items; ///< together with their boxes: what is sorted is looked at
+  std::vector<Item> Items;
   std::vector<TreeNode> Nodes;
 
-  int Build(int begin, int end)
+  /// @return the box of all.
+  Eigen::AlignedBox3f Build(std::ptrdiff_t begin, std::ptrdiff_t end)
   {
-    const int index = static_cast<int>(this->Nodes.size());
+    const std::size_t index = this->Nodes.size();
     this->Nodes.emplace_back();
-    int bounds[5] = { begin, begin, 0, end, end };
+    std::ptrdiff_t bounds[5] = { begin, begin, 0, end, end };
     bounds[2] = this->Split(begin, end);
     bounds[1] = this->Split(begin, bounds[2]);
     bounds[3] = this->Split(bounds[2], end);
+    Eigen::AlignedBox3f all;
     for (int c = 0; c < 4; ++c)
     {
-      const int first = bounds[c], last = bounds[c + 1];
+      const std::ptrdiff_t first = bounds[c], count = bounds[c + 1] - first;
       Eigen::AlignedBox3f box;
-      for (int k = first; k < last; ++k)
+      int child = TreeNode::Empty;
+      if (count == 1)
       {
-        box.extend(this->Items[k].Box);
+        child = ~static_cast<int>(first);
+        box = this->Boxes[LeafOf(this->Items[first])];
       }
-      const int child = last - first == 0 ? TreeNode::Empty
-                                          : (last - first == 1 ? ~first : this->Build(first, last));
+      else if (count > 1)
+      {
+        child = static_cast<int>(this->Nodes.size());
+        box = this->Build(first, first + count);
+      }
+      all.extend(box);
       TreeNode& node = this->Nodes[index]; // Build may have moved it
       node.Child[c] = child;
       for (int axis = 0; axis < 3; ++axis)
@@ -188,35 +269,37 @@ public:
         node.High[axis][c] = child == TreeNode::Empty ? 1e18f : box.max()[axis];
       }
     }
-    return index;
+    return all;
   }
 
 private:
   /// Median along the longest axis of the centres; returns the index that parts the halves.
-  int Split(int begin, int end)
+  std::ptrdiff_t Split(std::ptrdiff_t begin, std::ptrdiff_t end)
   {
-    const int middle = begin + (end - begin + 1) / 2;
+    const std::ptrdiff_t middle = begin + (end - begin + 1) / 2;
     if (end - begin < 2)
     {
       return middle;
     }
     Eigen::AlignedBox3f centers;
-    for (int k = begin; k < end; ++k)
+    for (std::ptrdiff_t k = begin; k < end; ++k)
     {
-      centers.extend(this->Items[k].Box.center());
+      centers.extend(this->Boxes[LeafOf(this->Items[k])].center());
     }
     int axis;
     centers.sizes().maxCoeff(&axis);
-    std::nth_element(this->Items.begin() + begin, this->Items.begin() + middle,
-      this->Items.begin() + end,
-      [axis](const Item& a, const Item& b)
-      {
-        const float x = a.Box.min()[axis] + a.Box.max()[axis];
-        const float y = b.Box.min()[axis] + b.Box.max()[axis];
-        return x != y ? x < y : a.Leaf < b.Leaf;
-      });
+    for (std::ptrdiff_t k = begin; k < end; ++k)
+    {
+      const int leaf = LeafOf(this->Items[k]);
+      const Eigen::AlignedBox3f& box = this->Boxes[leaf];
+      this->Items[k] = MakeItem(box.min()[axis] + box.max()[axis], leaf);
+    }
+    Item* items = this->Items.data();
+    SelectItem(items + begin, items + middle, items + end);
     return middle;
   }
+
+  const std::vector<Eigen::AlignedBox3f>& Boxes;
 };
 
 }
@@ -225,10 +308,8 @@ std::vector<TreeNode> BuildTree(
   std::vector<int>& order, const std::vector<Eigen::AlignedBox3f>& boxes)
 {
   TreeBuilder builder(order, boxes);
-  builder.Nodes.reserve(order.size() / 2 + 1);
-  builder.Build(0, static_cast<int>(order.size()));
-  std::transform(builder.Items.begin(), builder.Items.end(), order.begin(),
-    [](const TreeBuilder::Item& item) { return item.Leaf; });
+  builder.Build(0, static_cast<std::ptrdiff_t>(order.size()));
+  std::transform(builder.Items.begin(), builder.Items.end(), order.begin(), LeafOf);
   return std::move(builder.Nodes);
 }
 

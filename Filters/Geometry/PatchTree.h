@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include <atomic>
 #include <vector>
 
 namespace nurbs
@@ -31,19 +32,21 @@ struct Leaf
   float HeightCost; ///< if SideCost side + HeightCost height < 1
   float Deviation;  ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
   int Patch;
-  TrimState Trim;
 };
 
 /**
- * The oriented box of a leaf. One cache line, and stored in the order of the tree: large surfaces
- * are searched at the speed of memory.
+ * The oriented box of a leaf. As long as a cache line, and stored in the order of the tree: large
+ * surfaces are searched at the speed of memory.
  */
-struct alignas(64) LeafBox
+struct LeafBox
 {
   Eigen::Vector3f Center, X, Y; ///< the third axis is X x Y
   Eigen::Vector3f Low, High;
-  int Leaf;
+  std::atomic<int> Number; ///< of the leaf, from 1 on; 0 in new memory: nothing is known yet
+
+  int Leaf() const { return this->Number.load(std::memory_order_relaxed) - 1; }
 };
+static_assert(sizeof(LeafBox) == 64, "one line of the cache");
 
 struct alignas(64) TreeNode
 {
@@ -59,23 +62,22 @@ struct LeafDomain
 };
 LeafDomain DomainOf(const BezierPatch& patch, int leaf);
 
-/// The bounds of a whole patch about the point in its middle.
-NetBounds BoundPatch(const BezierPatch& patch, const Vec4* net);
-
 /// How far the tangents of a patch turn along s and t, relative to its size (about radians).
-Vec2 MeasureBend(const NetBounds& bounds);
+Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net);
 
 /// Divides a patch so that no leaf bends by more than the flatness, within bounds.
 void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch);
 
 /**
- * Boxes, inverse map and certificates of one leaf.
+ * Oriented box, inverse map and certificates of one leaf.
  *
  * @param part the net restricted to it.
- * @param bounds of the part about the point in its middle.
  */
-void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part,
-  const NetBounds& bounds, Leaf& leaf, LeafBox& oriented, Eigen::AlignedBox3f& aligned);
+void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
+  LeafBox& oriented);
+
+/// The box along the axes that a net lies in, rounded outwards.
+Eigen::AlignedBox3f BoxOfNet(const Vec4* net, int size);
 
 /// Four-way tree over aligned boxes; order is permuted into that of the tree.
 std::vector<TreeNode> BuildTree(

@@ -134,65 +134,86 @@ void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
 
 void SurfaceModel::AddLeaves()
 {
-  std::size_t count = 0;
-  PageVector<NetBounds> bounds;
   std::vector<Vec2> bends;
-  bounds.reserve(this->Patches.size());
   bends.reserve(this->Patches.size());
   for (const BezierPatch& patch : this->Patches)
   {
-    bounds.push_back(BoundPatch(patch, this->Net(patch)));
-    bends.push_back(MeasureBend(bounds.back()));
+    bends.push_back(MeasureBend(patch, this->Net(patch)));
   }
   this->Blocks.Build(*this, bends);
   this->ChooseGrids(bends);
   this->RefineTrimmedGrids();
+  std::size_t count = 0;
   for (BezierPatch& patch : this->Patches)
   {
     patch.FirstLeaf = static_cast<int>(count);
     count += static_cast<std::size_t>(patch.GridU) * patch.GridV;
   }
-  this->Leaves.resize(count);
-  std::vector<Eigen::AlignedBox3f> boxes(count);
-  std::vector<LeafBox> oriented(count);
-  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  for (std::size_t index = 0; index < this->Patches.size(); ++index)
-  {
-    const BezierPatch& patch = this->Patches[index];
-    const bool whole = patch.GridU * patch.GridV == 1;
-    for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
-    {
-      const LeafDomain domain = DomainOf(patch, k);
-      if (!whole)
-      {
-        RestrictNet(patch, this->Net(patch), domain.S0, domain.S1, domain.T0, domain.T1, part);
-      }
-      Leaf& leaf = this->Leaves[k];
-      leaf.Patch = static_cast<int>(index);
-      leaf.Trim = TrimState::Inside;
-      MeasureLeaf(patch, domain, whole ? this->Net(patch) : part,
-        whole ? bounds[index] : BoundPatch(patch, part), leaf, oriented[k], boxes[k]);
-      oriented[k].Leaf = k;
-    }
-  }
+  this->TrimStates.assign(count, TrimState::Inside);
   this->FindTrimStates();
-  std::vector<int> used;
+  const std::vector<Eigen::AlignedBox3f> boxes = this->BoxLeaves();
   for (std::size_t k = 0; k < count; ++k)
   {
-    if (this->Leaves[k].Trim != TrimState::Outside)
+    if (this->TrimStates[k] != TrimState::Outside)
     {
-      used.push_back(static_cast<int>(k));
+      this->LeafOrder.push_back(static_cast<int>(k));
       this->Bounds.extend(boxes[k].min().cast<double>());
       this->Bounds.extend(boxes[k].max().cast<double>());
     }
   }
   this->Bounds.translate(this->Origin);
-  this->Nodes = BuildTree(used, boxes);
-  this->LeafBoxes.reserve(used.size());
-  for (int leaf : used)
+  this->Nodes = BuildTree(this->LeafOrder, boxes);
+  this->LeafBoxes = SparseVector<LeafBox>(this->LeafOrder.size());
+  this->Leaves = SparseVector<Leaf>(count);
+}
+
+/// The net of a leaf, in `part` unless it is that of the patch.
+const Vec4* SurfaceModel::RestrictToLeaf(
+  const BezierPatch& patch, const LeafDomain& domain, Vec4* part) const
+{
+  const Vec4* net = this->Net(patch);
+  if (patch.GridU * patch.GridV == 1)
   {
-    this->LeafBoxes.push_back(oriented[leaf]);
+    return net;
   }
+  RestrictNet(patch, net, domain.S0, domain.S1, domain.T0, domain.T1, part);
+  return part;
+}
+
+std::vector<Eigen::AlignedBox3f> SurfaceModel::BoxLeaves() const
+{
+  std::vector<Eigen::AlignedBox3f> boxes;
+  boxes.reserve(this->TrimStates.size());
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  for (const BezierPatch& patch : this->Patches)
+  {
+    const int size = (patch.DegreeU + 1) * (patch.DegreeV + 1);
+    for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
+    {
+      boxes.push_back(BoxOfNet(this->RestrictToLeaf(patch, DomainOf(patch, k), part), size));
+    }
+  }
+  return boxes;
+}
+
+const LeafBox& SurfaceModel::MeasureBox(int index) const
+{
+  const std::lock_guard<std::mutex> lock(this->Locks[index % this->Locks.size()]);
+  LeafBox& box = this->LeafBoxes[index];
+  if (box.Number.load(std::memory_order_relaxed) == 0) // no other thread was faster
+  {
+    const int number = this->LeafOrder[index];
+    const auto next = std::upper_bound(this->Patches.begin(), this->Patches.end(), number,
+      [](int leaf, const BezierPatch& patch) { return leaf < patch.FirstLeaf; });
+    const BezierPatch& patch = *(next - 1);
+    const LeafDomain domain = DomainOf(patch, number);
+    Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+    Leaf& leaf = this->Leaves[number];
+    leaf.Patch = static_cast<int>(&patch - this->Patches.data());
+    MeasureLeaf(patch, domain, this->RestrictToLeaf(patch, domain, part), leaf, box);
+    box.Number.store(number + 1, std::memory_order_release);
+  }
+  return box;
 }
 
 /// Nearly flat leaves, but not more of them than a surface of many patches can afford.
@@ -274,42 +295,45 @@ void SurfaceModel::FindTrimStates()
         double t0, t1;
         if (ClipToRectangle(p, q, cellLow, cellHigh, t0, t1))
         {
-          this->Leaves[patch.FirstLeaf + j * patch.GridU + i].Trim = TrimState::Crossed;
+          this->TrimStates[patch.FirstLeaf + j * patch.GridU + i] = TrimState::Crossed;
         }
       }
     }
   }
-  for (std::size_t k = 0; k < this->Leaves.size(); ++k)
+  for (const BezierPatch& patch : this->Patches)
   {
-    Leaf& leaf = this->Leaves[k];
-    const BezierPatch& patch = this->Patches[leaf.Patch];
-    const FaceData& data = this->Data[patch.Face];
-    const LeafDomain d = DomainOf(patch, static_cast<int>(k));
-    const double s = 0.5 * (d.S0 + d.S1), t = 0.5 * (d.T0 + d.T1);
-    double share = 1.0;
-    if (patch.Curve)
+    const bool trimmed = !this->Data[patch.Face].Loops.Empty();
+    if (!patch.Curve && (trimmed || this->Faces.size() > 1)) // to compare their areas
     {
-      continue;
-    }
-    if (!data.Loops.Empty())
-    {
-      if (leaf.Trim == TrimState::Crossed)
+      for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
       {
-        share = 0.5;
-      }
-      else if (!data.Loops.Inside(patch.U(s, t), patch.V(s, t)))
-      {
-        leaf.Trim = TrimState::Outside;
-        share = 0.0;
+        this->FindTrimState(patch, k);
       }
     }
-    if (this->Faces.size() > 1) // to compare them
-    {
-      SurfaceJet jet;
-      EvaluateBezier(patch, this->Net(patch), s, t, jet);
-      this->Data[patch.Face].Area +=
-        share * jet.Su.cross(jet.Sv).norm() * (d.S1 - d.S0) * (d.T1 - d.T0);
-    }
+  }
+}
+
+/// Of a leaf that may be crossed; and adds its area.
+void SurfaceModel::FindTrimState(const BezierPatch& patch, int leaf)
+{
+  FaceData& data = this->Data[patch.Face];
+  const LeafDomain d = DomainOf(patch, leaf);
+  const double s = 0.5 * (d.S0 + d.S1), t = 0.5 * (d.T0 + d.T1);
+  double share = 1.0;
+  if (this->TrimStates[leaf] == TrimState::Crossed)
+  {
+    share = 0.5;
+  }
+  else if (!data.Loops.Empty() && !data.Loops.Inside(patch.U(s, t), patch.V(s, t)))
+  {
+    this->TrimStates[leaf] = TrimState::Outside;
+    share = 0.0;
+  }
+  if (this->Faces.size() > 1)
+  {
+    SurfaceJet jet;
+    EvaluateBezier(patch, this->Net(patch), s, t, jet);
+    data.Area += share * jet.Su.cross(jet.Sv).norm() * (d.S1 - d.S0) * (d.T1 - d.T0);
   }
 }
 

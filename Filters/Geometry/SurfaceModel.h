@@ -13,6 +13,8 @@
 #include "TrimmingSurface.h"
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 
 namespace nurbs
 {
@@ -33,8 +35,8 @@ struct SurfaceModel
   std::vector<FaceData> Data;
   PageVector<BezierPatch> Patches;
   PageVector<Vec4> Nets;
-  PageVector<Leaf> Leaves;
-  std::vector<LeafBox> LeafBoxes; ///< in the order of the tree, without leaves outside loops
+  std::vector<TrimState> TrimStates; ///< of the leaves
+  mutable SparseVector<Leaf> Leaves; ///< each is known once its box was asked for
   std::vector<TreeNode> Nodes;
   SurfaceBlocks Blocks;
   Vec3 Origin = Vec3::Zero();
@@ -46,6 +48,13 @@ struct SurfaceModel
   const Vec4* Net(const BezierPatch& patch) const { return this->Nets.data() + patch.Net; }
   int PatchAt(int face, double u, double v) const;
   int LeafAt(const BezierPatch& patch, double s, double t) const;
+
+  /// What hangs in the tree, measured when first asked for: much of a large surface never is.
+  const LeafBox& BoxAt(int index) const
+  {
+    const LeafBox& box = this->LeafBoxes[index];
+    return box.Number.load(std::memory_order_acquire) > 0 ? box : this->MeasureBox(index);
+  }
 
   /// Asks for a child of a node before it is needed: large trees wait for memory only.
   void Prefetch(int child) const
@@ -69,7 +78,15 @@ private:
   void ChooseGrids(const std::vector<Vec2>& bends);
   void RefineTrimmedGrids();
   void AddLeaves();
+  std::vector<Eigen::AlignedBox3f> BoxLeaves() const;
   void FindTrimStates();
+  void FindTrimState(const BezierPatch& patch, int leaf);
+  const Vec4* RestrictToLeaf(const BezierPatch& patch, const LeafDomain& domain, Vec4* part) const;
+  const LeafBox& MeasureBox(int index) const;
+
+  mutable SparseVector<LeafBox> LeafBoxes; ///< in the order of the tree, not those outside loops
+  std::vector<int> LeafOrder;              ///< the leaves of the boxes
+  mutable std::array<std::mutex, 64> Locks;
 };
 
 /// Squared distance from p to the oriented box of a leaf, never too large.
@@ -163,9 +180,10 @@ void SurfaceModel::ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) 
   ForItemsNear(this->Nodes, p, limit,
     [&](int box)
     {
-      if (SquaredDistanceToLeaf(this->LeafBoxes[box], p) <= limit)
+      const LeafBox& near = this->BoxAt(box);
+      if (SquaredDistanceToLeaf(near, p) <= limit)
       {
-        visit(this->LeafBoxes[box].Leaf);
+        visit(near.Leaf());
       }
       return true;
     });

@@ -44,7 +44,7 @@ bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s
   }
   const TrimLoops& loops = this->Model.Data[patch.Face].Loops;
   if (loops.Empty() ||
-    this->Model.Leaves[this->Model.LeafAt(patch, s, t)].Trim == TrimState::Inside)
+    this->Model.TrimStates[this->Model.LeafAt(patch, s, t)] == TrimState::Inside)
   {
     return true;
   }
@@ -292,7 +292,7 @@ bool ForLeavesMeeting(const SurfaceModel& model, const Box3& box, double gap, co
         continue;
       }
       // Separating axes of the leaf's oriented box.
-      const LeafBox& leaf = model.LeafBoxes[~child];
+      const LeafBox& leaf = model.BoxAt(~child);
       const Eigen::Vector3f d = (center - leaf.Center.cast<double>()).cast<float>();
       const Eigen::Vector3f h = half.cast<float>();
       const float rim = 1e-6f * (d.cwiseAbs().sum() + h.sum()) + static_cast<float>(slack);
@@ -325,7 +325,7 @@ bool TrimmingSurface::NormalsLieWithin(const Box3& box, const Vec3& direction, d
   return ForLeavesMeeting(model, box, model.Resolution + model.Gap,
     [&](int index)
     {
-      const Leaf& leaf = model.Leaves[model.LeafBoxes[index].Leaf];
+      const Leaf& leaf = model.Leaves[model.BoxAt(index).Leaf()];
       const BezierPatch& patch = model.Patches[leaf.Patch];
       if (patch.Curve)
       {
