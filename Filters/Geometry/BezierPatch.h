@@ -60,6 +60,12 @@ struct KnotSpans
 void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
   KnotSpans& spansV, PageVector<BezierPatch>& patches, PageVector<Vec4>& nets);
 
+/// The place of a homogeneous point.
+inline Vec3 CartesianPoint(const Vec4& c)
+{
+  return c.w() == 1.0 ? Vec3(c.head<3>()) : Vec3(c.head<3>() / c.w());
+}
+
 /// S and its derivatives with respect to s and t, about the local origin.
 void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double t, SurfaceJet& jet);
 

@@ -14,6 +14,10 @@ namespace
 struct DifferenceBounds
 {
   double Length = 0, Normal = 0, Weight = 0;
+  void Add(const Vec4& d)
+  {
+    this->Length = std::max(this->Length, Vec3(d.head<3>()).squaredNorm());
+  }
   void Add(const Vec4& d, const Vec3& normal, const Vec3& mean)
   {
     const Vec3 x = d.head<3>() - mean;
@@ -31,6 +35,65 @@ struct DifferenceBounds
 
 }
 
+namespace
+{
+
+/// Derivatives between the first and the last row and column.
+void FindMeans(int p, int q, const Vec4* net, NetBounds& b)
+{
+  const int nu = p + 1, nv = q + 1;
+  for (int j = 0; j < nv; ++j)
+  {
+    b.MeanU += (net[p + j * nu] - net[j * nu]).head<3>() / nv;
+  }
+  for (int i = 0; i < nu && q > 0; ++i)
+  {
+    b.MeanV += (net[i + q * nu] - net[i]).head<3>() / nu;
+  }
+}
+
+/// BoundBend; P < 0: degrees at run time.
+template <int P, int Q>
+NetBounds BoundSeconds(int degreeU, int degreeV, const Vec4* net)
+{
+  const int p = P < 0 ? degreeU : P, q = Q < 0 ? degreeV : Q, nu = p + 1;
+  NetBounds b;
+  FindMeans(p, q, net, b);
+  DifferenceBounds points, uu, uv, vv;
+  for (int j = 0; j <= q; ++j)
+  {
+    const Vec4* c = net + j * nu;
+    for (int i = 0; i <= p; ++i)
+    {
+      points.Add(c[i]);
+      if (i + 1 < p)
+      {
+        uu.Add(c[i + 2] - 2 * c[i + 1] + c[i]);
+      }
+      if (j + 1 < q)
+      {
+        vv.Add((c[i + 2 * nu] - c[i + nu]) - (c[i + nu] - c[i]));
+      }
+      if (i < p && j < q)
+      {
+        uv.Add((c[i + 1 + nu] - c[i + 1]) - (c[i + nu] - c[i]));
+      }
+    }
+  }
+  b.Radius = b.Extent = std::sqrt(points.Length);
+  b.SecondUU = (p * (p - 1)) * std::sqrt(uu.Length);
+  b.SecondUV = (p * q) * std::sqrt(uv.Length);
+  b.SecondVV = (q * (q - 1)) * std::sqrt(vv.Length);
+  return b;
+}
+
+}
+
+NetBounds BoundBend(int p, int q, const Vec4* net)
+{
+  return p == 3 && q == 3 ? BoundSeconds<3, 3>(p, q, net) : BoundSeconds<-1, -1>(p, q, net);
+}
+
 void CenterNet(const Vec3& center, int size, const Vec4* net, Vec4* centered)
 {
   for (int k = 0; k < size; ++k)
@@ -44,14 +107,7 @@ NetBounds BoundNet(int p, int q, const Vec4* net)
 {
   const int nu = p + 1, nv = q + 1;
   NetBounds b;
-  for (int j = 0; j < nv; ++j)
-  {
-    b.MeanU += (net[p + j * nu] - net[j * nu]).head<3>() / nv;
-  }
-  for (int i = 0; i < nu && q > 0; ++i)
-  {
-    b.MeanV += (net[i + q * nu] - net[i]).head<3>() / nu;
-  }
+  FindMeans(p, q, net, b);
   Vec3 normal = b.MeanU.cross(b.MeanV);
   // A curve has no normal: all directions across it count, so the lengths themselves are used.
   const double area = normal.norm();

@@ -34,6 +34,9 @@ void CenterNet(const Vec3& center, int size, const Vec4* net, Vec4* centered);
 /// @param net about the centre; the means are taken from the net.
 NetBounds BoundNet(int p, int q, const Vec4* net);
 
+/// The same of a net whose weights are 1, but only Mean, Second, Extent and Radius.
+NetBounds BoundBend(int p, int q, const Vec4* net);
+
 /// std::hypot guards against overflow at ten times the cost.
 inline double Hypotenuse(double a, double b)
 {

@@ -17,23 +17,12 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf)
     static_cast<double>(j) / patch.GridV, static_cast<double>(j + 1) / patch.GridV };
 }
 
-namespace
-{
-
-/// Bounds about a point, that in the middle.
-NetBounds BoundAbout(const Vec3& center, const BezierPatch& patch, const Vec4* net)
+Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
   Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  CenterNet(center, (p + 1) * (q + 1), net, centered);
-  return BoundNet(p, q, centered);
-}
-
-}
-
-Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
-{
-  const NetBounds b = BoundAbout(BezierPoint(patch, net, 0.5, 0.5), patch, net);
+  CenterNet(BezierPoint(patch, net, 0.5, 0.5), (p + 1) * (q + 1), net, centered);
+  const NetBounds b = patch.Rational ? BoundNet(p, q, centered) : BoundBend(p, q, centered);
   // Lengths of the patch along s and t; a collapsed direction is not divided for its own sake.
   const double lengthU = std::max(b.MeanU.norm(), 1e-3 * b.Extent);
   const double lengthV = std::max(b.MeanV.norm(), 1e-3 * b.Extent);
@@ -59,7 +48,7 @@ Eigen::AlignedBox3f BoxOfNet(const Vec4* net, int size)
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
   for (int k = 0; k < size; ++k)
   {
-    const Vec3 point = net[k].head<3>() / net[k].w();
+    const Vec3 point = CartesianPoint(net[k]);
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
@@ -73,7 +62,9 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
 {
   const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
   leaf.Center = BezierPoint(patch, part, 0.5, 0.5);
-  const NetBounds b = BoundAbout(leaf.Center, patch, part);
+  Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  CenterNet(leaf.Center, size, part, centered);
+  const NetBounds b = BoundNet(p, q, centered);
 
   // Frame of the oriented box; for a curve or a collapsed leaf any frame will do.
   Vec3 x = b.MeanU, z = b.MeanU.cross(b.MeanV);
@@ -223,6 +214,12 @@ public:
   TreeBuilder(const std::vector<int>& leaves, const std::vector<Eigen::AlignedBox3f>& boxes)
     : Boxes(boxes)
   {
+    this->Centers.reserve(boxes.size());
+    for (const Eigen::AlignedBox3f& box : boxes)
+    {
+      this->Centers.emplace_back();
+      this->Centers.back() << box.min() + box.max(), 0;
+    }
     this->Items.reserve(leaves.size());
     for (const int leaf : leaves)
     {
@@ -281,18 +278,19 @@ private:
     {
       return middle;
     }
-    Eigen::AlignedBox3f centers;
-    for (std::ptrdiff_t k = begin; k < end; ++k)
+    Eigen::Array4f low = this->Centers[LeafOf(this->Items[begin])], high = low;
+    for (std::ptrdiff_t k = begin + 1; k < end; ++k)
     {
-      centers.extend(this->Boxes[LeafOf(this->Items[k])].center());
+      const Eigen::Array4f& center = this->Centers[LeafOf(this->Items[k])];
+      low = low.min(center);
+      high = high.max(center);
     }
     int axis;
-    centers.sizes().maxCoeff(&axis);
+    (high - low).maxCoeff(&axis);
     for (std::ptrdiff_t k = begin; k < end; ++k)
     {
       const int leaf = LeafOf(this->Items[k]);
-      const Eigen::AlignedBox3f& box = this->Boxes[leaf];
-      this->Items[k] = MakeItem(box.min()[axis] + box.max()[axis], leaf);
+      this->Items[k] = MakeItem(this->Centers[leaf][axis], leaf);
     }
     Item* items = this->Items.data();
     SelectItem(items + begin, items + middle, items + end);
@@ -300,6 +298,7 @@ private:
   }
 
   const std::vector<Eigen::AlignedBox3f>& Boxes;
+  std::vector<Eigen::Array4f> Centers; ///< twice their coordinates
 };
 
 }

@@ -224,7 +224,7 @@ SurfaceBlock SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int face, in
       const int size = (piece.DegreeU + 1) * (piece.DegreeV + 1);
       for (int k = 0; k < size; ++k)
       {
-        const Vec3 offset = net[k].head<3>() / net[k].w() - jet.S;
+        const Vec3 offset = CartesianPoint(net[k]) - jet.S;
         const Vec3 d(acrossV.dot(offset), y.dot(offset), z.dot(offset));
         low = low.cwiseMin(d);
         high = high.cwiseMax(d);
