@@ -75,25 +75,96 @@ public:
     }
   }
 
-  /// @param points of the row or column of the spline, from its first on.
-  void Convert(const Vec4* points, std::size_t stride, Vec4* bezier, std::size_t bezierStride) const
+  /// @param at gives the control points of the row or column of the spline, from First on.
+  template <typename PointAt>
+  void Convert(const PointAt& at, Vec4* bezier, std::size_t stride) const
   {
-    points += static_cast<std::size_t>(this->First) * stride;
-    for (int m = 0; m <= this->Degree; ++m)
+    return this->Degree == 3 ? this->ConvertAs<3>(at, bezier, stride)
+                             : this->ConvertAs<-1>(at, bezier, stride);
+  }
+
+  int First; ///< of the control points that count; there are degree + 1
+
+private:
+  /// D < 0: degree at run time.
+  template <int D, typename PointAt>
+  void ConvertAs(const PointAt& at, Vec4* bezier, std::size_t stride) const
+  {
+    const int degree = D < 0 ? this->Degree : D;
+    for (int m = 0; m <= degree; ++m)
     {
-      Vec4 sum = this->Of[m][0] * points[0];
-      for (int i = 1; i <= this->Degree; ++i)
+      Vec4 sum = this->Of[m][0] * at(0);
+      for (int i = 1; i <= degree; ++i)
       {
-        sum += this->Of[m][i] * points[i * stride];
+        sum += this->Of[m][i] * at(i);
       }
-      bezier[m * bezierStride] = sum;
+      bezier[m * stride] = sum;
     }
   }
 
-private:
   using Factors = Eigen::Matrix<double, MaximumDegree + 1, 1>;
-  int Degree, First;
+  int Degree;
   Factors Of[MaximumDegree + 1]; ///< of the control points from First on, by Bezier point
+};
+
+std::vector<SpanToBezier> ConvertSpans(
+  int degree, const std::vector<double>& knots, const KnotSpans& spans)
+{
+  std::vector<SpanToBezier> converters;
+  converters.reserve(spans.Breaks.size() - 1);
+  for (std::size_t k = 0; k + 1 < spans.Breaks.size(); ++k)
+  {
+    converters.emplace_back(degree, knots, spans.Breaks[k], spans.Breaks[k + 1]);
+  }
+  return converters;
+}
+
+/// The rows of control points of a surface, Bezier in u: each when it is needed, the last few kept.
+class BezierRows
+{
+public:
+  BezierRows(const NurbsSurface& surface, const KnotSpans& spansU, const Vec3& origin)
+    : Surface(surface)
+    , Origin(origin)
+    , Spans(ConvertSpans(surface.DegreeU, surface.KnotsU, spansU))
+    , Width(this->Spans.size() * (surface.DegreeU + 1))
+    , Points(surface.CountU)
+    , Kept(this->Width * (surface.DegreeV + 1))
+  {
+  }
+
+  /// Rows as far as `last`; those more than the degree in v before it are lost.
+  void Advance(int last)
+  {
+    for (; this->Next <= last; ++this->Next)
+    {
+      const Vec4* given = this->Surface.ControlPoints.data() +
+        static_cast<std::size_t>(this->Next) * this->Points.size();
+      for (std::size_t i = 0; i < this->Points.size(); ++i)
+      {
+        const double w = given[i].w();
+        this->Points[i] << w * (given[i].head<3>() - this->Origin), w;
+      }
+      Vec4* row = this->Row(this->Next);
+      for (const SpanToBezier& span : this->Spans)
+      {
+        const Vec4* points = this->Points.data() + span.First;
+        span.Convert([points](int i) -> const Vec4& { return points[i]; }, row, 1);
+        row += this->Surface.DegreeU + 1;
+      }
+    }
+  }
+
+  Vec4* Row(int j) { return this->Kept.data() + j % (this->Surface.DegreeV + 1) * this->Width; }
+
+private:
+  const NurbsSurface& Surface;
+  const Vec3 Origin;
+  std::vector<SpanToBezier> Spans;
+  std::size_t Width;
+  std::vector<Vec4> Points; ///< a row of the surface, homogeneous about the origin
+  std::vector<Vec4> Kept;
+  int Next = 0;
 };
 
 /// Divides a net of constant weight by it; says whether weights differ.
@@ -117,33 +188,58 @@ bool NormaliseWeights(Vec4* net, int size)
   return false;
 }
 
-void FindCollapsedSides(BezierPatch& patch, const Vec4* net)
+/// Whether all points along a side are within the tolerance of its first.
+bool IsCollapsed(const BezierPatch& patch, const Vec4* net, int side, double tolerance)
 {
-  const int nu = patch.DegreeU + 1, nv = patch.DegreeV + 1;
-  double extent = 0;
-  const auto point = [&](int i, int j) -> Vec3
+  const int p = patch.DegreeU, q = patch.DegreeV, nu = p + 1;
+  const int first = side == 1 ? p : (side == 3 ? q * nu : 0);
+  const int step = side < 2 ? nu : 1, count = side < 2 ? q : p;
+  const Vec3 start = CartesianPoint(net[first]);
+  for (int k = 1; k <= count; ++k)
   {
-    const Vec4& c = net[i + j * nu];
-    return patch.Rational ? Vec3(c.head<3>() / c.w()) : Vec3(c.head<3>());
-  };
-  const Vec3 first = point(0, 0);
-  for (int k = 1; k < nu * nv; ++k)
-  {
-    extent = std::max(extent, (point(k % nu, k / nu) - first).cwiseAbs().maxCoeff());
+    if (!((CartesianPoint(net[first + k * step]) - start).norm() <= tolerance))
+    {
+      return false;
+    }
   }
-  const double tolerance = 1e-9 * extent;
+  return true;
+}
+
+/// @param reach at least the extent of the patch.
+void FindCollapsedSides(BezierPatch& patch, const Vec4* net, double reach)
+{
+  constexpr double Share = 1e-9; // of the patch, which a collapsed side may extend
+  double tolerance = -1;         // known when it is needed
   for (int side = 0; side < 4; ++side)
   {
-    const int count = side < 2 ? nv : nu;
-    const auto along = [&](int k)
-    { return side < 2 ? point(side == 0 ? 0 : nu - 1, k) : point(k, side == 2 ? 0 : nv - 1); };
-    bool collapsed = true;
-    for (int k = 1; k < count && collapsed; ++k)
+    if (!IsCollapsed(patch, net, side, Share * reach))
     {
-      collapsed = (along(k) - along(0)).norm() <= tolerance;
+      patch.Collapsed[side] = false;
+      continue;
     }
-    patch.Collapsed[side] = collapsed;
+    if (tolerance < 0)
+    {
+      double extent = 0;
+      const Vec3 first = CartesianPoint(net[0]);
+      for (int k = 1; k < (patch.DegreeU + 1) * (patch.DegreeV + 1); ++k)
+      {
+        extent = std::max(extent, (CartesianPoint(net[k]) - first).cwiseAbs().maxCoeff());
+      }
+      tolerance = Share * extent;
+    }
+    patch.Collapsed[side] = IsCollapsed(patch, net, side, tolerance);
   }
+}
+
+/// More than any two points of the surface are apart.
+double ReachOf(const NurbsSurface& surface, const Vec3& origin)
+{
+  double farthest = 0;
+  for (const Vec4& point : surface.ControlPoints)
+  {
+    farthest = std::max(farthest, (point.head<3>() - origin).cwiseAbs().maxCoeff());
+  }
+  return 4 * farthest;
 }
 
 /// At least twice the room each time: a shell's faces come one by one.
@@ -168,24 +264,8 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
   const int countU = static_cast<int>(spansU.Breaks.size()) - 1;
   const int countV = static_cast<int>(spansV.Breaks.size()) - 1;
 
-  PageVector<Vec4> points(surface.ControlPoints.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    const Vec4& given = surface.ControlPoints[k];
-    points[k] << given.w() * (given.head<3>() - origin), given.w();
-  }
-  // Bezier in u for every row, then in v.
-  const std::size_t width = static_cast<std::size_t>(countU) * (p + 1);
-  PageVector<Vec4> rows(width * surface.CountV);
-  for (int span = 0; span < countU; ++span)
-  {
-    const SpanToBezier convert(p, surface.KnotsU, spansU.Breaks[span], spansU.Breaks[span + 1]);
-    for (int j = 0; j < surface.CountV; ++j)
-    {
-      convert.Convert(points.data() + static_cast<std::size_t>(j) * surface.CountU, 1,
-        rows.data() + j * width + static_cast<std::size_t>(span) * (p + 1), 1);
-    }
-  }
+  BezierRows rows(surface, spansU, origin);
+  const double reach = ReachOf(surface, origin);
   const int size = (p + 1) * (q + 1);
   const std::size_t added = static_cast<std::size_t>(countU) * countV;
   MakeRoom(patches, added);
@@ -193,6 +273,12 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
   for (int spanV = 0; spanV < countV; ++spanV)
   {
     const SpanToBezier convert(q, surface.KnotsV, spansV.Breaks[spanV], spansV.Breaks[spanV + 1]);
+    rows.Advance(convert.First + q);
+    const Vec4* row[MaximumDegree + 1];
+    for (int j = 0; j <= q; ++j)
+    {
+      row[j] = rows.Row(convert.First + j);
+    }
     for (int spanU = 0; spanU < countU; ++spanU)
     {
       BezierPatch patch;
@@ -212,11 +298,11 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
       Vec4* net = nets.data() + patch.Net;
       for (int i = 0; i <= p; ++i)
       {
-        convert.Convert(
-          rows.data() + static_cast<std::size_t>(spanU) * (p + 1) + i, width, net + i, p + 1);
+        const std::size_t column = static_cast<std::size_t>(spanU) * (p + 1) + i;
+        convert.Convert([&](int j) -> const Vec4& { return row[j][column]; }, net + i, p + 1);
       }
       patch.Rational = NormaliseWeights(net, size);
-      FindCollapsedSides(patch, net);
+      FindCollapsedSides(patch, net, reach);
       patches.push_back(patch);
     }
   }
