@@ -5,56 +5,83 @@
 namespace nurbs
 {
 
-void BlockBounds::Add(int p, int q, const Vec4* net, double widthU, double widthV)
+template <int P, int Q>
+void BlockBounds::AddNet(int degreeU, int degreeV, const Vec4* net, double widthU, double widthV)
 {
-  const int nu = p + 1, nv = q + 1;
-  Vec4 above[MaximumDegree + 1], beforeU[MaximumDegree + 1];
-  Vec4 last = Vec4::Zero();
-  double deviationU = 0, deviationV = 0;
-  // Differences of the row, of the one above, and of those differences.
-  for (int j = 0; j < nv; ++j)
+  constexpr int MostU = P < 0 ? MaximumDegree : P, MostV = Q < 0 ? MaximumDegree : Q;
+  const int p = P < 0 ? degreeU : P, q = Q < 0 ? degreeV : Q, nu = p + 1;
+  // Bounds in variables of their own stay in registers.
+  Vec4 points[(MostU + 1) * (MostV + 1)];
+  Bound value = this->Value;
+  double radius = this->Radius;
+  for (int k = 0; k < nu * (q + 1); ++k)
   {
-    Vec4 stepBefore = Vec4::Zero();
-    for (int i = 0; i < nu; ++i)
+    const double w = net[k].w();
+    points[k] << this->Axes * (net[k].head<3>() - w * this->Center), w;
+    value.Add(points[k]);
+    const double squared = points[k].template head<3>().squaredNorm();
+    radius = std::max(radius, w == 1.0 ? squared : squared / (w * w));
+  }
+  this->Value = value;
+  this->Radius = radius;
+
+  Bound first = this->FirstU, second = this->UU;
+  double deviation = 0;
+  for (int j = 0; j <= q; ++j)
+  {
+    const Vec4* c = points + j * nu;
+    Vec4 before = Vec4::Zero();
+    for (int i = 1; i <= p; ++i)
     {
-      const Vec4& given = net[i + j * nu];
-      const Vec3 offset = given.head<3>() - given.w() * this->Center;
-      Vec4 c;
-      c << this->Axes * offset, given.w();
-      this->Value.Add(c);
-      this->Radius = std::max(this->Radius, c.head<3>().squaredNorm() / (c.w() * c.w()));
-      if (i > 0)
+      const Vec4 d = (widthU * p) * (c[i] - c[i - 1]);
+      first.Add(d);
+      deviation = std::max(deviation, (d.head<3>() - this->U).squaredNorm());
+      if (i > 1)
       {
-        const Vec4 d = (widthU * p) * (c - last);
-        this->FirstU.Add(d);
-        deviationU = std::max(deviationU, (d.head<3>() - this->U).squaredNorm());
-        if (i > 1)
-        {
-          this->UU.Add((widthU * (p - 1)) * (d - stepBefore));
-        }
-        stepBefore = d;
+        second.Add((widthU * (p - 1)) * (d - before));
       }
-      if (j > 0)
-      {
-        const Vec4 d = (widthV * q) * (c - above[i]);
-        this->FirstV.Add(d);
-        deviationV = std::max(deviationV, (d.head<3>() - this->V).squaredNorm());
-        if (j > 1)
-        {
-          this->VV.Add((widthV * (q - 1)) * (d - beforeU[i]));
-        }
-        if (i > 0)
-        {
-          this->UV.Add((widthU * p) * (d - beforeU[i - 1]));
-        }
-        beforeU[i] = d;
-      }
-      above[i] = c;
-      last = c;
+      before = d;
     }
   }
-  this->DeviationU = std::max(this->DeviationU, std::sqrt(deviationU));
-  this->DeviationV = std::max(this->DeviationV, std::sqrt(deviationV));
+  this->FirstU = first;
+  this->UU = second;
+  this->DeviationU = std::max(this->DeviationU, std::sqrt(deviation));
+
+  Bound mixed = this->UV;
+  first = this->FirstV;
+  second = this->VV;
+  deviation = 0;
+  Vec4 above[MostU + 1];
+  for (int j = 1; j <= q; ++j)
+  {
+    const Vec4* c = points + j * nu;
+    Vec4 before = Vec4::Zero();
+    for (int i = 0; i <= p; ++i)
+    {
+      const Vec4 d = (widthV * q) * (c[i] - c[i - nu]);
+      first.Add(d);
+      deviation = std::max(deviation, (d.head<3>() - this->V).squaredNorm());
+      if (j > 1)
+      {
+        second.Add((widthV * (q - 1)) * (d - above[i]));
+      }
+      if (i > 0)
+      {
+        mixed.Add((widthU * p) * (d - before));
+      }
+      before = above[i] = d;
+    }
+  }
+  this->FirstV = first;
+  this->VV = second;
+  this->UV = mixed;
+  this->DeviationV = std::max(this->DeviationV, std::sqrt(deviation));
+}
+
+void BlockBounds::Add(int p, int q, const Vec4* net, double widthU, double widthV)
+{
+  return p == 3 && q == 3 ? this->AddNet<3, 3>(p, q, net, widthU, widthV)
+                          : this->AddNet<-1, -1>(p, q, net, widthU, widthV);
 }
 
 BlockReach::BlockReach(const BlockBounds& b)

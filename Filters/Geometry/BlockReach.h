@@ -33,6 +33,10 @@ public:
 
 private:
   friend struct BlockReach;
+  /// Add for given degrees; P < 0: at run time.
+  template <int P, int Q>
+  void AddNet(int degreeU, int degreeV, const Vec4* net, double widthU, double widthV);
+
   /// Of one derivative: the greatest component along each axis, and of the weight.
   struct Bound
   {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 namespace nurbs
 {
@@ -81,7 +82,13 @@ void* AllocateZeros(std::size_t bytes, PageSize pages)
 #endif
   if (!IsMapped(bytes))
   {
-    memory = std::calloc(std::max<std::size_t>(bytes, 1), 1);
+    const std::size_t size =
+      (std::max<std::size_t>(bytes, 1) + CacheLine - 1) / CacheLine * CacheLine;
+    memory = std::aligned_alloc(CacheLine, size);
+    if (memory)
+    {
+      std::memset(memory, 0, size);
+    }
   }
   if (!memory)
   {

@@ -22,6 +22,9 @@ enum class PageSize
   Large  ///< for what is written to throughout; a hint
 };
 
+/// What the memory starts at a multiple of, at least.
+constexpr std::size_t CacheLine = 64;
+
 /// Memory that is zero, and not in use before it is written to. Throws if there is none.
 void* AllocateZeros(std::size_t bytes, PageSize pages);
 /// Whether AllocateZeros takes so much from the kernel itself; else std::free frees it.
@@ -47,7 +50,7 @@ struct PageAllocator
   }
   T* allocate(std::size_t count)
   {
-    static_assert(alignof(T) <= alignof(std::max_align_t), "small pieces are those of calloc");
+    static_assert(alignof(T) <= CacheLine, "of all pieces");
     return static_cast<T*>(AllocateZeros(count * sizeof(T), Pages));
   }
   void deallocate(T* memory, std::size_t count) { FreeZeros(memory, count * sizeof(T)); }

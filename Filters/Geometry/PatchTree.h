@@ -35,10 +35,10 @@ struct Leaf
 };
 
 /**
- * The oriented box of a leaf. As long as a cache line, and stored in the order of the tree: large
- * surfaces are searched at the speed of memory.
+ * The oriented box of a leaf. One cache line, and stored in the order of the tree: large surfaces
+ * are searched at the speed of memory.
  */
-struct LeafBox
+struct alignas(CacheLine) LeafBox
 {
   Eigen::Vector3f Center, X, Y; ///< the third axis is X x Y
   Eigen::Vector3f Low, High;
@@ -46,7 +46,7 @@ struct LeafBox
 
   int Leaf() const { return this->Number.load(std::memory_order_relaxed) - 1; }
 };
-static_assert(sizeof(LeafBox) == 64, "one line of the cache");
+static_assert(sizeof(LeafBox) == CacheLine, "one line");
 
 struct alignas(64) TreeNode
 {
