@@ -36,22 +36,27 @@ BlockReach SurfaceBlocks::ReachOf(const SurfaceModel& model, int index) const
   return reach;
 }
 
-double SurfaceBlocks::ClearanceOf(const SurfaceModel& model, int index) const
+/// Whether a foot in the block, so far from the point (squared), is certainly the closest point.
+bool SurfaceBlocks::IsClear(const SurfaceModel& model, int index, double squared) const
 {
-  std::atomic<float>& known = this->Certificates[index].Clearance;
-  float clearance = known.load(std::memory_order_relaxed);
-  if (clearance < 0)
+  // Each ring proves its own distance: a wide one keeps others off, a narrow one is more convex
+  // and asks for less of the surface.
+  constexpr double Rings[] = { 0.0, 0.5, 1.0 };
+  for (int ring = 0; ring < 3; ++ring)
   {
-    // Each ring proves its own distance: a wide one keeps others off, a narrow one is more convex.
-    double best = 0;
-    for (double ring : { 0.0, 0.5, 1.0 })
+    std::atomic<float>& known = this->Certificates[index].Clearance[ring];
+    float clearance = known.load(std::memory_order_relaxed);
+    if (clearance < 0)
     {
-      best = std::max(best, this->MeasureClearance(model, index, ring));
+      clearance = static_cast<float>(0.999 * this->MeasureClearance(model, index, Rings[ring]));
+      known.store(clearance, std::memory_order_relaxed);
     }
-    clearance = static_cast<float>(0.999 * best);
-    known.store(clearance, std::memory_order_relaxed);
+    if (squared < static_cast<double>(clearance) * clearance)
+    {
+      return true;
+    }
   }
-  return clearance;
+  return false;
 }
 
 namespace

@@ -282,8 +282,7 @@ bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePo
   }
   start = foot;
   const int block = this->BlockAt(face, place.SpanU, place.SpanV, place.S, place.T);
-  const double clearance = this->ClearanceOf(model, block);
-  return foot.Squared < clearance * clearance || this->IsClosest(model, p, foot, block);
+  return this->IsClear(model, block, foot.Squared) || this->IsClosest(model, p, foot, block);
 }
 
 }

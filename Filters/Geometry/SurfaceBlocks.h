@@ -89,7 +89,7 @@ private:
   struct Certificate
   {
     std::atomic<float> Cost[3], Radius, Tilt{ -1 };
-    std::atomic<float> Clearance{ -1 };
+    std::atomic<float> Clearance[3] = { { -1 }, { -1 }, { -1 } }; ///< by width of the ring
   };
 
   void AddGrid(const SurfaceModel& model, int face, const std::vector<Vec2>& bends, double flatness,
@@ -99,7 +99,7 @@ private:
   void ForPieces(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;
   BlockReach MeasureReach(const SurfaceModel& model, int block) const;
   BlockReach ReachOf(const SurfaceModel& model, int block) const;
-  double ClearanceOf(const SurfaceModel& model, int block) const;
+  bool IsClear(const SurfaceModel& model, int block, double squared) const;
   double MeasureClearance(const SurfaceModel& model, int block, double ring) const;
   bool IsSmooth(const SurfaceModel& model, int face, const BlockRange& range) const;
   bool IsConvex(const SurfaceModel& model, const Vec3& p, const Vec3& foot, int face,

@@ -43,8 +43,7 @@ bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s
     }
   }
   const TrimLoops& loops = this->Model.Data[patch.Face].Loops;
-  if (loops.Empty() ||
-    this->Model.TrimStates[this->Model.LeafAt(patch, s, t)] == TrimState::Inside)
+  if (loops.Empty() || this->Model.TrimStates[this->Model.LeafAt(patch, s, t)] == TrimState::Inside)
   {
     return true;
   }
