@@ -15,7 +15,7 @@ namespace
 {
 
 /// No node moves farther than this many of its longest edges.
-constexpr double LongestMove = 3.0;
+constexpr double LongestMove = 5.0;
 /// How many ridge edges a node may slide along to either side.
 constexpr int LongestRidgeWalk = 4;
 /// Below this sine of the angle between surface and facet their meeting line is not taken.

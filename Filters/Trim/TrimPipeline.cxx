@@ -24,6 +24,8 @@ constexpr int DeepBandRings = 12;
 /// A surface that shifts by more than this share of an element from skin to skin cannot be
 /// followed by whole columns: other columns are looked for, else every element is decided alone.
 constexpr double LargestColumnShift = 3.5;
+/// Columns that the cut has chosen follow it farther: elements decided alone leave more nodes off.
+constexpr double LargestChosenShift = 4.0;
 
 /// Turns the surface round for a scope.
 class Turned
@@ -283,7 +285,7 @@ void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurf
   }
   Columns chosen = near.Structure;
   const auto shift = [&](int e, int axis) { return ShiftAlong(band, e, axis, known, surface); };
-  ChooseColumns(band, shift, LargestColumnShift, chosen);
+  ChooseColumns(band, shift, LargestChosenShift, chosen);
   if (chosen.Complete(band, 2))
   {
     near.Structure = std::move(chosen);
