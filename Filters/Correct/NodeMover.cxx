@@ -14,8 +14,10 @@ namespace trim
 namespace
 {
 
-/// No node moves farther than this many of its longest edges.
-constexpr double LongestMove = 5.0;
+/// No node moves farther than this many of its longest edges; columns that the cut has chosen may
+/// lean by more.
+constexpr double LongestMove = 3.0;
+constexpr double LongestMoveByCut = 5.0;
 /// How many ridge edges a node may slide along to either side.
 constexpr int LongestRidgeWalk = 4;
 /// Below this sine of the angle between surface and facet their meeting line is not taken.
@@ -54,7 +56,7 @@ double NodeMover::Reach(int node) const
     longest = std::max(longest,
       (this->TheBand.Point[node] - this->TheBand.Point[this->TheBand.OtherEnd(edge, node)]).norm());
   }
-  return LongestMove * longest;
+  return (this->TheColumns.ChosenByCut ? LongestMoveByCut : LongestMove) * longest;
 }
 
 NodeMove NodeMover::Project(int node) const

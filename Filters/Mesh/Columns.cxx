@@ -383,8 +383,9 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
   {
     if (!columns.HasThickness(part.front()))
     {
-      classes.SetAxis(
-        band, part, ChooseBySteadiness(band, part, shift, largest, classes.Axes), columns);
+      const int root = ChooseBySteadiness(band, part, shift, largest, classes.Axes);
+      classes.SetAxis(band, part, root, columns);
+      columns.ChosenByCut |= root >= 0;
     }
   }
   BuildGroups(band, columns);

@@ -25,6 +25,7 @@ struct Columns
   std::vector<signed char> Axis; ///< thickness axis of each element, -1: none
   std::vector<int> Column;       ///< of each element: the smallest element of its column
   std::vector<int> Pillar;       ///< of each node: the smallest node of its pillar
+  bool ChosenByCut = false;      ///< some by ChooseColumns
 
   /// True if the columns of all elements up to this ring end at the skin, not at the band.
   bool Complete(const Band& band, int ring) const;
