@@ -182,7 +182,9 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
       faces.push_back(f);
     }
   }
-  move.Found = this->Meet(node, faces, p2, n, planeNormal, move);
+  move.Target = p2;
+  const auto from = this->Surface.ClosestPoint(p2, foot, std::numeric_limits<double>::infinity());
+  move.Found = this->Meet(node, faces, from, n, planeNormal, move);
   move.By = Correction::Project;
   const auto& into = this->TheBand.Faces[bestFace];
   move.Elements = Facet(this->TheBand, into).LengthInEdges(CornerOf(into, node), move.Target - n);
@@ -192,37 +194,34 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
 NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNormal) const
 {
   return this->Between(node, ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node),
-    through, planeNormal);
+    through, this->Surface.ClosestPoint(through), planeNormal);
 }
 
-NodeMove NodeMover::Between(
-  int node, const NodeConstraint& constraint, const Vec3& through, const Vec3& planeNormal) const
+NodeMove NodeMover::Between(int node, const NodeConstraint& constraint, const Vec3& through,
+  const nurbs::Foot& foot, const Vec3& planeNormal) const
 {
   NodeMove move;
+  move.Target = through;
   move.By = Correction::Project;
   if (constraint.Kind == ConstraintKind::Faces)
   {
-    move.Found = this->Meet(node, constraint.Faces, through, through, planeNormal, move);
+    move.Found = this->Meet(node, constraint.Faces, foot, through, planeNormal, move);
   }
   else if (constraint.Kind == ConstraintKind::Free)
   {
-    const auto foot = this->Surface.ClosestPoint(through);
     move.Found = foot.Kind == nurbs::FootKind::Interior;
     move.Target = foot.Point;
   }
   return move;
 }
 
-bool NodeMover::MeetFacet(int face, const Vec3& guess, const Vec3& planePoint,
-  const Vec3& planeNormal, Vec3& meeting, double& outside) const
+bool NodeMover::MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNormal, Vec3& meeting,
+  nurbs::Foot& foot, double& outside) const
 {
   const Facet facet(this->TheBand, this->TheBand.Faces[face]);
-  Vec3 x = guess;
-  nurbs::Foot foot;
+  Vec3& x = meeting;
   for (int i = 0; i < 40; ++i)
   {
-    foot = i == 0 ? this->Surface.ClosestPoint(x)
-                  : this->Surface.ClosestPoint(x, foot, std::numeric_limits<double>::infinity());
     const auto on = facet.Project(x);
     outside = on.Outside;
     Eigen::Matrix3d m;
@@ -238,13 +237,13 @@ bool NodeMover::MeetFacet(int face, const Vec3& guess, const Vec3& planePoint,
       Vec3(foot.Normal.dot(foot.Point - x), on.Normal.dot(on.Point - x),
         planeNormal.dot(planePoint - x));
     x += step;
+    // The way leads to the surface, so nothing else is nearer in the end.
+    foot = this->Surface.NearbyFoot(x, foot);
     if (step.norm() <= 1e-3 * this->Precision)
     {
-      foot = this->Surface.ClosestPoint(x, foot, std::numeric_limits<double>::infinity());
       break;
     }
   }
-  meeting = x;
   return foot.Distance <= 0.1 * this->Precision;
 }
 
@@ -275,12 +274,12 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
   return around;
 }
 
-bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
+bool NodeMover::Meet(int node, const std::vector<int>& faces, nurbs::Foot foot,
   const Vec3& planePoint, const Vec3& planeNormal, NodeMove& move) const
 {
   Vec3& meeting = move.Target;
   double outside = 0.0;
-  if (!this->MeetFacet(faces.front(), guess, planePoint, planeNormal, meeting, outside))
+  if (!this->MeetFacet(faces.front(), planePoint, planeNormal, meeting, foot, outside))
   {
     return false;
   }
@@ -323,7 +322,7 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, const Vec3& guess,
     {
       outside = 0.0; // it lies in that facet already
     }
-    else if (!this->MeetFacet(next, meeting, planePoint, planeNormal, meeting, outside))
+    else if (!this->MeetFacet(next, planePoint, planeNormal, meeting, foot, outside))
     {
       return false;
     }
@@ -519,8 +518,9 @@ bool NodeMover::Constrained(
   {
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];
     const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
-    const Vec3 along = this->Surface.ClosestPoint(x).Normal.cross(normal).normalized();
-    const NodeMove move = this->Between(node, constraint, x, along);
+    const auto foot = this->Surface.ClosestPoint(x);
+    const Vec3 along = foot.Normal.cross(normal).normalized();
+    const NodeMove move = this->Between(node, constraint, x, foot, along);
     place = move.Target;
     return move.Found;
   }

@@ -100,14 +100,15 @@ private:
   Vec3 AlongRidge(int node, const NodeConstraint& constraint) const;
   bool PlaceOnRidge(int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const;
   NodeMove ProjectOnFaces(int node, const NodeConstraint& constraint) const;
-  /// The meeting point of the surface, a facet (the one it lies in) and a plane, from a guess;
-  /// sets Target.
-  bool Meet(int node, const std::vector<int>& faces, const Vec3& guess, const Vec3& planePoint,
+  /// The meeting point of the surface, a facet (the one it lies in) and a plane, found from the
+  /// move's Target on, which becomes it; `foot` is that of the start.
+  bool Meet(int node, const std::vector<int>& faces, nurbs::Foot foot, const Vec3& planePoint,
     const Vec3& planeNormal, NodeMove& move) const;
-  bool MeetFacet(int face, const Vec3& guess, const Vec3& planePoint, const Vec3& planeNormal,
-    Vec3& meeting, double& outside) const;
-  NodeMove Between(
-    int node, const NodeConstraint& constraint, const Vec3& through, const Vec3& planeNormal) const;
+  /// The same with one facet; tells how far outside of it the meeting lies.
+  bool MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNormal, Vec3& meeting,
+    nurbs::Foot& foot, double& outside) const;
+  NodeMove Between(int node, const NodeConstraint& constraint, const Vec3& through,
+    const nurbs::Foot& foot, const Vec3& planeNormal) const;
   std::vector<int> FacesAround(const std::vector<int>& faces) const;
   /// Length of the longest edge at a node: no move is longer than a few of these.
   double Reach(int node) const;

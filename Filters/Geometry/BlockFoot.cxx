@@ -125,6 +125,16 @@ void LocateSpan(const KnotSpans& spans, double u, int& span, double& x)
   x = std::clamp((u - breaks[span]) / (breaks[span + 1] - breaks[span]), 0.0, 1.0);
 }
 
+/// Where a point of a patch lies on its face; returns the face.
+int PlaceOf(const SurfaceModel& model, const SurfacePoint& point, FacePlace& place)
+{
+  const BezierPatch& patch = model.Patches[point.Patch];
+  const FaceData& data = model.Data[patch.Face];
+  LocateSpan(data.SpansU, patch.U(point.S, point.T), place.SpanU, place.S);
+  LocateSpan(data.SpansV, patch.V(point.S, point.T), place.SpanV, place.T);
+  return patch.Face;
+}
+
 /// Newton over the patches of a face; false if it leaves the face or does not converge.
 bool FollowFace(
   const SurfaceModel& model, int face, const Vec3& p, FacePlace& x, SurfacePoint& foot)
@@ -252,6 +262,19 @@ bool SurfaceBlocks::IsConvex(const SurfaceModel& model, const Vec3& p, const Vec
   return true;
 }
 
+bool SurfaceBlocks::FollowFoot(const SurfaceModel& model, const Vec3& p, SurfacePoint& start)
+{
+  FacePlace place;
+  const int face = PlaceOf(model, start, place);
+  SurfacePoint foot;
+  if (!FollowFace(model, face, p, place, foot))
+  {
+    return false;
+  }
+  start = foot;
+  return true;
+}
+
 bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePoint& start) const
 {
   if (this->Grids.empty())
@@ -262,10 +285,7 @@ bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePo
   int face;
   if (start.Patch >= 0)
   {
-    const BezierPatch& patch = model.Patches[start.Patch];
-    face = patch.Face;
-    LocateSpan(model.Data[face].SpansU, patch.U(start.S, start.T), place.SpanU, place.S);
-    LocateSpan(model.Data[face].SpansV, patch.V(start.S, start.T), place.SpanV, place.T);
+    face = PlaceOf(model, start, place);
   }
   else
   {

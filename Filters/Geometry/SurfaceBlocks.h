@@ -76,6 +76,10 @@ public:
    */
   bool FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePoint& start) const;
 
+  /// Newton from a start that has a patch; false if it leaves the face or does not converge. The
+  /// foot need not be the closest point.
+  static bool FollowFoot(const SurfaceModel& model, const Vec3& p, SurfacePoint& start);
+
 private:
   /// The blocks of a face: First + i + j * CountU.
   struct Grid

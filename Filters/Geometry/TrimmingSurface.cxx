@@ -20,6 +20,7 @@ struct TrimmingSurface::Implementation
   SurfaceModel Model;
 
   Vec2 FaceParameters(const BezierPatch& patch, double s, double t) const;
+  SurfacePoint StartAt(const Foot& guess) const;
   Foot Finish(const Vec3& p, const SurfacePoint& found) const;
   bool IsPlain(const BezierPatch& patch, double s, double t) const;
   bool IsOnSharedLoop(const Vec3& point) const;
@@ -98,6 +99,21 @@ Vec2 TrimmingSurface::Implementation::FaceParameters(
   return uv;
 }
 
+/// The place of a foot on its patch; no patch without a foot.
+SurfacePoint TrimmingSurface::Implementation::StartAt(const Foot& guess) const
+{
+  SurfacePoint start;
+  if (guess.Kind != FootKind::None && guess.Face >= 0 &&
+    guess.Face < static_cast<int>(this->Model.Faces.size()))
+  {
+    start.Patch = this->Model.PatchAt(guess.Face, guess.U, guess.V);
+    const BezierPatch& patch = this->Model.Patches[start.Patch];
+    start.S = std::clamp((guess.U - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0);
+    start.T = std::clamp((guess.V - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0);
+  }
+  return start;
+}
+
 Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& found) const
 {
   Foot foot;
@@ -152,16 +168,22 @@ Foot TrimmingSurface::ClosestPoint(const Vec3& p, const Foot& guess, double maxD
 {
   const SurfaceModel& model = this->Impl->Model;
   const Vec3 local = p - model.Origin;
-  SurfacePoint start;
-  if (guess.Kind != FootKind::None && guess.Face >= 0 && guess.Face < this->NumberOfFaces())
-  {
-    start.Patch = model.PatchAt(guess.Face, guess.U, guess.V);
-    const BezierPatch& patch = model.Patches[start.Patch];
-    start.S = std::clamp((guess.U - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0);
-    start.T = std::clamp((guess.V - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0);
-  }
+  const SurfacePoint start = this->Impl->StartAt(guess);
   const double squared = maxDistance >= 0 ? maxDistance * maxDistance : 0;
   return this->Impl->Finish(local, FindClosestPoint(model, local, squared, start));
+}
+
+Foot TrimmingSurface::NearbyFoot(const Vec3& p, const Foot& guess) const
+{
+  const SurfaceModel& model = this->Impl->Model;
+  const Vec3 local = p - model.Origin;
+  SurfacePoint foot = this->Impl->StartAt(guess);
+  if (foot.Patch >= 0 && SurfaceBlocks::FollowFoot(model, local, foot) &&
+    IsInsideTrim(model, foot.Patch, foot.S, foot.T))
+  {
+    return this->Impl->Finish(local, foot);
+  }
+  return this->ClosestPoint(p, guess, std::numeric_limits<double>::infinity());
 }
 
 std::vector<LineHit> TrimmingSurface::Intersect(

@@ -80,6 +80,12 @@ public:
   Foot ClosestPoint(const Vec3& p, const Foot& guess, double maxDistance) const;
 
   /**
+   * A foot near that of a nearby point, without asking whether another one is nearer, as long as
+   * it stays inside the face of the guess; else the closest point.
+   */
+  Foot NearbyFoot(const Vec3& p, const Foot& guess) const;
+
+  /**
    * All points where the line A + K (B - A), kMin <= K <= kMax, meets the surface (eqs. 12-14),
    * by rising K, coincident ones on shared edges once. A line that touches without crossing
    * counts as a meeting. A line that lies within the surface gives at least one.

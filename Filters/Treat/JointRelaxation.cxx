@@ -1,5 +1,7 @@
 #include "JointRelaxation.h"
 
+#include <vtkSMPTools.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
@@ -479,24 +481,34 @@ private:
     }
   }
 
-  /// Nodes that find no place where they went go half of the way, or stay.
+  /// Each node settles by itself; what is known of its freedom is known since VariablesOf.
   void SettleEach(const std::vector<int>& nodes, const std::vector<Vec3>& from)
   {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
-      Vec3& position = this->TheMoves.Position[nodes[i]];
-      const Vec3 to = position;
-      double share = 1.0;
-      while (!this->Settle({ nodes[i] }))
+    vtkSMPTools::For(0, static_cast<Id>(nodes.size()), 16,
+      [&](Id begin, Id end)
       {
-        share *= 0.5;
-        if (share < 0.2)
+        for (Id i = begin; i < end; ++i)
         {
-          position = from[i];
-          break;
+          this->SettleFrom(nodes[i], from[i]);
         }
-        position = from[i] + share * (to - from[i]);
+      });
+  }
+
+  /// A node that finds no place where it went goes half of the way, or stays.
+  void SettleFrom(int node, const Vec3& from)
+  {
+    Vec3& position = this->TheMoves.Position[node];
+    const Vec3 to = position;
+    double share = 1.0;
+    while (!this->Settle({ node }))
+    {
+      share *= 0.5;
+      if (share < 0.2)
+      {
+        position = from;
+        break;
       }
+      position = from + share * (to - from);
     }
   }
 

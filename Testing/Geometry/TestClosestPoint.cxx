@@ -250,6 +250,43 @@ void TestEquidistant()
   }
 }
 
+/// Feet followed from those of nearby points: of the surface, at right angles to it, and mostly
+/// the closest ones.
+void TestNearbyFeet()
+{
+  std::mt19937 random(8);
+  const auto uniform = [&random](double low, double high)
+  { return std::uniform_real_distribution<double>(low, high)(random); };
+  const auto vector = [&uniform]() { return Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)); };
+  int asked = 0, closest = 0;
+  for (const samples::Named& sample : samples::All())
+  {
+    const TrimmingSurface surface({ sample.Surface }, 1e-9);
+    const double scale = surface.Bounds().diagonal().norm();
+    const NurbsSurface& s = sample.Surface;
+    for (int k = 0; k < check::Trials(2000); ++k)
+    {
+      const Vec3 on = Evaluate(s, uniform(s.FirstU(), s.LastU()), uniform(s.FirstV(), s.LastV()));
+      const Vec3 p = on + 0.02 * scale * vector(), q = p + 0.01 * scale * vector();
+      const Foot foot = surface.NearbyFoot(q, surface.ClosestPoint(p));
+      check::Near((Evaluate(s, foot.U, foot.V) - foot.Point).norm(), 0, 1e-9 * scale,
+        sample.Name + ": a nearby foot on the surface");
+      const double nearest = surface.ClosestPoint(q).Distance;
+      const bool isClosest = foot.Distance <= nearest + 1e-9 * scale;
+      check::That(
+        foot.Distance >= nearest - 1e-9 * scale, sample.Name + ": nearer than the closest");
+      // The closest one may lie on a crease or border.
+      check::That(isClosest || (q - foot.Point).cross(foot.Normal).norm() <= 1e-7 * scale,
+        sample.Name + ": the way to a nearby foot is along the normal");
+      ++asked;
+      closest += isClosest;
+    }
+  }
+  check::That(closest > 0.98 * asked,
+    "nearby feet that are the closest: " + std::to_string(closest) + " of " +
+      std::to_string(asked));
+}
+
 }
 
 int main()
@@ -263,5 +300,6 @@ int main()
   TestAnyOrder();
   TestEquidistant();
   TestFarFromOrigin();
+  TestNearbyFeet();
   return check::Result();
 }

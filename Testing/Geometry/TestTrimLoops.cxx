@@ -77,6 +77,7 @@ void TestPlane()
     plane.TrimLoops = { Circle(Vec2(0.5, 0.5), 0.4, variant == 3 ? 4000 : 40, variant & 1),
       Circle(Vec2(0.55, 0.45), 0.2, variant == 3 ? 2500 : 17, variant & 2) };
     const TrimmingSurface surface({ plane }, 1e-9);
+    Foot last;
     for (int k = 0; k < check::Trials(3000); ++k)
     {
       const Vec3 p(Uniform(-0.5, 1.5), Uniform(-0.5, 1.5), k % 2 ? Uniform(-0.3, 0.3) : 0.01);
@@ -106,6 +107,10 @@ void TestPlane()
       check::That(hits.size() == (inside ? 1u : 0u), "hits inside the loops only");
       const Foot guessed = surface.ClosestPoint(p, foot, 2);
       check::Near(guessed.Distance, foot.Distance, 1e-13, "with a guess");
+      // On the plane there is one foot only, and none in the hole.
+      check::Near(surface.NearbyFoot(p, last).Distance, expected, 1e-12,
+        "from another foot of the trimmed plane" + Place(p, last));
+      last = foot;
     }
     const double h = 0.004;
     for (int k = 0; k < check::Trials(3000); ++k)
