@@ -481,7 +481,7 @@ private:
     }
   }
 
-  /// Each node settles by itself; what is known of its freedom is known since VariablesOf.
+  /// Each node settles by itself.
   void SettleEach(const std::vector<int>& nodes, const std::vector<Vec3>& from)
   {
     vtkSMPTools::For(0, static_cast<Id>(nodes.size()), 16,

@@ -1,7 +1,10 @@
 #include "Relaxation.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <iterator>
+#include <unordered_map>
 #include <utility>
 
 namespace trim
@@ -27,31 +30,34 @@ public:
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
     , Effort(goal.Effort)
+    , IsRelaxed(given.TheBand.NumberOfNodes(), 0)
+    , WorthTrying(given.TheBand.NumberOfNodes(), 0)
   {
   }
 
   void Run(const std::vector<int>& active)
   {
-    const std::vector<int> nodes = this->NodesRound(active, RelaxedRings);
-    this->Spread(nodes);
-    const std::vector<std::vector<int>> pillars = this->PillarsOf(nodes);
+    const std::vector<std::vector<int>> parts =
+      this->PartsOf(this->NodesRound(active, RelaxedRings));
+    this->Spread(parts);
+    std::vector<std::vector<Pillar>> pillars;
+    for (const auto& part : parts)
+    {
+      pillars.push_back(this->PillarsOf(part));
+    }
+    std::vector<char> gained(parts.size());
     for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
     {
-      bool gained = false;
-      for (const auto& pillar : pillars)
-      {
-        // An element is no better than its worse end: the whole pillar first, then its nodes.
-        if (this->Improve(pillar))
+      // Parts do not share elements, so none of them knows how far the others are.
+      vtkSMPTools::For(0, static_cast<Id>(parts.size()), 1,
+        [&](Id begin, Id end)
         {
-          gained = true;
-          continue;
-        }
-        for (std::size_t i = 0; pillar.size() > 1 && i < pillar.size(); ++i)
-        {
-          gained |= this->Improve({ pillar[i] });
-        }
-      }
-      if (!gained || this->Reached(active))
+          for (Id i = begin; i < end; ++i)
+          {
+            gained[i] = this->Sweep(pillars[i]);
+          }
+        });
+      if (std::count(gained.begin(), gained.end(), char(1)) == 0 || this->Reached(active))
       {
         return;
       }
@@ -59,13 +65,47 @@ public:
   }
 
 private:
+  using Pillar = std::vector<int>;
+
+  /// Improves the pillars of a part in turn; false if none was.
+  bool Sweep(const std::vector<Pillar>& pillars)
+  {
+    bool gained = false;
+    for (const auto& pillar : pillars)
+    {
+      // What was tried in vain is not tried again before something moves round it.
+      char& worthIt = this->WorthTrying[this->Mover.PillarOf(pillar.front())];
+      if (worthIt)
+      {
+        worthIt = 0;
+        gained |= this->ImproveEach(pillar);
+      }
+    }
+    return gained;
+  }
+
+  /// An element is no better than its worse end: the whole pillar first, then its nodes.
+  bool ImproveEach(const Pillar& pillar)
+  {
+    if (this->Improve(pillar))
+    {
+      return true;
+    }
+    bool gained = false;
+    for (std::size_t i = 0; pillar.size() > 1 && i < pillar.size(); ++i)
+    {
+      gained |= this->Improve({ pillar[i] });
+    }
+    return gained;
+  }
+
   /**
    * Where the cut came farther into the mesh than the next nodes are, steps of single nodes do not
    * get out again: there the nodes behind it go along, each as far as its neighbours in the mean.
    */
-  void Spread(const std::vector<int>& nodes)
+  void Spread(std::vector<std::vector<int>> parts)
   {
-    for (auto& part : this->PartsOf(nodes))
+    for (auto& part : parts)
     {
       part.erase(
         std::remove_if(part.begin(), part.end(), [this](int n) { return this->OnCut[n] != 0; }),
@@ -116,21 +156,39 @@ private:
   }
 
   /// Nodes grouped by their pillars, in the order of the first of each.
-  std::vector<std::vector<int>> PillarsOf(const std::vector<int>& nodes) const
+  std::vector<Pillar> PillarsOf(const std::vector<int>& nodes)
   {
-    std::vector<std::vector<int>> pillars;
-    std::vector<int> slot(this->TheBand.NumberOfNodes(), -1);
+    std::vector<Pillar> pillars;
+    std::unordered_map<int, std::size_t> slots;
     for (const int node : nodes)
     {
-      int& at = slot[this->Mover.PillarOf(node)];
-      if (at < 0)
+      const auto slot = slots.emplace(this->Mover.PillarOf(node), pillars.size());
+      if (slot.second)
       {
-        at = static_cast<int>(pillars.size());
         pillars.emplace_back();
+        this->WorthTrying[slot.first->first] = 1;
       }
-      pillars[at].push_back(node);
+      pillars[slot.first->second].push_back(node);
+      this->IsRelaxed[node] = 1;
     }
     return pillars;
+  }
+
+  /// Pillars that a node and the elements at it have a part in are worth another try when it moves.
+  void TellAround(int node)
+  {
+    const auto tell = [this](int other)
+    {
+      if (this->IsRelaxed[other])
+      {
+        this->WorthTrying[this->Mover.PillarOf(other)] = 1;
+      }
+    };
+    for (const int e : this->TheBand.ElementsOfNode(node))
+    {
+      const auto& element = this->TheBand.Elements[e];
+      std::for_each(element.Node.begin(), element.Node.begin() + element.Count, tell);
+    }
   }
 
   /// Smallest quality of elements, no more than the goal; of what is below a limit, any.
@@ -241,6 +299,7 @@ private:
     }
     this->Place(nodes, to);
     this->TellMoved(nodes);
+    std::for_each(nodes.begin(), nodes.end(), [this](int node) { this->TellAround(node); });
     return true;
   }
 
@@ -262,6 +321,8 @@ private:
   double Floor;
   double Goal;
   RelaxationEffort Effort;
+  std::vector<char> IsRelaxed;   ///< by node
+  std::vector<char> WorthTrying; ///< by pillar
 };
 
 }

@@ -115,6 +115,23 @@ std::vector<std::vector<int>> RelaxedMesh::PartsOf(const std::vector<int>& nodes
       sets.Unite(element.Node[0], element.Node[i]);
     }
   }
+  std::vector<char> isListed(this->TheBand.NumberOfNodes(), 0);
+  for (const int node : nodes)
+  {
+    isListed[node] = 1;
+    sets.Unite(node, this->Mover.PillarOf(node));
+  }
+  for (const int node : nodes)
+  {
+    for (const int edge : this->TheBand.EdgesOfNode(node))
+    {
+      const int other = this->TheBand.OtherEnd(edge, node);
+      if (isListed[other])
+      {
+        sets.Unite(node, other);
+      }
+    }
+  }
   std::map<int, std::vector<int>> parts;
   for (const int node : nodes)
   {
@@ -142,10 +159,12 @@ bool RelaxedMesh::IsMovable(int node) const
 
 const NodeFreedom& RelaxedMesh::FreedomOf(int node)
 {
-  const auto found = this->Freedoms.find(node);
-  return found != this->Freedoms.end()
-    ? found->second
-    : this->Freedoms.emplace(node, this->Mover.FreedomOf(node)).first->second;
+  auto& known = this->Freedoms[node];
+  if (!known)
+  {
+    known = std::make_unique<NodeFreedom>(this->Mover.FreedomOf(node));
+  }
+  return *known;
 }
 
 double RelaxedMesh::ShortestEdge(int node) const

@@ -10,7 +10,7 @@
 #include "Moves.h"
 
 #include <array>
-#include <unordered_map>
+#include <memory>
 #include <vector>
 
 namespace trim
@@ -49,6 +49,7 @@ public:
     , OnCut(given.OnCut)
     , TheMoves(moves)
     , Fixed(given.Fixed)
+    , Freedoms(given.TheBand.NumberOfNodes())
   {
   }
 
@@ -72,9 +73,11 @@ public:
   /// Movable nodes of elements and of rings round them, nearest first.
   std::vector<int> NodesRound(const std::vector<int>& elements, int rings) const;
 
-  /// Nodes parted into those that are joined by elements at them, in their order.
+  /// Nodes parted into those that are joined by elements at them, edges or pillars, in their
+  /// order.
   std::vector<std::vector<int>> PartsOf(const std::vector<int>& nodes) const;
 
+  /// To be asked for different nodes by different threads.
   const NodeFreedom& FreedomOf(int node);
 
   /// To the nearest neighbour within the layer.
@@ -97,7 +100,7 @@ private:
   bool IsMovable(int node) const;
 
   const std::vector<char>& Fixed;
-  std::unordered_map<int, NodeFreedom> Freedoms;
+  std::vector<std::unique_ptr<NodeFreedom>> Freedoms; ///< by node, once asked for
 };
 
 }
