@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  /// Nodes whose elements are all in the band, and at which the whole mesh is a manifold.
+  /// Nodes near the cut whose elements are all in the band.
   void FindInnerNodes()
   {
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
@@ -83,7 +83,7 @@ private:
       {
         mixed |= this->TheBand.Elements[e].Ring <= 2;
       }
-      if (inner && mixed && IsManifoldAt(this->TheBand, this->Whole, n))
+      if (inner && mixed)
       {
         this->InnerNodes.push_back(n);
       }
@@ -176,12 +176,22 @@ private:
     return VolumeOf(after, element.Count) < CollapsedShare * VolumeOf(before, element.Count);
   }
 
+  /// Whether what is kept is no manifold at a node, where the whole mesh is one.
+  bool IsPinched(int node) const
+  {
+    const auto elements = this->TheBand.ElementsOfNode(node);
+    const auto isKept = [this](int e) { return this->Kept[e] != 0; };
+    const auto kept = std::count_if(elements.begin(), elements.end(), isKept);
+    return kept > 0 && kept < elements.size() && !IsManifoldAt(this->TheBand, this->Kept, node) &&
+      IsManifoldAt(this->TheBand, this->Whole, node);
+  }
+
   bool MendPinches(bool onlyEliminate)
   {
     bool changed = false;
     for (const int n : this->InnerNodes)
     {
-      if (!IsManifoldAt(this->TheBand, this->Kept, n))
+      if (this->IsPinched(n))
       {
         changed |= this->MendPinch(n, onlyEliminate);
       }
