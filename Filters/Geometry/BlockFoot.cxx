@@ -40,7 +40,8 @@ int SurfaceBlocks::NearBlock(const Vec3& p) const
     distance += 0.05f * toMiddle;
     int best;
     distance.minCoeff(&best);
-    const int child = node.Child[best];
+    // From beyond the place of empty children these are the nearest; the first is never empty.
+    const int child = node.Child[best] == TreeNode::Empty ? node.Child[0] : node.Child[best];
     if (child < 0)
     {
       return ~child;

@@ -287,6 +287,25 @@ void TestNearbyFeet()
       std::to_string(asked));
 }
 
+/// However far away a point is, it has a closest one.
+void TestFarPoints()
+{
+  for (const samples::Named& sample : samples::All())
+  {
+    const TrimmingSurface surface({ sample.Surface }, 1e-9);
+    const Vec3 way = Vec3(0.3, -0.5, 0.8).normalized();
+    for (int exponent = 0; exponent < 150; ++exponent)
+    {
+      const double far = std::pow(10.0, exponent) * surface.Bounds().diagonal().norm();
+      const Foot foot = surface.ClosestPoint(surface.Bounds().center() + far * way);
+      check::That(foot.Kind != FootKind::None && surface.Bounds().contains(foot.Point),
+        sample.Name + ": no foot of a point 1e" + std::to_string(exponent) + " sizes away");
+      check::Near(
+        foot.Distance / far, 1, 1e-14 + std::pow(10.0, -exponent), sample.Name + ": far away");
+    }
+  }
+}
+
 }
 
 int main()
@@ -301,5 +320,6 @@ int main()
   TestEquidistant();
   TestFarFromOrigin();
   TestNearbyFeet();
+  TestFarPoints();
   return check::Result();
 }
