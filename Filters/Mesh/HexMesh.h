@@ -56,6 +56,13 @@ struct HexMesh
                            : Gather(this->Connectivity32, this->Offsets32, c, nodes);
   }
 
+  /// 8 or 6.
+  int NumberOfNodes(Id c) const
+  {
+    return static_cast<int>(this->Offsets64 ? this->Offsets64[c + 1] - this->Offsets64[c]
+                                            : this->Offsets32[c + 1] - this->Offsets32[c]);
+  }
+
   Id FirstNode(Id c) const
   {
     return this->Offsets64 ? this->Connectivity64[this->Offsets64[c]]

@@ -366,7 +366,7 @@ int vtkTrimHexahedralGrid::Trim(
   trim::Summary::RemoveFrom(statuses->GetFieldData());
   if (this->ProduceOffcut)
   {
-    trim::WriteOffcutGrid(own, mesh, ranks, result, write, progress, offcut);
+    trim::WriteOffcutGrid(own, mesh, this->Kept->Blocks, ranks, result, write, progress, offcut);
     trim::RestoreOriginalIds(this->Kept->Own, offcut);
   }
   if (ranks.Any(progress(1.0)))

@@ -53,9 +53,39 @@ void WriteCoordinates(
 
 }
 
-void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& part)
+PointFlags FlagSideOffBand(
+  const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result, NodeStatus side)
 {
-  const auto isSet = [flags](Id p) { return flags[p].load(std::memory_order_relaxed) != 0; };
+  static_assert(std::atomic<unsigned char>::is_always_lock_free, "zero when in new memory");
+  PointFlags flags(mesh.NumberOfPoints);
+  const auto set = [&flags](Id p, bool flag) { flags[p].store(flag, std::memory_order_relaxed); };
+  ForRuns(mesh.NumberOfPoints,
+    [&](Id, Id begin, Id end)
+    {
+      for (Id p = begin; p < end; ++p)
+      {
+        set(p, result.Nodes.Status[p] == side);
+      }
+    });
+  for (const Id p : blocks.UnusedNodes)
+  {
+    set(p, false);
+  }
+  const int nodes = result.Near ? result.Near->Mesh.NumberOfNodes() : 0;
+  for (int n = 0; n < nodes; ++n)
+  {
+    if (result.Near->Mesh.GlobalNode[n] >= 0)
+    {
+      set(result.Near->Mesh.GlobalNode[n], false);
+    }
+  }
+  return flags;
+}
+
+void NumberFlagged(const PointFlags& flags, GridPart& part)
+{
+  const auto count = static_cast<Id>(flags.size());
+  const auto isSet = [&flags](Id p) { return flags[p].load(std::memory_order_relaxed) != 0; };
   const Id runs = (count + PartGrain - 1) / PartGrain;
   std::vector<Id> first(runs + 1, 0);
   ForRuns(count,

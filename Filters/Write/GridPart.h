@@ -12,6 +12,7 @@
 #include "FreshArray.h"
 #include "NodeOrdering.h"
 #include "Selection.h"
+#include "Status.h"
 #include "StatusArrays.h"
 #include "TrimPipeline.h"
 
@@ -59,21 +60,29 @@ void ForRuns(Id count, const Action& action)
     });
 }
 
+using PointFlags = PageVector<std::atomic<unsigned char>>;
+
+/// Sets the flags of points on a side: off the band no cell joins points of both sides.
+PointFlags FlagSideOffBand(
+  const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result, NodeStatus side);
+
 /// Lists the flagged points, ascending, and numbers them.
-void NumberFlagged(const std::atomic<unsigned char>* flags, Id count, GridPart& part);
+void NumberFlagged(const PointFlags& flags, GridPart& part);
 
 /**
  * Fills Points, ascending, Number and Offset.
  *
+ * @param side of all cells of the part off the band.
+ * @param isInBand (i): whether cell i of the part is of the band.
  * @param nodesOf (i, nodes): the nodes of cell i of the part, in input ids; returns their number.
  */
-template <typename NodesOf>
-void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
+template <typename IsInBand, typename NodesOf>
+void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result,
+  NodeStatus side, GridPart& part, const IsInBand& isInBand, const NodesOf& nodesOf)
 {
   const Id count = part.Cells.size();
   part.Offset.assign((count + PartGrain - 1) / PartGrain + 1, 0);
-  static_assert(std::atomic<unsigned char>::is_always_lock_free, "zero when in new memory");
-  PageVector<std::atomic<unsigned char>> used(mesh.NumberOfPoints);
+  PointFlags used = FlagSideOffBand(mesh, blocks, result, side);
   ForRuns(count,
     [&](Id run, Id begin, Id end)
     {
@@ -81,6 +90,11 @@ void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
       Id size = 0;
       for (Id i = begin; i < end; ++i)
       {
+        if (!isInBand(i))
+        {
+          size += mesh.NumberOfNodes(part.Cells[i]);
+          continue;
+        }
         const int number = nodesOf(i, nodes);
         for (int k = 0; k < number; ++k)
         {
@@ -94,7 +108,7 @@ void NumberPoints(const HexMesh& mesh, GridPart& part, const NodesOf& nodesOf)
   {
     part.Offset[run] += part.Offset[run - 1];
   }
-  NumberFlagged(used.data(), mesh.NumberOfPoints, part);
+  NumberFlagged(used, part);
 }
 
 /// The elements of the part in its numbers; returns the largest difference of them within one.

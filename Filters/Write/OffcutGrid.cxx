@@ -169,14 +169,15 @@ void AddFieldData(const Summary& summary, vtkUnstructuredGrid* output)
 
 }
 
-void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Ranks& ranks,
-  const TrimResult& result, const WriteOptions& options, const Progress& progress,
-  vtkUnstructuredGrid* output)
+void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
+  const Ranks& ranks, const TrimResult& result, const WriteOptions& options,
+  const Progress& progress, vtkUnstructuredGrid* output)
 {
   OffcutMesh part = CollectCells(mesh, result);
+  const auto isInBand = [&part](Id i) { return part.BandPart[i] >= 0; };
   const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
   { return NodesOf(mesh, result, part.Cells[i], part.BandPart[i], nodes); };
-  NumberPoints(mesh, part, nodesOf);
+  NumberPoints(mesh, blocks, result, NodeEliminate, part, isInBand, nodesOf);
   if (options.RenumberNodes && !part.Cells.empty())
   {
     RenumberPart(mesh, progress, part, nodesOf);

@@ -15,9 +15,9 @@ namespace trim
  * with the same arrays as the trimmed grid (but Rescue) and, as field data, what the summary says
  * of touched elements, volume and numbering. Collective.
  */
-void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Ranks& ranks,
-  const TrimResult& result, const WriteOptions& options, const Progress& progress,
-  vtkUnstructuredGrid* output);
+void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
+  const Ranks& ranks, const TrimResult& result, const WriteOptions& options,
+  const Progress& progress, vtkUnstructuredGrid* output);
 
 }
 

@@ -34,6 +34,21 @@ public:
   Id size() const { return this->Count; }
   Id operator[](Id i) const { return this->Ids ? this->Ids[i] : i; }
 
+  /// Takes values[id] to the places from begin to end of the output.
+  template <typename Value>
+  void Gather(const Value* values, Id begin, Id end, Value* output) const
+  {
+    if (!this->Ids)
+    {
+      std::copy(values + begin, values + end, output + begin);
+      return;
+    }
+    for (Id i = begin; i < end; ++i)
+    {
+      output[i] = values[this->Ids[i]];
+    }
+  }
+
   /// Calls action(place) for each place of an id in the output.
   template <typename Action>
   void ForPlaces(Id id, const Action& action) const

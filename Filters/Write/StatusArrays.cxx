@@ -75,10 +75,7 @@ void AddPointStatuses(
     [&](Id begin, Id end)
     {
       std::fill(distances + begin, distances + end, std::numeric_limits<float>::quiet_NaN());
-      for (Id i = begin; i < end; ++i)
-      {
-        statuses[i] = result.Nodes.Status[ids[i]];
-      }
+      ids.Gather(result.Nodes.Status.data(), begin, end, statuses);
     });
   for (const auto& node : result.Nodes.SignedDistances)
   {
@@ -111,9 +108,9 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
   vtkSMPTools::For(0, count, Grain,
     [&](Id begin, Id end)
     {
+      ids.Gather(result.ElementStatus.data(), begin, end, statuses);
       for (Id i = begin; i < end; ++i)
       {
-        statuses[i] = result.ElementStatus[ids[i]];
         fractions[i] = statuses[i] == ElementEliminate ? 1.0f : 0.0f;
       }
     });

@@ -235,7 +235,8 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
     return element < 0 ? mesh.Cell(kept.Cells[i], nodes)
                        : NodesAtCut(mesh, result, kept.Cells[i], element, nodes);
   };
-  NumberPoints(mesh, kept, nodesOf);
+  const auto isInBand = [&kept](Id i) { return kept.BandElement[i] >= 0; };
+  NumberPoints(mesh, blocks, result, NodeKeep, kept, isInBand, nodesOf);
   if (options.RenumberNodes && !progress(0.65))
   {
     RenumberPart(mesh, progress, kept, nodesOf);
