@@ -71,12 +71,20 @@ PointFlags FlagSideOffBand(
   {
     set(p, false);
   }
-  const int nodes = result.Near ? result.Near->Mesh.NumberOfNodes() : 0;
-  for (int n = 0; n < nodes; ++n)
+  if (result.Near)
   {
-    if (result.Near->Mesh.GlobalNode[n] >= 0)
+    const Band& band = result.Near->Mesh;
+    for (int e = 0; e < band.NumberOfElements(); ++e)
     {
-      set(result.Near->Mesh.GlobalNode[n], false);
+      // Nodes of the halo alone have cells off the band too.
+      for (int i = 0; !band.InHalo(e) && i < band.Elements[e].Count; ++i)
+      {
+        const Id p = band.GlobalNode[band.Elements[e].Node[i]];
+        if (p >= 0)
+        {
+          set(p, false);
+        }
+      }
     }
   }
   return flags;

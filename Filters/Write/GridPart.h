@@ -62,7 +62,8 @@ void ForRuns(Id count, const Action& action)
 
 using PointFlags = PageVector<std::atomic<unsigned char>>;
 
-/// Sets the flags of points on a side: off the band no cell joins points of both sides.
+/// Sets the flags of points on a side, but for those all of whose cells are in the band: off the
+/// band no cell joins points of both sides.
 PointFlags FlagSideOffBand(
   const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result, NodeStatus side);
 
