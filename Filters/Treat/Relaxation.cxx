@@ -174,7 +174,7 @@ private:
     return pillars;
   }
 
-  /// Pillars that a node and the elements at it have a part in are worth another try when it moves.
+  /// Pillars that share an element or an edge with a node are worth another try when it moves.
   void TellAround(int node)
   {
     const auto tell = [this](int other)
@@ -186,8 +186,12 @@ private:
     };
     for (const int e : this->TheBand.ElementsOfNode(node))
     {
-      const auto& element = this->TheBand.Elements[e];
+      const auto& element = this->Elements[e];
       std::for_each(element.Node.begin(), element.Node.begin() + element.Count, tell);
+    }
+    for (const int edge : this->TheBand.EdgesOfNode(node))
+    {
+      tell(this->TheBand.OtherEnd(edge, node));
     }
   }
 
