@@ -293,6 +293,10 @@ bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePo
     const SurfaceBlock& block = this->Blocks[this->NearBlock(p)];
     face = block.Face;
     const Vec2 uv = block.Middle + block.Width.cwiseProduct(ModelFoot(block, p).cast<double>());
+    if (!uv.allFinite())
+    {
+      return false; // from so far away that single precision overflows
+    }
     LocateSpan(model.Data[face].SpansU, uv.x(), place.SpanU, place.S);
     LocateSpan(model.Data[face].SpansV, uv.y(), place.SpanV, place.T);
   }
