@@ -48,13 +48,12 @@ CutEdges::CutEdges(const Band& band, const std::vector<unsigned char>& status,
 
 void CutEdges::ListEdges(const Band& band)
 {
-  std::vector<std::array<int, 2>> edges;
   const auto add = [&](int a, int b)
   {
     if (this->Status[a] == NodeEliminate && this->Status[b] != NodeEliminate &&
       this->Status[b] != NodeOnSurface)
     {
-      edges.push_back({ a, b });
+      this->Edges.push_back({ a, b });
     }
   };
   for (const auto& element : band.Elements)
@@ -72,32 +71,21 @@ void CutEdges::ListEdges(const Band& band)
         });
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  this->Others = BuildLists(band.NumberOfNodes(),
-    [&edges](auto&& addTo)
-    {
-      for (const auto& edge : edges)
-      {
-        addTo(edge[0], edge[1]);
-      }
-    });
+  std::sort(this->Edges.begin(), this->Edges.end());
+  this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
 }
 
 void CutEdges::Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
 {
-  this->Shares.resize(this->Others.Item.size());
-  vtkSMPTools::For(0, band.NumberOfNodes(), 256,
+  this->Shares.resize(this->Edges.size());
+  vtkSMPTools::For(0, static_cast<Id>(this->Edges.size()), 256,
     [&](Id begin, Id end)
     {
-      for (int a = static_cast<int>(begin); a < end; ++a)
+      for (Id i = begin; i < end; ++i)
       {
-        for (int at = this->Others.Offset[a]; at < this->Others.Offset[a + 1]; ++at)
-        {
-          const int b = this->Others.Item[at];
-          const auto crossing = CrossEdge(surface, band.Point[a], band.Point[b], false, gap);
-          this->Shares[at] = crossing.Found ? crossing.BeyondK : Missed;
-        }
+        const auto [a, b] = this->Edges[i];
+        const auto crossing = CrossEdge(surface, band.Point[a], band.Point[b], false, gap);
+        this->Shares[i] = crossing.Found ? crossing.BeyondK : Missed;
       }
     });
 }
@@ -108,24 +96,16 @@ double CutEdges::Beyond(int eliminated, int other) const
   {
     return 1.0;
   }
-  const int* first = this->Others.begin(eliminated);
-  const int* at = std::find(first, this->Others.end(eliminated), other);
-  return this->Shares[at - this->Others.Item.data()];
+  const std::array<int, 2> edge{ eliminated, other };
+  return this
+    ->Shares[std::lower_bound(this->Edges.begin(), this->Edges.end(), edge) - this->Edges.begin()];
 }
 
 std::array<int, 2> CutEdges::FindMissed() const
 {
-  for (int a = 0; a + 1 < static_cast<int>(this->Others.Offset.size()); ++a)
-  {
-    for (int at = this->Others.Offset[a]; at < this->Others.Offset[a + 1]; ++at)
-    {
-      if (this->Shares[at] < 0.0)
-      {
-        return { a, this->Others.Item[at] };
-      }
-    }
-  }
-  return { -1, -1 };
+  const auto missed = std::find(this->Shares.begin(), this->Shares.end(), Missed);
+  return missed == this->Shares.end() ? std::array<int, 2>{ -1, -1 }
+                                      : this->Edges[missed - this->Shares.begin()];
 }
 
 }

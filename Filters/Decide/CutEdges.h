@@ -43,8 +43,8 @@ private:
   void Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap);
 
   const std::vector<unsigned char>& Status;
-  Band::Lists Others;         ///< kept nodes of the edges, by their eliminated nodes, ascending
-  std::vector<double> Shares; ///< in the order of Others.Item; negative: missed
+  std::vector<std::array<int, 2>> Edges; ///< eliminated and kept node, ascending
+  std::vector<double> Shares;            ///< of each edge; Missed: it does not meet the surface
 };
 
 }

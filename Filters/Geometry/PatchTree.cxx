@@ -17,6 +17,17 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf)
     static_cast<double>(j) / patch.GridV, static_cast<double>(j + 1) / patch.GridV };
 }
 
+const Vec4* NetOfPart(
+  const BezierPatch& patch, const Vec4* net, const LeafDomain& domain, Vec4* part)
+{
+  if (domain.S0 == 0 && domain.S1 == 1 && domain.T0 == 0 && domain.T1 == 1)
+  {
+    return net;
+  }
+  RestrictNet(patch, net, domain.S0, domain.S1, domain.T0, domain.T1, part);
+  return part;
+}
+
 Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;

@@ -48,7 +48,7 @@ struct alignas(CacheLine) LeafBox
 };
 static_assert(sizeof(LeafBox) == CacheLine, "one line");
 
-struct alignas(64) TreeNode
+struct alignas(CacheLine) TreeNode
 {
   Eigen::Array4f Low[3], High[3];
   int Child[4]; ///< a node, or ~ of a leaf box, or Empty
@@ -61,6 +61,10 @@ struct LeafDomain
   double S0, S1, T0, T1;
 };
 LeafDomain DomainOf(const BezierPatch& patch, int leaf);
+
+/// The net of a part of a patch: in `part`, or as it is where the part is the whole.
+const Vec4* NetOfPart(
+  const BezierPatch& patch, const Vec4* net, const LeafDomain& domain, Vec4* part);
 
 /// How far the tangents of a patch turn along s and t, relative to its size (about radians).
 Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net);

@@ -174,12 +174,7 @@ void SurfaceBlocks::ForPieces(
       const int cellV = nv == 1 ? 0 : j - grid.BlockV[spanV];
       const LeafDomain domain{ double(cellU) / nu, double(cellU + 1) / nu, double(cellV) / nv,
         double(cellV + 1) / nv };
-      const bool whole = nu == 1 && nv == 1;
-      if (!whole)
-      {
-        RestrictNet(patch, model.Net(patch), domain.S0, domain.S1, domain.T0, domain.T1, part);
-      }
-      visit(patch, whole ? model.Net(patch) : part, domain);
+      visit(patch, NetOfPart(patch, model.Net(patch), domain, part), domain);
     }
   }
 }

@@ -26,7 +26,7 @@ struct SurfaceModel;
 struct SurfacePoint;
 
 /// A rectangle in (u, v) of one face. Its own parameters run from -1/2 to 1/2.
-struct alignas(64) SurfaceBlock
+struct alignas(CacheLine) SurfaceBlock
 {
   Vec3 Center;                ///< S at the middle
   Eigen::Vector3f X, Y, Z;    ///< axes: X along S_u, Z the normal at the middle

@@ -167,19 +167,6 @@ void SurfaceModel::AddLeaves()
   this->Leaves = SparseVector<Leaf>(count);
 }
 
-/// The net of a leaf, in `part` unless it is that of the patch.
-const Vec4* SurfaceModel::RestrictToLeaf(
-  const BezierPatch& patch, const LeafDomain& domain, Vec4* part) const
-{
-  const Vec4* net = this->Net(patch);
-  if (patch.GridU * patch.GridV == 1)
-  {
-    return net;
-  }
-  RestrictNet(patch, net, domain.S0, domain.S1, domain.T0, domain.T1, part);
-  return part;
-}
-
 std::vector<Eigen::AlignedBox3f> SurfaceModel::BoxLeaves() const
 {
   std::vector<Eigen::AlignedBox3f> boxes;
@@ -190,7 +177,7 @@ std::vector<Eigen::AlignedBox3f> SurfaceModel::BoxLeaves() const
     const int size = (patch.DegreeU + 1) * (patch.DegreeV + 1);
     for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
     {
-      boxes.push_back(BoxOfNet(this->RestrictToLeaf(patch, DomainOf(patch, k), part), size));
+      boxes.push_back(BoxOfNet(NetOfPart(patch, this->Net(patch), DomainOf(patch, k), part), size));
     }
   }
   return boxes;
@@ -210,7 +197,7 @@ const LeafBox& SurfaceModel::MeasureBox(int index) const
     Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
     Leaf& leaf = this->Leaves[number];
     leaf.Patch = static_cast<int>(&patch - this->Patches.data());
-    MeasureLeaf(patch, domain, this->RestrictToLeaf(patch, domain, part), leaf, box);
+    MeasureLeaf(patch, domain, NetOfPart(patch, this->Net(patch), domain, part), leaf, box);
     box.Number.store(number + 1, std::memory_order_release);
   }
   return box;

@@ -81,7 +81,6 @@ private:
   std::vector<Eigen::AlignedBox3f> BoxLeaves() const;
   void FindTrimStates();
   void FindTrimState(const BezierPatch& patch, int leaf);
-  const Vec4* RestrictToLeaf(const BezierPatch& patch, const LeafDomain& domain, Vec4* part) const;
   const LeafBox& MeasureBox(int index) const;
 
   mutable SparseVector<LeafBox> LeafBoxes; ///< in the order of the tree, not those outside loops

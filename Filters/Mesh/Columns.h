@@ -50,6 +50,12 @@ struct Columns
     return this->Pillar[band.Edges[edge].First] == this->Pillar[band.Edges[edge].Second];
   }
   bool HasThickness(int element) const { return this->Axis[element] >= 0; }
+  /// All elements.
+  bool HasThickness() const
+  {
+    return std::all_of(
+      this->Axis.begin(), this->Axis.end(), [](signed char axis) { return axis >= 0; });
+  }
 };
 
 Columns FindColumns(const Band& band);

@@ -380,16 +380,11 @@ private:
   }
 
   /// Whether the surface certainly turns too little near a cell to cross an edge of it twice.
-  bool IsFlatAt(const std::array<Id, 8>& nodes, int count) const
+  bool IsFlatAt(Id cell) const
   {
     const auto& near = this->Result.Nodes.Near;
-    Box3 box;
-    for (int i = 0; i < count; ++i)
-    {
-      box.extend(this->Mesh.Point(nodes[i]));
-    }
-    const Vec3& normal = near.Feet[near.Find(nodes[0])].Normal;
-    return this->Surface.NormalsLieWithin(box, normal, HalfCrossingAngle);
+    const Vec3& normal = near.Feet[near.Find(this->Mesh.FirstNode(cell))].Normal;
+    return this->Surface.NormalsLieWithin(CellBox(this->Mesh, cell), normal, HalfCrossingAngle);
   }
 
   /// Edges near enough to the surface to be crossed: it is nowhere nearer to a node than its foot.
@@ -400,11 +395,11 @@ private:
     std::array<Id, 8> nodes;
     for (const Id c : this->Result.Nodes.CandidateCells)
     {
-      const auto& topology = TopologyOf(this->Mesh.Cell(c, nodes));
-      if (this->IsFlatAt(nodes, topology.NumberOfNodes))
+      if (this->IsFlatAt(c))
       {
         continue;
       }
+      const auto& topology = TopologyOf(this->Mesh.Cell(c, nodes));
       std::array<double, 8> distance;
       for (int i = 0; i < topology.NumberOfNodes; ++i)
       {

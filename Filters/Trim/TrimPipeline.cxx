@@ -278,8 +278,7 @@ void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurf
   {
     near.Structure = NoColumns(band);
   }
-  const auto& axes = near.Structure.Axis;
-  if (std::all_of(axes.begin(), axes.end(), [](signed char axis) { return axis >= 0; }))
+  if (near.Structure.HasThickness())
   {
     return;
   }
@@ -308,9 +307,7 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
     }
     near = std::make_unique<TrimBand>(Band(std::move(cells), rings, singlePrecision));
     near->Structure = FindColumns(near->Mesh);
-    const bool all = std::all_of(near->Structure.Axis.begin(), near->Structure.Axis.end(),
-      [](signed char axis) { return axis >= 0; });
-    if (!piece.All.Any(!all || !near->Structure.Complete(near->Mesh, 2)))
+    if (!piece.All.Any(!near->Structure.HasThickness() || !near->Structure.Complete(near->Mesh, 2)))
     {
       break;
     }
