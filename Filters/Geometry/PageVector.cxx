@@ -11,11 +11,23 @@
 
 namespace nurbs
 {
-#ifdef __linux__
 namespace
 {
 
 constexpr std::size_t LargePage = std::size_t(1) << 21;
+/// Small pages that take the kernel as long to hand over as a large one; measured.
+constexpr std::size_t SmallForLarge = 120;
+
+}
+
+PageSize PagesForPlaces(std::size_t bytes, std::size_t places)
+{
+  return places / SmallForLarge > bytes / LargePage ? PageSize::Large : PageSize::Small;
+}
+
+#ifdef __linux__
+namespace
+{
 
 void* Map(std::size_t bytes)
 {

@@ -22,6 +22,9 @@ enum class PageSize
   Large  ///< for what is written to throughout; a hint
 };
 
+/// Which pages take less time for memory that is written to at so many places here and there.
+PageSize PagesForPlaces(std::size_t bytes, std::size_t places);
+
 /// What the memory starts at a multiple of, at least.
 constexpr std::size_t CacheLine = 64;
 

@@ -56,6 +56,31 @@ bool IsValid(const ElementPoints& points, int count, Optimization treatment)
   }
 }
 
+/// The elements that pass a test, ascending, asked by all threads.
+template <typename Test>
+std::vector<int> FindElements(const Band& band, const Test& test)
+{
+  const int count = band.NumberOfElements();
+  std::vector<char> passes(count, 0);
+  vtkSMPTools::For(0, count, 256,
+    [&](Id begin, Id end)
+    {
+      for (Id e = begin; e < end; ++e)
+      {
+        passes[e] = test(static_cast<int>(e));
+      }
+    });
+  std::vector<int> found;
+  for (int e = 0; e < count; ++e)
+  {
+    if (passes[e])
+    {
+      found.push_back(e);
+    }
+  }
+  return found;
+}
+
 }
 
 ElementPoints BandQuality::ShapeBefore(int e) const
@@ -77,26 +102,9 @@ bool BandQuality::IsExempt(const TrimmedBand& trimmed, int e) const
 
 std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
 {
-  const int count = this->TheBand.NumberOfElements();
   const std::vector<char> coincides = FindCoincidentNodes(this->TheBand, trimmed);
-  std::vector<char> invalid(count, 0);
-  vtkSMPTools::For(0, count, 256,
-    [&](Id begin, Id end)
-    {
-      for (Id e = begin; e < end; ++e)
-      {
-        invalid[e] = trimmed.Kept[e] && this->IsSpoiled(trimmed, static_cast<int>(e), coincides);
-      }
-    });
-  std::vector<int> list;
-  for (int e = 0; e < count; ++e)
-  {
-    if (invalid[e])
-    {
-      list.push_back(e);
-    }
-  }
-  return list;
+  return FindElements(this->TheBand,
+    [&](int e) { return trimmed.Kept[e] && this->IsSpoiled(trimmed, e, coincides); });
 }
 
 bool BandQuality::IsSpoiled(
@@ -140,20 +148,16 @@ bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count)
 template <typename Test>
 std::vector<int> BandQuality::FindTouched(const TrimmedBand& trimmed, const Test& test) const
 {
-  std::vector<int> found;
-  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
-  {
-    if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || this->IsExempt(trimmed, e))
+  return FindElements(this->TheBand,
+    [&](int e)
     {
-      continue;
-    }
-    const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    if (final.Touched && test(e, final))
-    {
-      found.push_back(e);
-    }
-  }
-  return found;
+      if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || this->IsExempt(trimmed, e))
+      {
+        return false;
+      }
+      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+      return final.Touched && test(e, final);
+    });
 }
 
 std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const

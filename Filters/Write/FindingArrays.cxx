@@ -18,7 +18,7 @@ void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed
   const Selection& ids, vtkDataSetAttributes* data)
 {
   using Stored = typename Array::ValueType;
-  SparseArray<Array> array(name, ids.size());
+  SparseArray<Array> array(name, ids.size(), 1, listed.size());
   for (const auto& item : listed)
   {
     const auto value = static_cast<Stored>(item.second);

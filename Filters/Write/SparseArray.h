@@ -22,8 +22,10 @@ class SparseArray
 public:
   using Value = typename Array::ValueType;
 
-  SparseArray(const char* name, Id tuples, int components = 1)
-    : Zeros(MakeZeros<Array>(name, tuples, components))
+  /// @param written about how many tuples will be.
+  SparseArray(const char* name, Id tuples, int components, std::size_t written)
+    : Zeros(MakeZeros<Array>(name, tuples, components,
+        nurbs::PagesForPlaces(tuples * components * sizeof(Value), written)))
     , Values(Zeros->GetPointer(0))
     , Components(components)
   {

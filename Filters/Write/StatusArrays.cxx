@@ -67,8 +67,8 @@ void AddPointStatuses(
   const Id count = ids.size();
   const auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
   const auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
-  SparseArray<vtkFloatArray> displacement("Displacement", count, 3);
-  SparseArray<vtkUnsignedCharArray> correction("CorrectionApplied", count);
+  SparseArray<vtkFloatArray> displacement("Displacement", count, 3, moved.Nodes.size());
+  SparseArray<vtkUnsignedCharArray> correction("CorrectionApplied", count, 1, moved.Nodes.size());
   unsigned char* statuses = status->GetPointer(0);
   float* distances = distance->GetPointer(0);
   vtkSMPTools::For(0, count, Grain,
@@ -131,8 +131,8 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
 void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
 {
   static_assert(static_cast<unsigned char>(Rescue::None) == 0, "most of the array is not written");
-  SparseArray<vtkUnsignedCharArray> array("Rescue", ids.size());
   const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
+  SparseArray<vtkUnsignedCharArray> array("Rescue", ids.size(), 1, 0);
   for (int e = 0; e < elements; ++e)
   {
     const Id cell = result.Near->Mesh.Elements[e].Global;

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace trim
 {
@@ -69,6 +70,20 @@ void ListCells(const TrimResult& result, const std::vector<int>& band, Id begin,
       inBand = next == band.end() ? Id(-1) : cellOf(*next);
     }
   }
+}
+
+/// Calls action(i) for all items of the band, by all threads.
+template <typename Action>
+void ForAll(int count, const Action& action)
+{
+  vtkSMPTools::For(0, count, 256,
+    [&](Id begin, Id end)
+    {
+      for (Id i = begin; i < end; ++i)
+      {
+        action(static_cast<int>(i));
+      }
+    });
 }
 
 void CollectCells(const HexMesh& mesh, const TrimResult& result, KeptMesh& kept)
@@ -139,29 +154,43 @@ void AddQuality(const HexMesh& mesh, const MeshBlocks& blocks, const Ranks& rank
   output->GetCellData()->AddArray(scaled);
 }
 
+/// A kept element with a moved node.
+struct MovedElement
+{
+  double Scaled;
+  JacobianRange Range;
+};
+
+std::optional<MovedElement> MeasureIfMoved(const TrimBand& near, int e)
+{
+  if (!near.Trimmed.Kept[e])
+  {
+    return std::nullopt;
+  }
+  const auto final = FinalShape(near.Mesh, near.Trimmed, e);
+  const bool moved = std::any_of(final.Node.begin(), final.Node.begin() + final.Count,
+    [&near](int n) { return near.Trimmed.NodeMoves.Applied[n] != Correction::None; });
+  return moved ? std::optional<MovedElement>({ ScaledJacobian(final.Points, final.Count),
+                   MeasureJacobian(final.Points, final.Count) })
+               : std::nullopt;
+}
+
 void SummariseTouched(const TrimResult& result, Summary& summary)
 {
   const auto& near = *result.Near;
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  std::vector<std::optional<MovedElement>> elements(near.Mesh.NumberOfElements());
+  ForAll(near.Mesh.NumberOfElements(), [&](int e) { elements[e] = MeasureIfMoved(near, e); });
+  for (const auto& element : elements)
   {
-    if (!near.Trimmed.Kept[e])
+    if (element)
     {
-      continue;
+      const JacobianRange& range = element->Range;
+      ++summary.TouchedElements;
+      summary.MinimumScaledJacobian = std::fmin(summary.MinimumScaledJacobian, element->Scaled);
+      summary.CertifiedElements += range.Bezier > 0.0;
+      summary.MinimumIntegrationPointJacobian =
+        std::fmin(summary.MinimumIntegrationPointJacobian, range.IntegrationPoint / range.Mean);
     }
-    const auto final = FinalShape(near.Mesh, near.Trimmed, e);
-    const bool moved = std::any_of(final.Node.begin(), final.Node.begin() + final.Count,
-      [&near](int n) { return near.Trimmed.NodeMoves.Applied[n] != Correction::None; });
-    if (!moved)
-    {
-      continue;
-    }
-    const auto range = MeasureJacobian(final.Points, final.Count);
-    ++summary.TouchedElements;
-    summary.MinimumScaledJacobian =
-      std::fmin(summary.MinimumScaledJacobian, ScaledJacobian(final.Points, final.Count));
-    summary.CertifiedElements += range.Bezier > 0.0;
-    summary.MinimumIntegrationPointJacobian =
-      std::fmin(summary.MinimumIntegrationPointJacobian, range.IntegrationPoint / range.Mean);
   }
 }
 
@@ -171,16 +200,16 @@ double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& s
   const auto& near = *result.Near;
   const std::vector<char> onCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
   const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
-  double largest = 0.0;
-  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
-  {
-    if (onCut[n] && users[n] > 0)
+  std::vector<double> distances(near.Mesh.NumberOfNodes(), 0.0);
+  ForAll(near.Mesh.NumberOfNodes(),
+    [&](int n)
     {
-      largest =
-        std::max(largest, surface.ClosestPoint(near.Trimmed.NodeMoves.Position[n]).Distance);
-    }
-  }
-  return largest;
+      if (onCut[n] && users[n] > 0)
+      {
+        distances[n] = surface.ClosestPoint(near.Trimmed.NodeMoves.Position[n]).Distance;
+      }
+    });
+  return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
 }
 
 /// By elements where they were relaxed, by columns elsewhere: these go or stay as one.
