@@ -12,13 +12,6 @@ namespace trim
 namespace
 {
 
-/// The index that belongs to an id in an ascending list, or -1.
-int Locate(const std::vector<std::pair<Id, int>>& indices, Id id)
-{
-  const auto it = std::lower_bound(indices.begin(), indices.end(), std::make_pair(id, 0));
-  return it != indices.end() && it->first == id ? it->second : -1;
-}
-
 /// Of an element.
 constexpr int MostFaces = 6;
 
@@ -64,10 +57,6 @@ void Band::TakeElements(const BandCells& cells)
 {
   for (const auto& node : cells.Nodes)
   {
-    if (node.Global >= 0)
-    {
-      this->NodeByPoint.emplace_back(node.Global, this->NumberOfNodes());
-    }
     this->GlobalNode.push_back(node.Global);
     this->Point.push_back(node.Point);
     this->NodeStatus.push_back(node.Status);
@@ -88,7 +77,6 @@ void Band::TakeElements(const BandCells& cells)
     this->Elements.push_back(element);
     this->ElementStatus.push_back(cell.Status);
   }
-  std::sort(this->NodeByPoint.begin(), this->NodeByPoint.end());
   std::sort(this->ElementByCell.begin(), this->ElementByCell.end());
 }
 
@@ -115,7 +103,7 @@ void Band::OrientWedges()
 std::vector<Band::Side> Band::FindTwins() const
 {
   const int count = this->NumberOfElements();
-  std::vector<std::array<int, 4>> keys(MostFaces * static_cast<std::size_t>(count));
+  PageVector<std::array<int, 4>> keys(MostFaces * static_cast<std::size_t>(count));
   vtkSMPTools::For(0, count, 500,
     [&](Id begin, Id end)
     {
@@ -278,14 +266,11 @@ int Band::FindEdge(int a, int b) const
   return -1;
 }
 
-int Band::FindNode(Id global) const
-{
-  return Locate(this->NodeByPoint, global);
-}
-
 int Band::FindElement(Id cell) const
 {
-  return Locate(this->ElementByCell, cell);
+  const auto at = std::lower_bound(
+    this->ElementByCell.begin(), this->ElementByCell.end(), std::make_pair(cell, 0));
+  return at != this->ElementByCell.end() && at->first == cell ? at->second : -1;
 }
 
 std::vector<int> Band::ElementsByCell() const

@@ -53,7 +53,7 @@ public:
   Band(BandCells cells, int rings, bool singlePrecision);
 
   std::vector<BandElement> Elements;
-  std::vector<BandFace> Faces;
+  PageVector<BandFace> Faces;
   std::vector<BandEdge> Edges; ///< First < Second, ascending
   std::vector<Id> GlobalNode;  ///< point of the mesh; -1: only other ranks have it
   std::vector<Vec3> Point;     ///< original positions
@@ -96,7 +96,6 @@ public:
     return this->Edges[edge].First == node ? this->Edges[edge].Second : this->Edges[edge].First;
   }
   int FindEdge(int a, int b) const; ///< -1 if there is none
-  int FindNode(Id global) const;    ///< of a point of the mesh; -1 if it is not in the band
   int FindElement(Id cell) const;   ///< of a cell of the mesh; -1 if it is not in the band
   /// The elements that are cells of the mesh, by ascending cell.
   std::vector<int> ElementsByCell() const;
@@ -119,7 +118,7 @@ private:
   void ListEdges(int node, std::vector<BandEdge>& edges) const;
 
   int Halo = 0;
-  std::vector<std::pair<Id, int>> NodeByPoint, ElementByCell; ///< ascending
+  std::vector<std::pair<Id, int>> ElementByCell; ///< ascending
   Lists ElementLists, FaceLists, EdgeLists;
 };
 

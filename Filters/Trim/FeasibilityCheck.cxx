@@ -329,42 +329,40 @@ private:
     {
       return false;
     }
-    for (int i = 0; i < probe.Count; ++i)
+    const auto& status = this->Result.Nodes.Status;
+    if (std::any_of(probe.Node.begin(), probe.Node.begin() + probe.Count,
+          [&status](Id node) { return status[node] == NodeEliminate; }))
     {
-      if (this->Result.Nodes.Status[probe.Node[i]] == NodeEliminate)
-      {
-        return false;
-      }
-      if (element >= 0 &&
-        this->Result.Near->Trimmed.Moving[this->Result.Near->Mesh.FindNode(probe.Node[i])])
-      {
-        return false;
-      }
+      return false;
     }
-    return true;
+    return element < 0 ||
+      !this->HasNode(
+        element, [this](int node) { return this->Result.Near->Trimmed.Moving[node] != 0; });
+  }
+
+  /// Whether a node of an element of the band passes a test.
+  template <typename Test>
+  bool HasNode(int element, const Test& test) const
+  {
+    const auto& shape = this->Result.Near->Mesh.Elements[element];
+    return std::any_of(shape.Node.begin(), shape.Node.begin() + shape.Count, test);
   }
 
   /// Whether a node of the element lies beyond the surface with only kept elements round it,
   /// off the border of the model.
   bool IsInsideKept(const Probe& probe) const
   {
-    for (int i = 0; i < probe.Count; ++i)
-    {
-      if (this->Result.Near && this->Result.Nodes.Status[probe.Node[i]] == NodeEliminate &&
-        this->HasOnlyKept(this->Result.Near->Mesh.FindNode(probe.Node[i])))
-      {
-        return true;
-      }
-    }
-    return false;
+    const int element = this->ElementOf(probe.Cell);
+    return element >= 0 &&
+      this->HasNode(element,
+        [this](int node) {
+          return this->Result.Near->Mesh.NodeStatus[node] == NodeEliminate &&
+            this->HasOnlyKept(node);
+        });
   }
 
   bool HasOnlyKept(int node) const
   {
-    if (node < 0)
-    {
-      return false;
-    }
     const auto& near = *this->Result.Near;
     for (const int e : near.Mesh.ElementsOfNode(node))
     {
