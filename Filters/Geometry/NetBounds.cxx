@@ -33,11 +33,6 @@ struct DifferenceBounds
   }
 };
 
-}
-
-namespace
-{
-
 /// Derivatives between the first and the last row and column.
 void FindMeans(int p, int q, const Vec4* net, NetBounds& b)
 {

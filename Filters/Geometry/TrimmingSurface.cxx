@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace nurbs
 {
@@ -376,20 +378,40 @@ const NurbsSurface& TrimmingSurface::Face(int i) const
   return this->Impl->Model.Faces[i];
 }
 
+namespace
+{
+
+/// Where a surface has a tangent plane.
+struct Tangents
+{
+  SurfaceJet Jet;
+  Vec3 Normal; ///< S_u x S_v
+  double Area; ///< its square, > 0
+};
+
+std::optional<Tangents> TangentsAt(const TrimmingSurface& surface, const Foot& foot)
+{
+  if (foot.Face < 0 || foot.Face >= surface.NumberOfFaces())
+  {
+    return std::nullopt;
+  }
+  const SurfaceJet jet = EvaluateJet(surface.Face(foot.Face), foot.U, foot.V);
+  const Vec3 normal = jet.Su.cross(jet.Sv);
+  const double area = normal.squaredNorm();
+  return area > 0 ? std::optional<Tangents>({ jet, normal, area }) : std::nullopt;
+}
+
+}
+
 double TrimmingSurface::RadiusOfCurvature(const Foot& foot) const
 {
   const double infinity = std::numeric_limits<double>::infinity();
-  if (foot.Face < 0 || foot.Face >= this->NumberOfFaces())
+  const auto tangents = TangentsAt(*this, foot);
+  if (!tangents)
   {
     return infinity;
   }
-  const SurfaceJet jet = EvaluateJet(this->Face(foot.Face), foot.U, foot.V);
-  const Vec3 n = jet.Su.cross(jet.Sv);
-  const double area = n.squaredNorm();
-  if (!(area > 0))
-  {
-    return infinity;
-  }
+  const auto& [jet, n, area] = *tangents;
   // First and second fundamental forms; k^2 - 2 H k + K = 0.
   const double E = jet.Su.squaredNorm(), F = jet.Su.dot(jet.Sv), G = jet.Sv.squaredNorm();
   const Vec3 unit = n / std::sqrt(area);
@@ -402,17 +424,12 @@ double TrimmingSurface::RadiusOfCurvature(const Foot& foot) const
 double TrimmingSurface::RadiusOfCurvature(const Foot& foot, const Vec3& direction) const
 {
   const double infinity = std::numeric_limits<double>::infinity();
-  if (foot.Face < 0 || foot.Face >= this->NumberOfFaces())
+  const auto tangents = TangentsAt(*this, foot);
+  if (!tangents)
   {
     return infinity;
   }
-  const SurfaceJet jet = EvaluateJet(this->Face(foot.Face), foot.U, foot.V);
-  const Vec3 n = jet.Su.cross(jet.Sv);
-  const double area = n.squaredNorm();
-  if (!(area > 0))
-  {
-    return infinity;
-  }
+  const auto& [jet, n, area] = *tangents;
   // The direction as a Su + b Sv; its curvature is the second over the first fundamental form.
   const double a = direction.cross(jet.Sv).dot(n) / area;
   const double b = jet.Su.cross(direction).dot(n) / area;

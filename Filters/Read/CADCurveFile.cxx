@@ -6,7 +6,6 @@
 #include <BRep_Tool.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
-#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -59,19 +58,6 @@ std::string ConvertEdge(const TopoDS_Edge& edge, double scale, FileCurve& result
   return FindDefect(Extrude(result.Curve, Vec3::UnitZ(), 0.0, 1.0).Surface);
 }
 
-std::string TryConvert(const TopoDS_Edge& edge, double scale, FileCurve& result)
-{
-  try
-  {
-    return ConvertEdge(edge, scale, result);
-  }
-  catch (const Standard_Failure& failure)
-  {
-    return std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + " " +
-      failure.GetMessageString();
-  }
-}
-
 /// What was left out, as one line; empty: nothing.
 std::string DescribeOmissions(
   const std::string& path, const CADModel& model, const std::vector<std::string>& omissions)
@@ -108,7 +94,8 @@ bool ConvertEdges(const std::string& path, const CADModel& model, double scale,
     }
     FileCurve curve;
     curve.Name = model.Edges[i].Name;
-    const std::string reason = TryConvert(TopoDS::Edge(model.Edges[i].Shape), scale, curve);
+    const std::string reason =
+      CatchReason([&] { return ConvertEdge(TopoDS::Edge(model.Edges[i].Shape), scale, curve); });
     if (reason.empty())
     {
       curves.push_back(std::move(curve));
@@ -127,16 +114,8 @@ bool ConvertEdges(const std::string& path, const CADModel& model, double scale,
 bool ReadCADCurves(const std::string& path, double unitInMillimetres,
   std::vector<FileCurve>& curves, std::string& error, const ReadProgress& progress)
 {
-  curves.clear();
-  const auto work = [&]
+  const auto take = [&](const CADModel& model)
   {
-    CADModel model;
-    auto transferProgress = [&progress](double share)
-    { return !progress || progress(TransferShare * share); };
-    if (!ReadCADModel(path, model, error, transferProgress))
-    {
-      return false;
-    }
     if (model.Edges.empty() && model.UntransferredCurves == 0)
     {
       error = "CAD file \"" + path + "\" holds no curve" +
@@ -146,11 +125,6 @@ bool ReadCADCurves(const std::string& path, double unitInMillimetres,
     }
     return ConvertEdges(path, model, 1.0 / unitInMillimetres, curves, error, progress);
   };
-  const bool success = CatchFailures(path, error, work);
-  if (!success)
-  {
-    curves.clear();
-  }
-  return success;
+  return ReadItems(path, curves, error, progress, TransferShare, take);
 }
 }

@@ -3,7 +3,6 @@
 #include "CADFaceConversion.h"
 #include "CADModel.h"
 
-#include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -55,20 +54,6 @@ std::vector<std::string> NameFaces(const std::vector<CADFace>& faces)
   return names;
 }
 
-/// Converts one face; what OpenCASCADE throws becomes the reason.
-std::string TryConvert(const CADFace& face, double scale, NurbsSurface& surface)
-{
-  try
-  {
-    return ConvertFace(TopoDS::Face(face.Shape), face.Range, scale, surface);
-  }
-  catch (const Standard_Failure& failure)
-  {
-    return std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + " " +
-      failure.GetMessageString();
-  }
-}
-
 /// What was left out, as one line; empty: nothing.
 std::string DescribeOmissions(const std::string& path, size_t faces,
   const std::vector<std::string>& omissions, int untransferred)
@@ -103,12 +88,16 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
       !progress(TransferShare +
         (1.0 - TransferShare) * static_cast<double>(i) / static_cast<double>(model.Faces.size())))
     {
-      surfaces.clear();
       return false;
     }
     NamedSurface named;
     named.Name = names[i];
-    const std::string reason = TryConvert(model.Faces[i], scale, named.Surface);
+    const std::string reason = CatchReason(
+      [&]
+      {
+        return ConvertFace(
+          TopoDS::Face(model.Faces[i].Shape), model.Faces[i].Range, scale, named.Surface);
+      });
     if (reason.empty())
     {
       surfaces.push_back(std::move(named));
@@ -127,16 +116,8 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
 bool ReadCADFile(const std::string& path, double unitInMillimetres,
   std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
 {
-  surfaces.clear();
-  const auto work = [&]
+  const auto take = [&](const CADModel& model)
   {
-    CADModel model;
-    auto transferProgress = [&progress](double share)
-    { return !progress || progress(TransferShare * share); };
-    if (!ReadCADModel(path, model, error, transferProgress))
-    {
-      return false;
-    }
     if (model.Faces.empty() && model.Untransferred == 0)
     {
       error = "CAD file \"" + path + "\"" +
@@ -148,11 +129,6 @@ bool ReadCADFile(const std::string& path, double unitInMillimetres,
     }
     return ConvertFaces(path, model, 1.0 / unitInMillimetres, surfaces, error, progress);
   };
-  const bool success = CatchFailures(path, error, work);
-  if (!success)
-  {
-    surfaces.clear();
-  }
-  return success;
+  return ReadItems(path, surfaces, error, progress, TransferShare, take);
 }
 }

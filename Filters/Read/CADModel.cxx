@@ -435,4 +435,18 @@ bool CatchFailures(const std::string& path, std::string& error, const std::funct
     "; export it again from the CAD program";
   return false;
 }
+
+//------------------------------------------------------------------------------
+std::string CatchReason(const std::function<std::string()>& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const Standard_Failure& failure)
+  {
+    return std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + " " +
+      failure.GetMessageString();
+  }
+}
 }

@@ -52,6 +52,36 @@ bool ReadCADModel(const std::string& path, CADModel& model, std::string& error,
 /// Runs `work`; what OpenCASCADE or the standard library throws becomes one line in `error` that
 /// names the file, and false.
 bool CatchFailures(const std::string& path, std::string& error, const std::function<bool()>& work);
+
+/// What `work` returns, or in a few words what OpenCASCADE throws.
+std::string CatchReason(const std::function<std::string()>& work);
+
+/**
+ * Reads a file and takes items from it.
+ *
+ * @param transferShare of the progress that reading and transferring take.
+ * @param take          (model): fills `items`; false with an `error`.
+ * @return              false with an `error`, and no items.
+ */
+template <typename Item, typename Take>
+bool ReadItems(const std::string& path, std::vector<Item>& items, std::string& error,
+  const std::function<bool(double)>& progress, double transferShare, const Take& take)
+{
+  items.clear();
+  const bool success = CatchFailures(path, error,
+    [&]
+    {
+      CADModel model;
+      const auto transferProgress = [&](double share)
+      { return !progress || progress(transferShare * share); };
+      return ReadCADModel(path, model, error, transferProgress) && take(model);
+    });
+  if (!success)
+  {
+    items.clear();
+  }
+  return success;
+}
 }
 
 #endif

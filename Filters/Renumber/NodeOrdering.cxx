@@ -2,8 +2,7 @@
 
 #include "Band.h"
 #include "PillarOrdering.h"
-
-#include <Eigen/Eigenvalues>
+#include "PointFrame.h"
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/cuthill_mckee_ordering.hpp>
@@ -120,45 +119,6 @@ PageVector<int> SortAlong(int count, const NodePlaces& position, const Eigen::Ma
     number[order[i]] = i;
   }
   return number;
-}
-
-/// The columns of a frame in the order of the part's extent along them, longest first.
-Eigen::Matrix3d ByExtent(const Eigen::Matrix3d& frame, int count, const NodePlaces& position)
-{
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-  for (int i = 0; i < count; ++i)
-  {
-    const Vec3 p = frame.transpose() * position(i);
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Vec3 extent = high - low;
-  std::array<int, 3> order{ 0, 1, 2 };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return extent[a] > extent[b]; });
-  Eigen::Matrix3d sorted;
-  for (int i = 0; i < 3; ++i)
-  {
-    sorted.col(i) = frame.col(order[i]);
-  }
-  return sorted;
-}
-
-Eigen::Matrix3d PrincipalAxes(int count, const NodePlaces& position)
-{
-  Vec3 mean = Vec3::Zero();
-  for (int i = 0; i < count; ++i)
-  {
-    mean += position(i);
-  }
-  mean /= count;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < count; ++i)
-  {
-    const Vec3 d = position(i) - mean;
-    spread += d * d.transpose();
-  }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
 }
 
 /// Levels of a breadth-first search from a node over elements.

@@ -1,14 +1,12 @@
 #include "PillarOrdering.h"
 
 #include "PillarGraph.h"
+#include "PointFrame.h"
 #include "RowSort.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <vtkSMPTools.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numeric>
 
@@ -37,44 +35,6 @@ PageVector<Vec3> Centres(const Pillars& pillars, const NodePlaces& position)
       }
     });
   return centres;
-}
-
-/// The columns of a frame in the order of the extent along them, longest first.
-Eigen::Matrix3d ByExtent(const Eigen::Matrix3d& frame, const PageVector<Vec3>& points)
-{
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-  for (const Vec3& point : points)
-  {
-    const Vec3 p = frame.transpose() * point;
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Vec3 extent = high - low;
-  std::array<int, 3> order{ 0, 1, 2 };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return extent[a] > extent[b]; });
-  Eigen::Matrix3d sorted;
-  for (int i = 0; i < 3; ++i)
-  {
-    sorted.col(i) = frame.col(order[i]);
-  }
-  return sorted;
-}
-
-Eigen::Matrix3d PrincipalAxes(const PageVector<Vec3>& points)
-{
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& point : points)
-  {
-    mean += point / static_cast<double>(points.size());
-  }
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& point : points)
-  {
-    const Vec3 d = point - mean;
-    spread += d * d.transpose();
-  }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
 }
 
 PageVector<int> Inverse(const PageVector<int>& order)
@@ -139,12 +99,14 @@ private:
 
   void OfferSorts()
   {
-    this->Longest = ByExtent(PrincipalAxes(this->Points), this->Points);
+    const auto count = static_cast<int>(this->Points.size());
+    const auto centre = [this](int p) -> const Vec3& { return this->Points[p]; };
+    this->Longest = ByExtent(PrincipalAxes(count, centre), count, centre);
     std::vector<Eigen::Matrix3d> tried;
     for (const Eigen::Matrix3d& frame : { Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
            ElementAxes(this->Graph, this->Position), this->Longest })
     {
-      const Eigen::Matrix3d axes = ByExtent(frame, this->Points);
+      const Eigen::Matrix3d axes = ByExtent(frame, count, centre);
       if (!this->Done() && std::find(tried.begin(), tried.end(), axes) == tried.end())
       {
         this->Offer(SortByRows(this->Points, axes));
