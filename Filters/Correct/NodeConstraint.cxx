@@ -67,7 +67,7 @@ void AddCreases(
       {
         const auto eb = EdgesAt(band, b, node);
         if ((ea == eb[0] || ea == eb[1]) &&
-          std::abs(FaceNormal(band, a).dot(FaceNormal(band, b))) < RidgeCosine)
+          TurnCosine(a, FaceNormal(band, a), b, FaceNormal(band, b)) < RidgeCosine)
         {
           AddUnique(ridgeEdges, ea);
         }
@@ -209,6 +209,13 @@ bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatu
     }
   }
   return true;
+}
+
+double TurnCosine(
+  const BandFace& a, const Vec3& normalOfA, const BandFace& b, const Vec3& normalOfB)
+{
+  const double cosine = normalOfA.dot(normalOfB);
+  return a.Exterior && b.Exterior ? cosine : std::abs(cosine);
 }
 
 NodeConstraint ConstrainNode(

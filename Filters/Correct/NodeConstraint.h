@@ -37,6 +37,11 @@ struct NodeConstraint
 /// True for a face all of whose nodes lie beyond the surface: it goes with what is cut off.
 bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatus);
 
+/// Cosine of the turn from one face to another by their normals. Those of the exterior point
+/// outwards, so that a thin edge turns by nearly 180 degrees; those between elements either way.
+double TurnCosine(
+  const BandFace& a, const Vec3& normalOfA, const BandFace& b, const Vec3& normalOfB);
+
 /**
  * The constraint of one node. Exterior faces that lie wholly beyond the surface do not hold a
  * node: they go with what is cut off.

@@ -264,7 +264,8 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
           : candidate.Exterior;
         // Not round a ridge: that would be another side of the model.
         if (sameKind && std::find(around.begin(), around.end(), other) == around.end() &&
-          std::abs(Facet(this->TheBand, candidate).NormalAt(0).dot(normal)) > SameSideCosine)
+          TurnCosine(face, normal, candidate, Facet(this->TheBand, candidate).NormalAt(0)) >
+            SameSideCosine)
         {
           around.push_back(other);
         }

@@ -161,6 +161,19 @@ void TestNodesFromBothSides()
   Wrong += report.Failures() > 0;
 }
 
+// The two sides of a thin edge are no one face on which its nodes could slide away.
+void TestThinEdge()
+{
+  const Mesh mesh = Segment(10, 20, 0.05);
+  for (const double slope : { 0.3, 0.6, 1.0 })
+  {
+    for (const double height : { 6.2, 6.5, 6.8 })
+    {
+      Both("across a thin edge", mesh, PlaneThrough(Vec3(0, 0, height), Vec3(slope, 0.1, 1), 200));
+    }
+  }
+}
+
 void TestKeepPoint()
 {
   const Mesh mesh = MakeMesh("sheet2");
@@ -243,6 +256,7 @@ int main()
   TestSlot();
   TestSideLostInOneLayer();
   TestNodesFromBothSides();
+  TestThinEdge();
   TestKeepPoint();
   TestAbort();
   TestProgress();

@@ -255,6 +255,36 @@ Mesh Cup(int n, int nz, const MeshOptions& options)
   return mesh;
 }
 
+Mesh Segment(int nr, int nz, double angle, const MeshOptions& options)
+{
+  RawMesh raw;
+  // Of each level the node on the axis, then two to a radius.
+  const Id level = 1 + 2 * nr;
+  for (int k = 0; k <= nz; ++k)
+  {
+    raw.Points.emplace_back(0, 0, k);
+    for (int i = 1; i <= nr; ++i)
+    {
+      raw.Points.emplace_back(i, 0, k);
+      raw.Points.emplace_back(i * std::cos(angle), i * std::sin(angle), k);
+    }
+  }
+  for (Id k = 0; k < nz; ++k)
+  {
+    const Id a = k * level, b = a + level;
+    raw.Add(6, { a, a + 1, a + 2, b, b + 1, b + 2 });
+    for (Id i = 1; i < nr; ++i)
+    {
+      const Id r = 2 * i - 1;
+      raw.Add(
+        8, { a + r, a + r + 2, a + r + 3, a + r + 1, b + r, b + r + 2, b + r + 3, b + r + 1 });
+    }
+  }
+  Mesh mesh = Finish("segment", raw, BoxOf(raw, 1), options);
+  mesh.Sheet = false;
+  return mesh;
+}
+
 std::vector<std::string> MeshNames()
 {
   return { "sheet1", "sheet2", "sheet3", "sheet10", "permuted", "float", "short", "perturbed",

@@ -76,6 +76,10 @@ Mesh Channel(int n, int nz, const MeshOptions& options = {});
 Mesh Dome(int n, int nz, const MeshOptions& options = {});
 Mesh Cup(int n, int nz, const MeshOptions& options = {});
 
+/// A few degrees of a solid of revolution about z, in one element: wedges on the axis, so that its
+/// two sides meet there in a thin edge.
+Mesh Segment(int nr, int nz, double angle, const MeshOptions& options = {});
+
 /// By name, as the tests' arguments call them; throws std::invalid_argument.
 Mesh MakeMesh(const std::string& name);
 std::vector<std::string> MeshNames();
