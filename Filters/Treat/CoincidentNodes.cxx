@@ -18,6 +18,47 @@ struct Candidate
   double Reach; ///< another node may be so near that it counts as the same
 };
 
+double ReachOf(const Band& band, int node)
+{
+  double longest = 0.0;
+  for (const int edge : band.EdgesOfNode(node))
+  {
+    const int other = band.OtherEnd(edge, node);
+    longest = std::max(longest, (band.Point[other] - band.Point[node]).norm());
+  }
+  return SmallestDistanceShare * longest;
+}
+
+/// Nodes that a few elements lead to, ascending.
+std::vector<int> NodesNear(const Band& band, int node)
+{
+  std::vector<int> reached{ node };
+  for (int step = 0; step < MostElementsBetween; ++step)
+  {
+    std::vector<int> next;
+    for (const int from : reached)
+    {
+      for (const int e : band.ElementsOfNode(from))
+      {
+        const auto& element = band.Elements[e];
+        next.insert(next.end(), element.Node.begin(), element.Node.begin() + element.Count);
+      }
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    reached = std::move(next);
+  }
+  return reached;
+}
+
+/// Whether two nodes, one of which has moved, count as the same.
+bool AreTooNear(const Band& band, const Moves& moves, int a, int b, double reach)
+{
+  const double before = (band.Point[a] - band.Point[b]).norm();
+  const double after = (moves.Position[a] - moves.Position[b]).norm();
+  return after < std::min(SmallestDistanceShare * before, reach);
+}
+
 class CoincidenceSearch
 {
 public:
@@ -67,7 +108,8 @@ private:
     {
       if (chosen[n] && this->Users[n] > 0)
       {
-        candidates.push_back({ n, line.dot(this->NodeMoves.Position[n]), this->Reach(n) });
+        candidates.push_back(
+          { n, line.dot(this->NodeMoves.Position[n]), ReachOf(this->TheBand, n) });
       }
     }
     std::sort(candidates.begin(), candidates.end(),
@@ -76,53 +118,20 @@ private:
     return candidates;
   }
 
-  double Reach(int node) const
-  {
-    double longest = 0.0;
-    for (const int edge : this->TheBand.EdgesOfNode(node))
-    {
-      const int other = this->TheBand.OtherEnd(edge, node);
-      longest = std::max(longest, (this->TheBand.Point[other] - this->TheBand.Point[node]).norm());
-    }
-    return SmallestDistanceShare * longest;
-  }
-
   bool Coincide(const Candidate& a, const Candidate& b) const
   {
     if (!this->HasMoved(a.Node) && !this->HasMoved(b.Node))
     {
       return false;
     }
-    const double before = (this->TheBand.Point[a.Node] - this->TheBand.Point[b.Node]).norm();
-    const double after =
-      (this->NodeMoves.Position[a.Node] - this->NodeMoves.Position[b.Node]).norm();
-    return after < std::min({ SmallestDistanceShare * before, a.Reach, b.Reach });
+    return AreTooNear(this->TheBand, this->NodeMoves, a.Node, b.Node, std::min(a.Reach, b.Reach));
   }
 
   /// Whether a few elements lead from one node to the other.
   bool AreNear(int a, int b) const
   {
-    std::vector<int> reached{ a };
-    for (int step = 0; step < MostElementsBetween; ++step)
-    {
-      std::vector<int> next;
-      for (const int node : reached)
-      {
-        for (const int e : this->TheBand.ElementsOfNode(node))
-        {
-          const auto& element = this->TheBand.Elements[e];
-          next.insert(next.end(), element.Node.begin(), element.Node.begin() + element.Count);
-        }
-      }
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
-      if (std::binary_search(next.begin(), next.end(), b))
-      {
-        return true;
-      }
-      reached = std::move(next);
-    }
-    return false;
+    const std::vector<int> near = NodesNear(this->TheBand, a);
+    return std::binary_search(near.begin(), near.end(), b);
   }
 
   /// Of two nodes the one that fewer elements need, or else the one that came from farther.
@@ -152,6 +161,18 @@ private:
 std::vector<char> FindCoincidentNodes(const Band& band, const TrimmedBand& trimmed)
 {
   return CoincidenceSearch(band, trimmed).Find();
+}
+
+bool IsCoincident(const Band& band, const Moves& moves, const std::vector<int>& users, int node)
+{
+  const double reach = ReachOf(band, node);
+  const std::vector<int> near = NodesNear(band, node);
+  return std::any_of(near.begin(), near.end(),
+    [&](int other)
+    {
+      return other != node && users[other] > 0 &&
+        AreTooNear(band, moves, node, other, std::min(reach, ReachOf(band, other)));
+    });
 }
 
 }

@@ -23,6 +23,10 @@ constexpr double SmallestDistanceShare = 1e-3;
  */
 std::vector<char> FindCoincidentNodes(const Band& band, const TrimmedBand& trimmed);
 
+/// Whether one node, which has moved, coincides with another.
+/// @param users see CountUsers.
+bool IsCoincident(const Band& band, const Moves& moves, const std::vector<int>& users, int node);
+
 }
 
 #endif

@@ -364,6 +364,12 @@ ReplacedElement MakeWedge(const BandElement& element, const ExposedEdge& edge)
   return wedge;
 }
 
+void SortByElement(std::vector<ReplacedElement>& wedges)
+{
+  std::sort(wedges.begin(), wedges.end(),
+    [](const ReplacedElement& a, const ReplacedElement& b) { return a.Element < b.Element; });
+}
+
 template <typename Test>
 bool AnyLayer(
   const Band& band, const std::vector<ExposedEdge>& edges, const Moves& moves, const Test& test)
@@ -446,9 +452,48 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
       }
     }
   }
-  std::sort(result.Wedges.begin(), result.Wedges.end(),
-    [](const ReplacedElement& a, const ReplacedElement& b) { return a.Element < b.Element; });
+  SortByElement(result.Wedges);
   return result;
+}
+
+std::vector<std::vector<ReplacedElement>> FindDroppable(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept,
+  const Pentahedra& treated)
+{
+  std::vector<std::vector<ReplacedElement>> found;
+  for (const auto& pillar :
+    GroupExposed(band, columns, kept, BoundaryFaces(band, columns, nodeStatus, kept, true)))
+  {
+    const bool flat = std::any_of(pillar.Edges.begin(), pillar.Edges.end(),
+      [&](const ExposedEdge& edge) { return treated.FlatCorner[edge.Element] != 0; });
+    if (flat || !pillar.Droppable)
+    {
+      continue;
+    }
+    found.emplace_back();
+    for (const auto& edge : pillar.Edges)
+    {
+      found.back().push_back(MakeWedge(band.Elements[edge.Element], edge));
+    }
+  }
+  return found;
+}
+
+bool DropEdges(const std::vector<ReplacedElement>& wedges, Pentahedra& treated)
+{
+  const auto isWedge = [&treated](const ReplacedElement& wedge)
+  {
+    return std::any_of(treated.Wedges.begin(), treated.Wedges.end(),
+      [&wedge](const ReplacedElement& other) { return other.Element == wedge.Element; });
+  };
+  if (std::any_of(wedges.begin(), wedges.end(), isWedge))
+  {
+    return false;
+  }
+  treated.Wedges.insert(treated.Wedges.end(), wedges.begin(), wedges.end());
+  treated.Count += static_cast<int>(wedges.size());
+  SortByElement(treated.Wedges);
+  return true;
 }
 
 }

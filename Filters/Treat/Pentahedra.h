@@ -60,6 +60,14 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
   const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, Optimization asked,
   const std::vector<TreatmentChoice>& choice, Moves& moves);
 
+/// The wedges that would be left without an edge A-B that was not treated, pillar by pillar.
+std::vector<std::vector<ReplacedElement>> FindDroppable(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept,
+  const Pentahedra& treated);
+
+/// Drops edges; false if an element of theirs has become a wedge meanwhile.
+bool DropEdges(const std::vector<ReplacedElement>& wedges, Pentahedra& treated);
+
 }
 
 #endif
