@@ -30,6 +30,7 @@ add_library(NURBSTrimStages STATIC
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx
   Treat/RelaxedMesh.cxx
+  Treat/ReturnedNodes.cxx
   Treat/TrimmedBand.cxx
   Treat/TrialTrim.cxx
   Treat/ValidityLadder.cxx

@@ -27,6 +27,9 @@ struct RelaxationEffort
 constexpr RelaxationEffort Thorough{ 40, 1e-4 };
 constexpr RelaxationEffort Brief{ 10, 1e-3 };
 
+/// What elements are relaxed to where no floor is asked for.
+constexpr double SmallestGoal = 0.05;
+
 /// What the relaxation is after, by scaled Jacobian.
 struct RelaxationGoal
 {

@@ -1,6 +1,7 @@
 #include "TrialTrim.h"
 
 #include "JointRelaxation.h"
+#include "ReturnedNodes.h"
 
 #include <algorithm>
 
@@ -17,6 +18,8 @@ constexpr double PolishedGoal = 0.6;
 /// Below this the nodes on the cut move along it too: then the offcut of another run, with the
 /// side inverted, need not fit node by node.
 constexpr double PolishedOnCutGoal = 0.5;
+/// Pillars of pentahedra that are tried without their nodes, at most.
+constexpr int MostDrops = 100;
 
 }
 
@@ -191,15 +194,131 @@ void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, Trimmed
     set, this->Quality.FindShortOf(trimmed, goal), PolishedGoal, Brief, trimmed, onCutToo);
 }
 
-void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
-  const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo) const
+void TrialTrim::ReturnLeft(const Choices& choices, TrimmedBand& trimmed) const
 {
-  if (active.empty())
+  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  bool changed = true;
+  // What makes room for one node may do so for others.
+  for (const bool relax : { false, true, false })
   {
-    return;
+    const std::vector<int> left = this->FindLeft(set, trimmed);
+    if (left.empty() || (!changed && !relax))
+    {
+      return;
+    }
+    changed = this->Try(trimmed, [&] { return this->ReturnNodesLeft(set, left, relax, trimmed); });
+    changed |= this->DropEdgesLeft(set, trimmed);
   }
+}
+
+/// What elements are not to fall below for nodes that were left.
+double TrialTrim::Aim() const
+{
+  const double floor = this->Options.QualityFloor;
+  return floor > 0.0 ? std::max(floor, AimedFloor) : SmallestGoal;
+}
+
+/// Nodes that should be on the surface and are not, without those that the offcut needs there.
+std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trimmed) const
+{
+  const std::vector<int> users = CountUsers(this->TheBand, trimmed);
+  const auto& demanded = this->Options.ForOffcut.LeavePillar;
+  std::vector<int> left;
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    const int pillar = this->TheColumns.Pillar[n];
+    if (users[n] > 0 && trimmed.NodeMoves.Left[n] &&
+      set.Corrections[pillar].Correction != CorrectionChoice::Inside &&
+      (demanded.empty() || !demanded[pillar]))
+    {
+      left.push_back(n);
+    }
+  }
+  return left;
+}
+
+/// Does something that may have changed the band; undoes it if it spoiled an element.
+template <typename Action>
+bool TrialTrim::Try(TrimmedBand& trimmed, const Action& action) const
+{
+  const BandQuality aimed(this->TheBand, this->Options.Treatment, this->Aim());
+  const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
+  const BandQuality::Shortage before = aimed.MeasureShortage(trimmed);
+  const Moves moves = trimmed.NodeMoves;
+  const Pentahedra treated = trimmed.Treated;
+  if (!action())
+  {
+    return false;
+  }
+  const BandQuality::Shortage after = aimed.MeasureShortage(trimmed);
+  if (this->Quality.FindInvalid(trimmed).size() <= invalid && after.Sum <= before.Sum &&
+    after.Largest <= before.Largest)
+  {
+    return true;
+  }
+  trimmed.NodeMoves = moves;
+  trimmed.Treated = treated;
+  return false;
+}
+
+bool TrialTrim::ReturnNodesLeft(
+  const Choices& set, const std::vector<int>& left, bool relax, TrimmedBand& trimmed) const
+{
+  Shapes shapes = this->ShapesOf(set, trimmed, true);
+  const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
+    shapes.OnCut };
+  return ReturnNodes(
+    given, this->Quality, this->Aim(), left, relax, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves);
+}
+
+/// Pentahedra that kept their middle nodes as those were left may do without them.
+bool TrialTrim::DropEdgesLeft(const Choices& set, TrimmedBand& trimmed) const
+{
+  const std::vector<int> left = this->FindLeft(set, trimmed);
+  if (left.empty() || this->Options.Treatment != Optimization::Degenerate)
+  {
+    return false;
+  }
+  const auto isLeft = [&](int n) { return std::binary_search(left.begin(), left.end(), n); };
+  bool dropped = false;
+  int tried = 0;
+  for (const auto& wedges :
+    FindDroppable(this->TheBand, this->TheColumns, this->NodeStatus, trimmed.Kept, trimmed.Treated))
+  {
+    const bool helps = std::any_of(wedges.begin(), wedges.end(),
+      [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });
+    if (helps && tried++ < MostDrops)
+    {
+      dropped |= this->Try(trimmed, [&] { return this->DropAndRelax(set, wedges, trimmed); });
+    }
+  }
+  return dropped;
+}
+
+bool TrialTrim::DropAndRelax(
+  const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const
+{
+  if (!DropEdges(wedges, trimmed.Treated))
+  {
+    return false;
+  }
+  std::vector<int> elements;
+  for (const auto& wedge : wedges)
+  {
+    elements.push_back(wedge.Element);
+  }
+  std::sort(elements.begin(), elements.end());
+  this->RelaxRound(set, elements, this->Aim(), Brief, trimmed);
+  return true;
+}
+
+TrialTrim::Shapes TrialTrim::ShapesOf(
+  const Choices& set, const TrimmedBand& trimmed, bool onCutToo) const
+{
   const int count = this->TheBand.NumberOfElements();
-  std::vector<RelaxedElement> elements(count);
+  Shapes shapes;
+  auto& elements = shapes.Elements;
+  elements.resize(count);
   for (int e = 0; e < count; ++e)
   {
     if (trimmed.Kept[e])
@@ -208,8 +327,10 @@ void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, d
       elements[e] = { final.Count, final.Node };
     }
   }
-  std::vector<char> onCut = FindBoundaryNodes(this->TheBand, trimmed);
-  std::vector<char> fixed(this->TheBand.NumberOfNodes(), 0);
+  shapes.OnCut = FindBoundaryNodes(this->TheBand, trimmed);
+  auto& onCut = shapes.OnCut;
+  auto& fixed = shapes.Fixed;
+  fixed.assign(this->TheBand.NumberOfNodes(), 0);
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
     const auto choice = set.Corrections[this->TheColumns.Pillar[n]].Correction;
@@ -219,9 +340,21 @@ void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, d
     }
     const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
     onCut[n] = onCut[n] || (trimmed.Moving[n] && corrected);
+    const bool returned = trimmed.Moving[n] && !trimmed.NodeMoves.Left[n];
     fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
-      choice == CorrectionChoice::Leave;
+      (choice == CorrectionChoice::Leave && !returned);
   }
+  return shapes;
+}
+
+void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
+  const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo) const
+{
+  if (active.empty())
+  {
+    return;
+  }
+  const auto [elements, fixed, onCut] = this->ShapesOf(set, trimmed, onCutToo);
   const RelaxationCase given{ this->TheBand, this->Mover, elements, fixed, onCut };
   const RelaxationGoal towards{ quality, this->Options.QualityFloor, effort };
   Relax(given, active, towards, trimmed.NodeMoves);

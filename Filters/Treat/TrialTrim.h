@@ -32,9 +32,6 @@ struct LadderOptions
   Demands ForOffcut;
 };
 
-/// What elements are relaxed to where no floor is asked for.
-constexpr double SmallestGoal = 0.05;
-
 /// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
 constexpr double AimedFloor = 0.3;
 
@@ -62,6 +59,10 @@ public:
   /// @param goal what elements are relaxed to.
   TrimmedBand Make(const Choices& choices, const BandQuality& goal) const;
 
+  /// Takes nodes that were left off to the surface after all, or drops them, where the elements
+  /// round them stand it.
+  void ReturnLeft(const Choices& choices, TrimmedBand& trimmed) const;
+
   /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
@@ -77,6 +78,22 @@ private:
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
+  double Aim() const;
+  std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
+  template <typename Action>
+  bool Try(TrimmedBand& trimmed, const Action& action) const;
+  bool ReturnNodesLeft(
+    const Choices& set, const std::vector<int>& left, bool relax, TrimmedBand& trimmed) const;
+  bool DropEdgesLeft(const Choices& set, TrimmedBand& trimmed) const;
+  bool DropAndRelax(
+    const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
+  /// What a RelaxationCase refers to.
+  struct Shapes
+  {
+    std::vector<RelaxedElement> Elements;
+    std::vector<char> Fixed, OnCut;
+  };
+  Shapes ShapesOf(const Choices& set, const TrimmedBand& trimmed, bool onCutToo) const;
   void RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
     const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
 

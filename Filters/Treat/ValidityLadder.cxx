@@ -75,6 +75,7 @@ public:
     this->LeaveInvalid(this->Quality, trimmed, aborted);
     this->RaiseToFloor(trimmed, aborted);
     this->LeaveBelowFloor(trimmed, aborted);
+    this->ReturnLeft(trimmed);
     this->Trial.Polish(this->Set, trimmed);
     trimmed.RescuedBy = this->Rungs;
     trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
@@ -290,7 +291,8 @@ private:
           continue;
         }
         this->Rungs[column] = Rung::Left;
-        if (round < SingleLeaves && this->LeaveBest(trimmed, column, pillars))
+        if (round < SingleLeaves &&
+          this->LeaveBest(trimmed, column, pillars, FloorMargin * this->Options.QualityFloor))
         {
           changed = true;
           continue;
@@ -327,9 +329,10 @@ private:
     return pillars;
   }
 
-  /// Leaves that pillar of a column off the surface that can go farthest of its way with the
-  /// column above the floor, or all of them; false if no part of the way does it.
-  bool LeaveBest(const TrimmedBand& trimmed, int column, const std::vector<int>& pillars)
+  /// Leaves that pillar of a column off the surface that can go farthest of its way with no element
+  /// of the column below `least`, or all of them; false if no part of the way does it.
+  bool LeaveBest(
+    const TrimmedBand& trimmed, int column, const std::vector<int>& pillars, double least)
   {
     std::vector<std::vector<int>> choices;
     for (const int pillar : pillars)
@@ -341,7 +344,7 @@ private:
       for (const double way : { 0.75, 0.5, 0.25, 0.0 })
       {
         const std::vector<int>* best = nullptr;
-        double quality = FloorMargin * this->Options.QualityFloor;
+        double quality = least;
         for (const auto& choice : together)
         {
           const double found =
@@ -370,6 +373,27 @@ private:
       auto& set = this->Set.Corrections[pillar];
       const double gone = set.Correction == CorrectionChoice::Leave ? set.Way : 1.0;
       set = { CorrectionChoice::Leave, gone * way };
+    }
+  }
+
+  /// Takes nodes that were left back to the surface; columns that are left with none are saved by
+  /// another way to it.
+  void ReturnLeft(TrimmedBand& trimmed)
+  {
+    this->Trial.ReturnLeft(this->Set, trimmed);
+    const std::vector<int> users = CountUsers(this->TheBand, trimmed);
+    std::vector<char> hasLeft(this->TheBand.NumberOfElements(), 0);
+    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    {
+      const auto& element = this->TheBand.Elements[e];
+      hasLeft[this->TheColumns.Column[e]] |=
+        std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
+          [&](int n) { return users[n] > 0 && trimmed.NodeMoves.Left[n]; });
+    }
+    for (std::size_t c = 0; c < this->Rungs.size(); ++c)
+    {
+      this->Rungs[c] =
+        this->Rungs[c] == Rung::Left && !hasLeft[c] ? Rung::Correction : this->Rungs[c];
     }
   }
 
@@ -557,6 +581,11 @@ private:
       default:
         this->Set.Fates[column] = Fate::ByVolume;
         this->Rungs[column] = Rung::Left;
+        if (this->LeaveBest(trimmed, column, this->PillarsToLeave(trimmed, column),
+              std::max(this->Aimed.GetFloor(), SmallestGoal)))
+        {
+          return;
+        }
         this->ForMovingPillars(trimmed, column,
           [&](int pillar)
           {

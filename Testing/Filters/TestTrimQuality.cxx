@@ -165,6 +165,47 @@ Trimmed TrimAt(double floor)
   }
   return result;
 }
+
+/// Cuts that nodes have to be left off at: no more than need be.
+void CheckFewLeft()
+{
+  struct Case
+  {
+    const char *Mesh, *Kind;
+    double Angle, Lean;
+    bool Invert;
+    int Most; ///< nodes left
+  };
+  for (const Case& c :
+    { Case{ "block", "plane", 1.1, 0.75, false, 80 }, Case{ "cup", "roundrect", 0, 0, true, 30 },
+      Case{ "channel", "cylinder", 0, 0.26, true, 30 } })
+  {
+    const Mesh mesh = MakeMesh(c.Mesh);
+    Placement at;
+    at.Angle = c.Angle > 0 ? c.Angle : at.Angle;
+    at.Lean = c.Lean;
+    at.Seed = 3;
+    at.Size = 0.45;
+    const Surface surface = MakeSurface(c.Kind, mesh.Box, at);
+    vtkNew<vtkTrimHexahedralGrid> filter;
+    filter->SetInvertSide(c.Invert);
+    filter->SetInputDataObject(0, mesh.Grid);
+    filter->SetInputDataObject(1, surface.Data);
+    filter->Update();
+    auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    auto* distance = output->GetPointData()->GetArray("DistanceLeft");
+    int left = 0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      left += distance->GetComponent(i, 0) > 0;
+    }
+    const double lowest =
+      output->GetFieldData()->GetArray("MinimumScaledJacobian")->GetComponent(0, 0);
+    std::printf("%s, %s: %d nodes left, lowest %.3f\n", c.Mesh, c.Kind, left, lowest);
+    Expect(left <= c.Most, "too many nodes are left off the surface");
+    Expect(lowest >= 0.29, "an element paid for a node that was left");
+  }
+}
 }
 
 int main()
@@ -172,6 +213,7 @@ int main()
   CheckTargets();
   CheckThickSheets();
   CheckHardCuts();
+  CheckFewLeft();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",

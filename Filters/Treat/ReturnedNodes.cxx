@@ -1,0 +1,301 @@
+#include "ReturnedNodes.h"
+
+#include "CoincidentNodes.h"
+#include "JointRelaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace trim
+{
+namespace
+{
+
+/// Scaled Jacobians that elements have to keep when a node returns: first those that cost little.
+constexpr std::array<double, 2> Limits{ 0.5, 0.0 };
+/// Scaled Jacobian of a corner whose edges lie in one plane.
+constexpr double Flat = 1e-6;
+/// Places that room is made for, at most.
+constexpr int MostRelaxations = 1000;
+
+class Returner : private RelaxedMesh
+{
+public:
+  Returner(const RelaxationCase& given, const BandQuality& quality, double least,
+    std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves)
+    : RelaxedMesh(given, moves)
+    , Given(given)
+    , Measure(quality)
+    , Least(least)
+    , Fixed(fixed)
+    , Boundary(onCut)
+    , Users(given.TheBand.NumberOfNodes(), 0)
+  {
+    for (const auto& element : this->Elements)
+    {
+      for (int i = 0; i < element.Count; ++i)
+      {
+        ++this->Users[element.Node[i]];
+      }
+    }
+  }
+
+  bool Run(const std::vector<int>& left)
+  {
+    std::vector<int> rest = left;
+    for (const double limit : Limits)
+    {
+      this->Limit = std::max(limit, this->Least);
+      while (this->Sweep(rest, &Returner::Return))
+      {
+      }
+    }
+    return rest.size() < left.size();
+  }
+
+  bool RunWithRelaxation(const std::vector<int>& left)
+  {
+    std::vector<int> rest = left;
+    this->Limit = this->Least;
+    return this->Sweep(rest, &Returner::ReturnRelaxed);
+  }
+
+private:
+  struct Place
+  {
+    Vec3 At = Vec3::Zero();
+    Correction By = Correction::None;
+  };
+
+  /// Tries each of the nodes and forgets those that returned; false if there were none.
+  bool Sweep(std::vector<int>& nodes, bool (Returner::*attempt)(int))
+  {
+    std::vector<int> rest;
+    for (const int node : nodes)
+    {
+      if (!(this->*attempt)(node))
+      {
+        rest.push_back(node);
+      }
+    }
+    nodes.swap(rest);
+    return nodes.size() < rest.size();
+  }
+
+  /// Where a node may come to the surface.
+  std::vector<Place> PlacesFor(int node)
+  {
+    std::vector<Place> places;
+    const auto add = [&](const NodeMove& move)
+    {
+      if (move.Found)
+      {
+        places.push_back({ AsStored(this->TheBand, move.Target), move.By });
+      }
+    };
+    add(this->Mover.Project(node));
+    for (const int edge : this->Mover.SlidingEdges(node))
+    {
+      add(this->Mover.SlideAlong(node, edge));
+    }
+    return places;
+  }
+
+  bool Return(int node)
+  {
+    const std::vector<int> elements = this->ElementsAt({ node });
+    const std::vector<double> before = this->QualityOf(elements);
+    const Vec3 from = this->TheMoves.Position[node];
+    double best = -1.0;
+    Place found;
+    for (const Place& place : this->PlacesFor(node))
+    {
+      this->TheMoves.Position[node] = place.At;
+      const double lowest = this->LowestOf(elements, before);
+      if (lowest > best && !IsCoincident(this->TheBand, this->TheMoves, this->Users, node))
+      {
+        best = lowest;
+        found = place;
+      }
+    }
+    this->TheMoves.Position[node] = from;
+    if (best < 0.0)
+    {
+      return false;
+    }
+    this->Put(node, found);
+    return true;
+  }
+
+  /// The lowest of elements, -1 if one is invalid, or worse than before and below the limit.
+  double LowestOf(const std::vector<int>& elements, const std::vector<double>& before) const
+  {
+    double lowest = 2.0;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+    {
+      const double now = this->Quality(elements[i]);
+      if (now < std::min(this->Limit, before[i]) ||
+        this->Measure.Spoils(
+          elements[i], this->PointsOf(elements[i]), this->Elements[elements[i]].Count))
+      {
+        return -1.0;
+      }
+      lowest = std::min(lowest, now);
+    }
+    return lowest;
+  }
+
+  std::vector<double> QualityOf(const std::vector<int>& elements) const
+  {
+    std::vector<double> list;
+    for (const int e : elements)
+    {
+      list.push_back(this->Quality(e));
+    }
+    return list;
+  }
+
+  void Put(int node, const Place& place)
+  {
+    this->TheMoves.Position[node] = place.At;
+    this->TheMoves.Applied[node] =
+      place.At != this->TheBand.Point[node] ? place.By : Correction::None;
+    this->TheMoves.Failed[node] = 0;
+    this->TheMoves.Left[node] = 0;
+    this->Fixed[node] = 0;
+    this->Boundary[node] = 1;
+  }
+
+  /// The same with the nodes round it relaxed.
+  bool ReturnRelaxed(int node)
+  {
+    const std::vector<int> at = this->ElementsAt({ node });
+    std::vector<int> nodes = this->NodesRound(at, RelaxedRings);
+    nodes.push_back(node);
+    const State before = this->StateOf(nodes);
+    const std::vector<int> elements = this->ElementsAt(nodes);
+    const std::vector<double> quality = this->QualityOf(elements);
+    const char boundary = this->Boundary[node];
+    for (const Place& place : this->PlacesFor(node))
+    {
+      this->Put(node, place);
+      if (this->RelaxRound(at) && this->LowestOf(elements, quality) >= 0.0 &&
+        !this->HasCoincident(before))
+      {
+        return true;
+      }
+      this->Restore(before);
+      this->TheMoves.Left[node] = 1;
+      this->Fixed[node] = 1;
+      this->Boundary[node] = boundary;
+    }
+    return false;
+  }
+
+  /// Makes room for a node; false if there is none.
+  bool RelaxRound(const std::vector<int>& elements)
+  {
+    if (this->Relaxations == MostRelaxations ||
+      std::any_of(elements.begin(), elements.end(), [&](int e) { return this->IsFlat(e); }))
+    {
+      return false;
+    }
+    ++this->Relaxations;
+    const RelaxationGoal goal{ this->Limit, this->Limit, Brief };
+    Relax(this->Given, elements, goal, this->TheMoves);
+    RelaxJointly(this->Given, elements, goal, this->TheMoves);
+    return true;
+  }
+
+  /// Whether all edges at a corner of an element lie in one plane of the surface: there is no
+  /// corner then, wherever its nodes go along it.
+  bool IsFlat(int e) const
+  {
+    if (std::abs(this->Quality(e)) > Flat)
+    {
+      return false;
+    }
+    const auto& element = this->Elements[e];
+    const auto& topology = TopologyOf(element.Count);
+    std::array<char, 8> open{};
+    const auto isOn = [&](int n) { return this->Boundary[n] && !this->TheMoves.Left[n]; };
+    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    {
+      const auto& edge = topology.Edges[i];
+      open[edge.First] |= !isOn(element.Node[edge.Second]);
+      open[edge.Second] |= !isOn(element.Node[edge.First]);
+    }
+    for (int i = 0; i < element.Count; ++i)
+    {
+      if (!open[i] && isOn(element.Node[i]))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// What the relaxation changes.
+  struct State
+  {
+    std::vector<int> Nodes;
+    std::vector<Vec3> Position;
+    std::vector<Correction> Applied;
+  };
+
+  State StateOf(const std::vector<int>& nodes) const
+  {
+    State state{ nodes, this->PositionsOf(nodes), {} };
+    for (const int n : nodes)
+    {
+      state.Applied.push_back(this->TheMoves.Applied[n]);
+    }
+    return state;
+  }
+
+  void Restore(const State& state)
+  {
+    this->RelaxedMesh::Place(state.Nodes, state.Position);
+    for (std::size_t i = 0; i < state.Nodes.size(); ++i)
+    {
+      this->TheMoves.Applied[state.Nodes[i]] = state.Applied[i];
+    }
+  }
+
+  /// Whether a node that moved coincides with another one.
+  bool HasCoincident(const State& before) const
+  {
+    for (std::size_t i = 0; i < before.Nodes.size(); ++i)
+    {
+      const int n = before.Nodes[i];
+      if (this->TheMoves.Position[n] != before.Position[i] &&
+        IsCoincident(this->TheBand, this->TheMoves, this->Users, n))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const RelaxationCase& Given;
+  const BandQuality& Measure;
+  const double Least;
+  std::vector<char>& Fixed;
+  std::vector<char>& Boundary;
+  std::vector<int> Users; ///< how many elements use a node
+  double Limit = 0;       ///< elements that are above it do not fall below
+  int Relaxations = 0;
+};
+
+}
+
+bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double least,
+  const std::vector<int>& left, bool relax, std::vector<char>& fixed, std::vector<char>& onCut,
+  Moves& moves)
+{
+  Returner returner(given, quality, least, fixed, onCut, moves);
+  return relax ? returner.RunWithRelaxation(left) : returner.Run(left);
+}
+
+}
