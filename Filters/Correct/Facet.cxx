@@ -25,6 +25,9 @@ constexpr double PlaneSlack = 1e-12;
 /// Step of an iteration, in edges, that rounding still allows.
 constexpr double ConvergedStep = 1e-13;
 
+/// How far along the facet from the closest point, in edges, still counts as that point.
+constexpr double SlackOfFoot = 1e-6;
+
 double OutsideUnit(double s)
 {
   return std::max({ 0.0, -s, s - 1.0 });
@@ -79,6 +82,11 @@ FacetFoot Facet::Project(const Vec3& x) const
   // The tangent plane's foot: equal to p where the iteration converged, and exact on planes.
   foot.Point = x - foot.Normal * foot.Normal.dot(x - p);
   foot.Outside = std::max(OutsideUnit(st[0]), OutsideUnit(st[1]));
+  // Far from a facet that is strongly twisted it may not converge: that is no foot inside.
+  if (!((foot.Point - p).norm() <= SlackOfFoot * (u.norm() + v.norm())))
+  {
+    foot.Outside = std::max(foot.Outside, 1.0);
+  }
   return foot;
 }
 

@@ -290,6 +290,8 @@ std::vector<ExposedPillar> GroupExposed(const Band& band, const Columns& columns
   }
   for (auto& pillar : ofColumns)
   {
+    // A side of a column may be inside the mesh in one layer and on its border in another.
+    pillar.second.Droppable = IsDroppable(band, kept, pillar.second.Edges);
     pillars.push_back(std::move(pillar.second));
   }
   GroupChains(band, kept, ofBlocks, pillars);
