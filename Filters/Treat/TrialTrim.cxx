@@ -4,6 +4,7 @@
 #include "ReturnedNodes.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace trim
 {
@@ -172,18 +173,37 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
   {
     return;
   }
-  const Moves before = trimmed.NodeMoves;
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   const double aim = std::max(AimedFloor, this->Options.QualityFloor);
+  std::vector<std::function<void()>> steps;
   if (this->Options.Treatment == Optimization::Degenerate)
   {
-    this->RelaxRound(set, this->Quality.FindShortOf(trimmed, aim), aim, Thorough, trimmed);
+    steps.emplace_back([&]
+      { this->RelaxRound(set, this->Quality.FindShortOf(trimmed, aim), aim, Thorough, trimmed); });
   }
-  this->PolishTo(set, PolishedGoal, false, trimmed);
-  this->PolishTo(set, PolishedOnCutGoal, true, trimmed);
-  if (this->Quality.FindInvalid(trimmed).size() > trimmed.Invalid.size())
+  steps.emplace_back([&] { this->PolishTo(set, PolishedGoal, false, trimmed); });
+  steps.emplace_back([&] { this->PolishTo(set, PolishedOnCutGoal, true, trimmed); });
+  // What the mesh had below the floor may gain at the cost of its neighbours: where that spoils
+  // one, step by step.
+  const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
+  const auto polish = [&](auto first, auto last)
   {
-    trimmed.NodeMoves = before;
+    const Moves before = trimmed.NodeMoves;
+    std::for_each(first, last, [](const auto& step) { step(); });
+    const bool good = this->Quality.FindBelowFloor(trimmed).size() <= below &&
+      this->Quality.FindInvalid(trimmed).size() <= trimmed.Invalid.size();
+    if (!good)
+    {
+      trimmed.NodeMoves = before;
+    }
+    return good;
+  };
+  if (!polish(steps.begin(), steps.end()))
+  {
+    for (auto step = steps.begin(); step != steps.end(); ++step)
+    {
+      polish(step, step + 1);
+    }
   }
 }
 
@@ -243,6 +263,7 @@ bool TrialTrim::Try(TrimmedBand& trimmed, const Action& action) const
 {
   const BandQuality aimed(this->TheBand, this->Options.Treatment, this->Aim());
   const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
+  const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
   const BandQuality::Shortage before = aimed.MeasureShortage(trimmed);
   const Moves moves = trimmed.NodeMoves;
   const Pentahedra treated = trimmed.Treated;
@@ -251,7 +272,8 @@ bool TrialTrim::Try(TrimmedBand& trimmed, const Action& action) const
     return false;
   }
   const BandQuality::Shortage after = aimed.MeasureShortage(trimmed);
-  if (this->Quality.FindInvalid(trimmed).size() <= invalid && after.Sum <= before.Sum &&
+  if (this->Quality.FindInvalid(trimmed).size() <= invalid &&
+    this->Quality.FindBelowFloor(trimmed).size() <= below && after.Sum <= before.Sum &&
     after.Largest <= before.Largest)
   {
     return true;
