@@ -259,8 +259,10 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
       for (const int other : this->TheBand.FacesOfNode(face.Node[i]))
       {
         const auto& candidate = this->TheBand.Faces[other];
+        // Nor from the skin between the layers, where a part of the model begins on it.
         const bool sameKind = this->TheColumns.HasThickness(face.Element[0])
-          ? this->TheColumns.IsLayerFace(this->TheBand, other)
+          ? this->TheColumns.IsLayerFace(this->TheBand, other) &&
+            candidate.Exterior == face.Exterior
           : candidate.Exterior;
         // Not round a ridge: that would be another side of the model.
         if (sameKind && std::find(around.begin(), around.end(), other) == around.end() &&

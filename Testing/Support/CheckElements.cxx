@@ -406,9 +406,19 @@ double NegativePart(const std::array<Vec3, 4>& p, const std::array<double, 4>& f
 }
 }
 
+namespace
+{
+/// Whether nodes of the new boundary are off the surface; CheckMoves judges whether rightly.
+bool HasNodesLeft(const Evidence& e)
+{
+  vtkDataArray* left = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
+  return e.Number("RescuedByLeaving") > 0 || (left && left->GetRange()[1] > 0);
+}
+}
+
 void CheckPlaneVolume(const Evidence& e, const Vec3& point, const Vec3& normal, Report& report)
 {
-  if (e.Number("RescuedByLeaving") > 0)
+  if (HasNodesLeft(e))
   {
     return;
   }
@@ -479,8 +489,7 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
       report.Fail("kept part or offcut", "input " + Cell(c) + " is in that many", parts, 1);
     }
   }
-  if (kept.Case.Options.CorrectionType == 1 || kept.Number("RescuedByLeaving") > 0 ||
-    offcut.Number("RescuedByLeaving") > 0)
+  if (kept.Case.Options.CorrectionType == 1 || HasNodesLeft(kept) || HasNodesLeft(offcut))
   {
     return;
   }

@@ -255,6 +255,44 @@ Mesh Cup(int n, int nz, const MeshOptions& options)
   return mesh;
 }
 
+Mesh PatchedSheet(int nx, int ny, int nz, const MeshOptions& options)
+{
+  const auto number = [&](Id i, Id j, Id k) { return i + (nx + 1) * (j + (ny + 1) * k); };
+  const auto isThere = [&](int i, int k) { return k < nz || 2 * i < nx; };
+  RawMesh raw;
+  std::vector<Id> own((nx + 1) * (ny + 1) * (2 * nz + 1), -1);
+  for (int k = 0; k <= 2 * nz; ++k)
+  {
+    for (int j = 0; j <= ny; ++j)
+    {
+      for (int i = 0; i <= nx; ++i)
+      {
+        if (isThere(i, k - 1) || isThere(i - 1, k - 1) || k == 0)
+        {
+          own[number(i, j, k)] = static_cast<Id>(raw.Points.size());
+          raw.Points.emplace_back(i, j, 0.4 * k);
+        }
+      }
+    }
+  }
+  for (int k = 0; k < 2 * nz; ++k)
+  {
+    for (int j = 0; j < ny; ++j)
+    {
+      for (int i = 0; i < nx && isThere(i, k); ++i)
+      {
+        const auto at = [&](int di, int dj, int dk) { return own[number(i + di, j + dj, k + dk)]; };
+        raw.Add(8,
+          { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
+            at(1, 1, 1), at(0, 1, 1) });
+      }
+    }
+  }
+  Frame frame = BoxOf(raw, 1);
+  frame.LayerThickness = 0.4;
+  return Finish("patched", raw, frame, options);
+}
+
 Mesh Segment(int nr, int nz, double angle, const MeshOptions& options)
 {
   RawMesh raw;

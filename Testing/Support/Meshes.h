@@ -76,6 +76,9 @@ Mesh Channel(int n, int nz, const MeshOptions& options = {});
 Mesh Dome(int n, int nz, const MeshOptions& options = {});
 Mesh Cup(int n, int nz, const MeshOptions& options = {});
 
+/// A sheet with a patch on one half of it: its columns have nz layers here and twice as many there.
+Mesh PatchedSheet(int nx, int ny, int nz, const MeshOptions& options = {});
+
 /// A few degrees of a solid of revolution about z, in one element: wedges on the axis, so that its
 /// two sides meet there in a thin edge.
 Mesh Segment(int nr, int nz, double angle, const MeshOptions& options = {});
