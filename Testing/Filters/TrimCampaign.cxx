@@ -2,7 +2,8 @@
  * @file TrimCampaign.cxx
  * @brief Random trims: mesh x surface x position x options, each judged; a table of outcomes.
  *
- * TrimCampaign [count [seed [only]]]: `only` repeats one trim of the series alone.
+ * TrimCampaign [count [seed [only [files]]]]: `only` repeats one trim of the series alone, -1: all;
+ * files (.vtu) are trimmed instead of the tests' own meshes.
  */
 #include "RunTrim.h"
 
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <stdexcept>
 
 using namespace judge;
 
@@ -28,7 +30,7 @@ struct Draw
 };
 
 // Every trim has a generator of its own, so that it can be repeated alone.
-Draw DrawTrim(unsigned seed, int number)
+Draw DrawTrim(unsigned seed, int number, const std::vector<std::string>& names)
 {
   std::seed_seq sequence{ seed, static_cast<unsigned>(number) };
   std::mt19937 random(sequence);
@@ -36,7 +38,7 @@ Draw DrawTrim(unsigned seed, int number)
   const auto pick = [&](const std::vector<std::string>& from)
   { return from[static_cast<std::size_t>(any(random) * from.size())]; };
   Draw draw;
-  draw.Mesh = pick(MeshNames());
+  draw.Mesh = pick(names);
   draw.Kind = pick(SurfaceKinds());
   draw.At.X = 1.4 * any(random) - 0.7;
   draw.At.Y = 1.4 * any(random) - 0.7;
@@ -77,9 +79,19 @@ int main(int argc, char* argv[])
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
   std::map<std::string, Mesh> meshes;
-  for (const std::string& name : MeshNames())
+  const std::vector<std::string> files(argv + std::min(argc, 4), argv + argc);
+  const std::vector<std::string> names = files.empty() ? MeshNames() : files;
+  try
   {
-    meshes[name] = MakeMesh(name);
+    for (const std::string& name : names)
+    {
+      meshes[name] = files.empty() ? MakeMesh(name) : ReadMesh(name);
+    }
+  }
+  catch (const std::invalid_argument& wrong)
+  {
+    std::printf("%s\n", wrong.what());
+    return 2;
   }
   struct Row
   {
@@ -95,7 +107,7 @@ int main(int argc, char* argv[])
     {
       continue;
     }
-    const Draw draw = DrawTrim(seed, i);
+    const Draw draw = DrawTrim(seed, i, names);
     const Mesh& mesh = meshes[draw.Mesh];
     const Surface surface = MakeSurface(draw.Kind, mesh.Box, draw.At);
     Report report("campaign " + std::to_string(count) + " " + std::to_string(seed) + " " +

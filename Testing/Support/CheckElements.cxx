@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace judge
@@ -46,6 +47,33 @@ void Expect(const Evidence& e, const char* name, double expected, double limit, 
   }
 }
 
+/// A number for each node of a model, the same for all that elements join.
+std::vector<Id> PartsOf(const Model& model)
+{
+  std::vector<Id> part(model.Points.size());
+  std::iota(part.begin(), part.end(), Id(0));
+  const auto find = [&part](Id node)
+  {
+    while (part[node] != node)
+    {
+      node = part[node] = part[part[node]];
+    }
+    return node;
+  };
+  for (const Element& element : model.Elements)
+  {
+    for (int i = 1; i < element.Size; ++i)
+    {
+      part[find(element.Node[i])] = find(element.Node[0]);
+    }
+  }
+  for (Id node = 0; node < static_cast<Id>(part.size()); ++node)
+  {
+    part[node] = find(node);
+  }
+  return part;
+}
+
 void CheckCoincidence(const Evidence& e, Report& report)
 {
   // Two nodes at one place: closer than a millionth of the shortest element.
@@ -58,6 +86,7 @@ void CheckCoincidence(const Evidence& e, Report& report)
   std::sort(order.begin(), order.end(),
     [&](Id a, Id b) { return e.Out.Points[a][0] < e.Out.Points[b][0]; });
   // The input may have slits or touching parts: there it is no fault.
+  const std::vector<Id> part = PartsOf(e.In);
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     for (std::size_t j = i + 1;
@@ -67,7 +96,8 @@ void CheckCoincidence(const Evidence& e, Report& report)
       const double d = (e.Out.Points[order[j]] - e.Out.Points[order[i]]).norm();
       const bool before =
         (e.In.Points[e.PointOf[order[j]]] - e.In.Points[e.PointOf[order[i]]]).norm() <= tolerance;
-      if (d <= tolerance && !before)
+      const bool touching = part[e.PointOf[order[j]]] != part[e.PointOf[order[i]]];
+      if (d <= tolerance && !before && !touching)
       {
         report.Fail("coincident nodes",
           "points " + std::to_string(order[i]) + " and " + std::to_string(order[j]), d, tolerance);

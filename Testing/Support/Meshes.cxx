@@ -7,6 +7,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <array>
@@ -320,6 +321,47 @@ Mesh Segment(int nr, int nz, double angle, const MeshOptions& options)
   }
   Mesh mesh = Finish("segment", raw, BoxOf(raw, 1), options);
   mesh.Sheet = false;
+  return mesh;
+}
+
+Mesh ReadMesh(const std::string& path)
+{
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  Mesh mesh;
+  mesh.Name = path;
+  mesh.Grid = reader->GetOutput();
+  const Model model(mesh.Grid);
+  if (model.Elements.empty() || model.BadCell >= 0)
+  {
+    throw std::invalid_argument(path + " is no grid of hexahedra and wedges");
+  }
+  double longest = 0;
+  for (Id e = 0; e < static_cast<Id>(model.Elements.size()); ++e)
+  {
+    for (const Facet& facet : FacetsOf(model.Elements[e], e))
+    {
+      for (int i = 0; i < facet.Size(); ++i)
+      {
+        const Id next = facet.Node[(i + 1) % facet.Size()];
+        longest = std::max(longest, (model.Points[next] - model.Points[facet.Node[i]]).norm());
+      }
+    }
+  }
+  RawMesh raw;
+  raw.Points = model.Points;
+  Frame& frame = mesh.Box = BoxOf(raw, longest);
+  const Vec3 half(frame.HalfX, frame.HalfY, frame.HalfZ);
+  Eigen::Index z = 0;
+  half.minCoeff(&z);
+  const Eigen::Index x = (z + 1) % 3, y = (z + 2) % 3;
+  frame.Axes << Vec3::Unit(x), Vec3::Unit(y), Vec3::Unit(z);
+  frame.HalfX = half[x];
+  frame.HalfY = half[y];
+  frame.HalfZ = half[z];
+  mesh.Flat = mesh.Sheet = false;
+  AddData(mesh.Grid, 1);
   return mesh;
 }
 

@@ -83,6 +83,10 @@ Mesh PatchedSheet(int nx, int ny, int nz, const MeshOptions& options = {});
 /// two sides meet there in a thin edge.
 Mesh Segment(int nr, int nz, double angle, const MeshOptions& options = {});
 
+/// A mesh of hexahedra and wedges from a file (.vtu), of which nothing is known; its frame is the
+/// box round it, with the shortest side as thickness. Throws std::invalid_argument.
+Mesh ReadMesh(const std::string& path);
+
 /// By name, as the tests' arguments call them; throws std::invalid_argument.
 Mesh MakeMesh(const std::string& name);
 std::vector<std::string> MeshNames();
