@@ -7,8 +7,8 @@ namespace trim
 namespace
 {
 
-/// How many elements may be between two nodes.
-constexpr int MostElementsBetween = 3;
+/// How many elements may be between two nodes: each goes five at most.
+constexpr int MostElementsBetween = 10;
 
 /// A node by its place along a line on which hardly any two of a mesh coincide.
 struct Candidate
@@ -166,13 +166,17 @@ std::vector<char> FindCoincidentNodes(const Band& band, const TrimmedBand& trimm
 bool IsCoincident(const Band& band, const Moves& moves, const std::vector<int>& users, int node)
 {
   const double reach = ReachOf(band, node);
-  const std::vector<int> near = NodesNear(band, node);
-  return std::any_of(near.begin(), near.end(),
-    [&](int other)
+  const Vec3& place = moves.Position[node];
+  for (int other = 0; other < band.NumberOfNodes(); ++other)
+  {
+    if (other != node && users[other] > 0 &&
+      (moves.Position[other] - place).squaredNorm() < reach * reach &&
+      AreTooNear(band, moves, node, other, std::min(reach, ReachOf(band, other))))
     {
-      return other != node && users[other] > 0 &&
-        AreTooNear(band, moves, node, other, std::min(reach, ReachOf(band, other)));
-    });
+      return true;
+    }
+  }
+  return false;
 }
 
 }
