@@ -23,11 +23,13 @@ class Returner : private RelaxedMesh
 {
 public:
   Returner(const RelaxationCase& given, const BandQuality& quality, double least,
-    std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves)
+    const std::function<bool()>& aborted, std::vector<char>& fixed, std::vector<char>& onCut,
+    Moves& moves)
     : RelaxedMesh(given, moves)
     , Given(given)
     , Measure(quality)
     , Least(least)
+    , Aborted(aborted)
     , Fixed(fixed)
     , Boundary(onCut)
     , Users(given.TheBand.NumberOfNodes(), 0)
@@ -74,7 +76,7 @@ private:
     std::vector<int> rest;
     for (const int node : nodes)
     {
-      if (!(this->*attempt)(node))
+      if (this->Aborted() || !(this->*attempt)(node))
       {
         rest.push_back(node);
       }
@@ -281,6 +283,7 @@ private:
   const RelaxationCase& Given;
   const BandQuality& Measure;
   const double Least;
+  const std::function<bool()>& Aborted;
   std::vector<char>& Fixed;
   std::vector<char>& Boundary;
   std::vector<int> Users; ///< how many elements use a node
@@ -291,10 +294,10 @@ private:
 }
 
 bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, bool relax, std::vector<char>& fixed, std::vector<char>& onCut,
-  Moves& moves)
+  const std::vector<int>& left, bool relax, const std::function<bool()>& aborted,
+  std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves)
 {
-  Returner returner(given, quality, least, fixed, onCut, moves);
+  Returner returner(given, quality, least, aborted, fixed, onCut, moves);
   return relax ? returner.RunWithRelaxation(left) : returner.Run(left);
 }
 

@@ -12,6 +12,7 @@
 #include "BandQuality.h"
 #include "Relaxation.h"
 
+#include <functional>
 #include <vector>
 
 namespace trim
@@ -23,13 +24,14 @@ namespace trim
  * @param least scaled Jacobian that no element falls below.
  * @param left the nodes, ascending.
  * @param relax whether the nodes round them make room.
+ * @param aborted true ends the work; the result is then of no use.
  * @param[in,out] fixed, onCut what `given` refers to: returned nodes are free, and on the cut.
  * @param[in,out] moves returned nodes are left no more.
  * @return false if none returned.
  */
 bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, bool relax, std::vector<char>& fixed, std::vector<char>& onCut,
-  Moves& moves);
+  const std::vector<int>& left, bool relax, const std::function<bool()>& aborted,
+  std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves);
 
 }
 

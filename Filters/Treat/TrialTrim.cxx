@@ -214,7 +214,8 @@ void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, Trimmed
     set, this->Quality.FindShortOf(trimmed, goal), PolishedGoal, Brief, trimmed, onCutToo);
 }
 
-void TrialTrim::ReturnLeft(const Choices& choices, TrimmedBand& trimmed) const
+void TrialTrim::ReturnLeft(
+  const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   bool changed = true;
@@ -226,8 +227,9 @@ void TrialTrim::ReturnLeft(const Choices& choices, TrimmedBand& trimmed) const
     {
       return;
     }
-    changed = this->Try(trimmed, [&] { return this->ReturnNodesLeft(set, left, relax, trimmed); });
-    changed |= this->DropEdgesLeft(set, trimmed);
+    changed =
+      this->Try(trimmed, [&] { return this->ReturnNodesLeft(set, left, relax, aborted, trimmed); });
+    changed |= this->DropEdgesLeft(set, aborted, trimmed);
   }
 }
 
@@ -283,18 +285,19 @@ bool TrialTrim::Try(TrimmedBand& trimmed, const Action& action) const
   return false;
 }
 
-bool TrialTrim::ReturnNodesLeft(
-  const Choices& set, const std::vector<int>& left, bool relax, TrimmedBand& trimmed) const
+bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left, bool relax,
+  const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
   const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
     shapes.OnCut };
-  return ReturnNodes(
-    given, this->Quality, this->Aim(), left, relax, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves);
+  return ReturnNodes(given, this->Quality, this->Aim(), left, relax, aborted, shapes.Fixed,
+    shapes.OnCut, trimmed.NodeMoves);
 }
 
 /// Pentahedra that kept their middle nodes as those were left may do without them.
-bool TrialTrim::DropEdgesLeft(const Choices& set, TrimmedBand& trimmed) const
+bool TrialTrim::DropEdgesLeft(
+  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   const std::vector<int> left = this->FindLeft(set, trimmed);
   if (left.empty() || this->Options.Treatment != Optimization::Degenerate)
@@ -309,7 +312,7 @@ bool TrialTrim::DropEdgesLeft(const Choices& set, TrimmedBand& trimmed) const
   {
     const bool helps = std::any_of(wedges.begin(), wedges.end(),
       [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });
-    if (helps && tried++ < MostDrops)
+    if (helps && tried++ < MostDrops && !aborted())
     {
       dropped |= this->Try(trimmed, [&] { return this->DropAndRelax(set, wedges, trimmed); });
     }

@@ -10,6 +10,7 @@
 #include "Relaxation.h"
 #include "TrimmedBand.h"
 
+#include <functional>
 #include <vector>
 
 namespace trim
@@ -61,7 +62,9 @@ public:
 
   /// Takes nodes that were left off to the surface after all, or drops them, where the elements
   /// round them stand it.
-  void ReturnLeft(const Choices& choices, TrimmedBand& trimmed) const;
+  /// @param aborted true ends the work; the result is then of no use.
+  void ReturnLeft(
+    const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
 
   /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
   /// by TrimmedBand::Invalid; no more may become so.
@@ -82,9 +85,10 @@ private:
   std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
   template <typename Action>
   bool Try(TrimmedBand& trimmed, const Action& action) const;
-  bool ReturnNodesLeft(
-    const Choices& set, const std::vector<int>& left, bool relax, TrimmedBand& trimmed) const;
-  bool DropEdgesLeft(const Choices& set, TrimmedBand& trimmed) const;
+  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, bool relax,
+    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  bool DropEdgesLeft(
+    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropAndRelax(
     const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
   /// What a RelaxationCase refers to.

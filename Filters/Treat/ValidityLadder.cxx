@@ -75,7 +75,7 @@ public:
     this->LeaveInvalid(this->Quality, trimmed, aborted);
     this->RaiseToFloor(trimmed, aborted);
     this->LeaveBelowFloor(trimmed, aborted);
-    this->ReturnLeft(trimmed);
+    this->ReturnLeft(trimmed, aborted);
     this->Trial.Polish(this->Set, trimmed);
     trimmed.RescuedBy = this->Rungs;
     trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
@@ -378,9 +378,9 @@ private:
 
   /// Takes nodes that were left back to the surface; columns that are left with none are saved by
   /// another way to it.
-  void ReturnLeft(TrimmedBand& trimmed)
+  void ReturnLeft(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
-    this->Trial.ReturnLeft(this->Set, trimmed);
+    this->Trial.ReturnLeft(this->Set, aborted, trimmed);
     const std::vector<int> users = CountUsers(this->TheBand, trimmed);
     std::vector<char> hasLeft(this->TheBand.NumberOfElements(), 0);
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
