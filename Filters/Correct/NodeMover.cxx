@@ -14,10 +14,9 @@ namespace trim
 namespace
 {
 
-/// No node moves farther than this many of its longest edges; columns that the cut has chosen may
-/// lean by more.
+/// No node moves farther than this many of its longest edges, if the cut has not chosen the
+/// columns.
 constexpr double LongestMove = 3.0;
-constexpr double LongestMoveByCut = 5.0;
 /// How many ridge edges a node may slide along to either side.
 constexpr int LongestRidgeWalk = 4;
 /// Below this sine of the angle between surface and facet their meeting line is not taken.

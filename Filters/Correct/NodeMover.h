@@ -22,6 +22,9 @@ enum class Correction : unsigned char
   Relax = 4      ///< moved for the sake of the elements at the cut
 };
 
+/// No node moves farther than this many of its longest edges: columns that the cut has chosen lean.
+constexpr double LongestMoveByCut = 5.0;
+
 struct NodeMove
 {
   bool Found = false;

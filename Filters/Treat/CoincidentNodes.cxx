@@ -1,14 +1,15 @@
 #include "CoincidentNodes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace trim
 {
 namespace
 {
 
-/// How many elements may be between two nodes: each goes five at most.
-constexpr int MostElementsBetween = 10;
+/// How many elements may be between two nodes that come together.
+constexpr int MostElementsBetween = static_cast<int>(2 * LongestMoveByCut);
 
 /// A node by its place along a line on which hardly any two of a mesh coincide.
 struct Candidate
@@ -27,28 +28,6 @@ double ReachOf(const Band& band, int node)
     longest = std::max(longest, (band.Point[other] - band.Point[node]).norm());
   }
   return SmallestDistanceShare * longest;
-}
-
-/// Nodes that a few elements lead to, ascending.
-std::vector<int> NodesNear(const Band& band, int node)
-{
-  std::vector<int> reached{ node };
-  for (int step = 0; step < MostElementsBetween; ++step)
-  {
-    std::vector<int> next;
-    for (const int from : reached)
-    {
-      for (const int e : band.ElementsOfNode(from))
-      {
-        const auto& element = band.Elements[e];
-        next.insert(next.end(), element.Node.begin(), element.Node.begin() + element.Count);
-      }
-    }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    reached = std::move(next);
-  }
-  return reached;
 }
 
 /// Whether two nodes, one of which has moved, count as the same.
@@ -130,8 +109,27 @@ private:
   /// Whether a few elements lead from one node to the other.
   bool AreNear(int a, int b) const
   {
-    const std::vector<int> near = NodesNear(this->TheBand, a);
-    return std::binary_search(near.begin(), near.end(), b);
+    std::vector<int> reached{ a };
+    for (int step = 0; step < MostElementsBetween; ++step)
+    {
+      std::vector<int> next;
+      for (const int from : reached)
+      {
+        for (const int e : this->TheBand.ElementsOfNode(from))
+        {
+          const auto& element = this->TheBand.Elements[e];
+          next.insert(next.end(), element.Node.begin(), element.Node.begin() + element.Count);
+        }
+      }
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      if (std::binary_search(next.begin(), next.end(), b))
+      {
+        return true;
+      }
+      reached = std::move(next);
+    }
+    return false;
   }
 
   /// Of two nodes the one that fewer elements need, or else the one that came from farther.

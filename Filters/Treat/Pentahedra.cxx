@@ -404,6 +404,14 @@ Optimization Resolve(Optimization asked, TreatmentChoice choice)
 
 }
 
+const ReplacedElement* FindWedge(const Pentahedra& treated, int element)
+{
+  const auto& wedges = treated.Wedges;
+  const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), element,
+    [](const ReplacedElement& w, int e) { return w.Element < e; });
+  return wedge != wedges.end() && wedge->Element == element ? &*wedge : nullptr;
+}
+
 Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
   const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, Optimization asked,
   const std::vector<TreatmentChoice>& choice, Moves& moves)
@@ -483,12 +491,8 @@ std::vector<std::vector<ReplacedElement>> FindDroppable(const Band& band, const 
 
 bool DropEdges(const std::vector<ReplacedElement>& wedges, Pentahedra& treated)
 {
-  const auto isWedge = [&treated](const ReplacedElement& wedge)
-  {
-    return std::any_of(treated.Wedges.begin(), treated.Wedges.end(),
-      [&wedge](const ReplacedElement& other) { return other.Element == wedge.Element; });
-  };
-  if (std::any_of(wedges.begin(), wedges.end(), isWedge))
+  if (std::any_of(wedges.begin(), wedges.end(),
+        [&treated](const ReplacedElement& wedge) { return FindWedge(treated, wedge.Element); }))
   {
     return false;
   }

@@ -50,6 +50,9 @@ struct Pentahedra
   std::vector<char> FlatCorner;        ///< elements left with a straight corner
 };
 
+/// The wedge that an element became, or null.
+const ReplacedElement* FindWedge(const Pentahedra& treated, int element);
+
 /**
  * Finds the pentahedra of the kept elements and treats them; moves is changed where nodes are
  * distributed.

@@ -174,7 +174,7 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
     return;
   }
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  const double aim = std::max(AimedFloor, this->Options.QualityFloor);
+  const double aim = this->Options.AimedQuality();
   std::vector<std::function<void()>> steps;
   if (this->Options.Treatment == Optimization::Degenerate)
   {
@@ -218,6 +218,7 @@ void TrialTrim::ReturnLeft(
   const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  Faults faults = this->FaultsOf(trimmed);
   bool changed = true;
   // What makes room for one node may do so for others.
   for (const bool relax : { false, true, false })
@@ -227,17 +228,16 @@ void TrialTrim::ReturnLeft(
     {
       return;
     }
-    changed =
-      this->Try(trimmed, [&] { return this->ReturnNodesLeft(set, left, relax, aborted, trimmed); });
-    changed |= this->DropEdgesLeft(set, aborted, trimmed);
+    changed = this->Try(
+      faults, trimmed, [&] { return this->ReturnNodesLeft(set, left, relax, aborted, trimmed); });
+    changed |= this->DropEdgesLeft(set, aborted, faults, trimmed);
   }
 }
 
 /// What elements are not to fall below for nodes that were left.
-double TrialTrim::Aim() const
+double TrialTrim::GoalForLeft() const
 {
-  const double floor = this->Options.QualityFloor;
-  return floor > 0.0 ? std::max(floor, AimedFloor) : SmallestGoal;
+  return std::max(this->Options.AimedQuality(), SmallestGoal);
 }
 
 /// Nodes that should be on the surface and are not, without those that the offcut needs there.
@@ -259,25 +259,28 @@ std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trim
   return left;
 }
 
+TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed) const
+{
+  const BandQuality goal(this->TheBand, this->Options.Treatment, this->GoalForLeft());
+  return { this->Quality.FindInvalid(trimmed).size(), this->Quality.FindBelowFloor(trimmed).size(),
+    goal.MeasureShortage(trimmed) };
+}
+
 /// Does something that may have changed the band; undoes it if it spoiled an element.
 template <typename Action>
-bool TrialTrim::Try(TrimmedBand& trimmed, const Action& action) const
+bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const
 {
-  const BandQuality aimed(this->TheBand, this->Options.Treatment, this->Aim());
-  const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
-  const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
-  const BandQuality::Shortage before = aimed.MeasureShortage(trimmed);
   const Moves moves = trimmed.NodeMoves;
   const Pentahedra treated = trimmed.Treated;
   if (!action())
   {
     return false;
   }
-  const BandQuality::Shortage after = aimed.MeasureShortage(trimmed);
-  if (this->Quality.FindInvalid(trimmed).size() <= invalid &&
-    this->Quality.FindBelowFloor(trimmed).size() <= below && after.Sum <= before.Sum &&
-    after.Largest <= before.Largest)
+  const Faults now = this->FaultsOf(trimmed);
+  if (now.Invalid <= faults.Invalid && now.BelowFloor <= faults.BelowFloor &&
+    now.OfGoal.Sum <= faults.OfGoal.Sum && now.OfGoal.Largest <= faults.OfGoal.Largest)
   {
+    faults = now;
     return true;
   }
   trimmed.NodeMoves = moves;
@@ -291,13 +294,13 @@ bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left
   Shapes shapes = this->ShapesOf(set, trimmed, true);
   const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
     shapes.OnCut };
-  return ReturnNodes(given, this->Quality, this->Aim(), left, relax, aborted, shapes.Fixed,
+  return ReturnNodes(given, this->Quality, this->GoalForLeft(), left, relax, aborted, shapes.Fixed,
     shapes.OnCut, trimmed.NodeMoves);
 }
 
 /// Pentahedra that kept their middle nodes as those were left may do without them.
-bool TrialTrim::DropEdgesLeft(
-  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
+  Faults& faults, TrimmedBand& trimmed) const
 {
   const std::vector<int> left = this->FindLeft(set, trimmed);
   if (left.empty() || this->Options.Treatment != Optimization::Degenerate)
@@ -314,7 +317,8 @@ bool TrialTrim::DropEdgesLeft(
       [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });
     if (helps && tried++ < MostDrops && !aborted())
     {
-      dropped |= this->Try(trimmed, [&] { return this->DropAndRelax(set, wedges, trimmed); });
+      dropped |=
+        this->Try(faults, trimmed, [&] { return this->DropAndRelax(set, wedges, trimmed); });
     }
   }
   return dropped;
@@ -333,7 +337,7 @@ bool TrialTrim::DropAndRelax(
     elements.push_back(wedge.Element);
   }
   std::sort(elements.begin(), elements.end());
-  this->RelaxRound(set, elements, this->Aim(), Brief, trimmed);
+  this->RelaxRound(set, elements, this->GoalForLeft(), Brief, trimmed);
   return true;
 }
 

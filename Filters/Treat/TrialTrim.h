@@ -10,6 +10,7 @@
 #include "Relaxation.h"
 #include "TrimmedBand.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct Demands
   std::vector<char> LeavePillar; ///< by pillar: its nodes stay where they are
 };
 
+/// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
+constexpr double AimedFloor = 0.3;
+
 struct LadderOptions
 {
   Correction CorrectionType = Correction::Project; ///< Eliminate, Project or Slide
@@ -31,10 +35,13 @@ struct LadderOptions
   /// Scaled Jacobian that touched elements have to reach, but for straight corners; 0: none.
   double QualityFloor = 0.2;
   Demands ForOffcut;
-};
 
-/// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
-constexpr double AimedFloor = 0.3;
+  /// Scaled Jacobian that touched elements are to reach short of leaving nodes off; 0: none.
+  double AimedQuality() const
+  {
+    return this->QualityFloor > 0.0 ? std::max(this->QualityFloor, AimedFloor) : 0.0;
+  }
+};
 
 /// Everything the ladder may set.
 struct Choices
@@ -81,14 +88,21 @@ private:
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
-  double Aim() const;
+  double GoalForLeft() const;
   std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
+  /// What must not become more when nodes that were left return.
+  struct Faults
+  {
+    std::size_t Invalid, BelowFloor; ///< elements
+    BandQuality::Shortage OfGoal;
+  };
+  Faults FaultsOf(const TrimmedBand& trimmed) const;
   template <typename Action>
-  bool Try(TrimmedBand& trimmed, const Action& action) const;
+  bool Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const;
   bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, bool relax,
     const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  bool DropEdgesLeft(
-    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted, Faults& faults,
+    TrimmedBand& trimmed) const;
   bool DropAndRelax(
     const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
   /// What a RelaxationCase refers to.

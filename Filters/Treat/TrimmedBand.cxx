@@ -2,18 +2,8 @@
 
 #include "Decision.h"
 
-#include <algorithm>
-
 namespace trim
 {
-
-const ReplacedElement* FindWedge(const TrimmedBand& trimmed, int element)
-{
-  const auto& wedges = trimmed.Treated.Wedges;
-  const auto wedge = std::lower_bound(wedges.begin(), wedges.end(), element,
-    [](const ReplacedElement& w, int e) { return w.Element < e; });
-  return wedge != wedges.end() && wedge->Element == element ? &*wedge : nullptr;
-}
 
 std::vector<char> FindBoundaryNodes(const Band& band, const TrimmedBand& trimmed)
 {
@@ -35,7 +25,7 @@ std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed)
   {
     if (trimmed.Kept[e])
     {
-      const ReplacedElement* wedge = FindWedge(trimmed, e);
+      const ReplacedElement* wedge = FindWedge(trimmed.Treated, e);
       const auto& node = wedge ? wedge->Node : band.Elements[e].Node;
       const int count = wedge ? 6 : band.Elements[e].Count;
       for (int i = 0; i < count; ++i)
@@ -53,7 +43,7 @@ FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int elemen
   const auto& original = band.Elements[element];
   final.Count = original.Count;
   final.Node = original.Node;
-  if (const ReplacedElement* wedge = FindWedge(trimmed, element))
+  if (const ReplacedElement* wedge = FindWedge(trimmed.Treated, element))
   {
     final.Count = 6;
     final.Node = wedge->Node;

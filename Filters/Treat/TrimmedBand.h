@@ -48,9 +48,6 @@ struct FinalElement
 };
 FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element);
 
-/// The wedge that an element became, or null.
-const ReplacedElement* FindWedge(const TrimmedBand& trimmed, int element);
-
 /// Nodes of the new boundary: of facets between kept and eliminated elements, and of those that
 /// wedges have where they dropped an edge.
 std::vector<char> FindBoundaryNodes(const Band& band, const TrimmedBand& trimmed);

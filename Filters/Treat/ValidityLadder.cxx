@@ -43,8 +43,7 @@ public:
     , Shares(shares)
     , Options(options)
     , Quality(band, options.Treatment, options.QualityFloor)
-    , Aimed(band, options.Treatment,
-        options.QualityFloor > 0.0 ? std::max(options.QualityFloor, AimedFloor) : 0.0)
+    , Aimed(band, options.Treatment, options.AimedQuality())
     , Trial(band, columns, shares, nodeStatus, surface, precision, options)
     , Rungs(band.NumberOfElements(), Rung::None)
   {
@@ -117,14 +116,19 @@ private:
     return changed;
   }
 
-  /// Nodes of the new boundary that are not on the surface.
+  /// Whether a node of the new boundary is not on the surface.
+  bool IsLeft(const TrimmedBand& trimmed, int node) const
+  {
+    return trimmed.NodeMoves.Left[node] &&
+      this->Set.Corrections[this->TheColumns.Pillar[node]].Correction != CorrectionChoice::Inside;
+  }
+
   int CountLeft(const TrimmedBand& trimmed) const
   {
     int left = 0;
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
-      left += trimmed.NodeMoves.Left[n] &&
-        this->Set.Corrections[this->TheColumns.Pillar[n]].Correction != CorrectionChoice::Inside;
+      left += this->IsLeft(trimmed, n);
     }
     return left;
   }
@@ -376,10 +380,14 @@ private:
     }
   }
 
-  /// Takes nodes that were left back to the surface; columns that are left with none are saved by
-  /// another way to it.
+  /// Takes nodes that were left back to the surface. Columns that needed a rung are saved by
+  /// leaving if they have a node left in the end, else by another way to the surface.
   void ReturnLeft(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
+    if (std::all_of(this->Rungs.begin(), this->Rungs.end(), [](Rung r) { return r == Rung::None; }))
+    {
+      return;
+    }
     this->Trial.ReturnLeft(this->Set, aborted, trimmed);
     const std::vector<int> users = CountUsers(this->TheBand, trimmed);
     std::vector<char> hasLeft(this->TheBand.NumberOfElements(), 0);
@@ -388,12 +396,18 @@ private:
       const auto& element = this->TheBand.Elements[e];
       hasLeft[this->TheColumns.Column[e]] |=
         std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
-          [&](int n) { return users[n] > 0 && trimmed.NodeMoves.Left[n]; });
+          [&](int n) { return users[n] > 0 && this->IsLeft(trimmed, n); });
     }
     for (std::size_t c = 0; c < this->Rungs.size(); ++c)
     {
-      this->Rungs[c] =
-        this->Rungs[c] == Rung::Left && !hasLeft[c] ? Rung::Correction : this->Rungs[c];
+      if (this->Rungs[c] != Rung::None && hasLeft[c])
+      {
+        this->Rungs[c] = Rung::Left;
+      }
+      else if (this->Rungs[c] == Rung::Left)
+      {
+        this->Rungs[c] = Rung::Correction;
+      }
     }
   }
 

@@ -36,7 +36,7 @@ int NodesAtCut(
   const HexMesh& mesh, const TrimResult& result, Id cell, int bandElement, std::array<Id, 8>& nodes)
 {
   const auto& near = *result.Near;
-  if (const ReplacedElement* wedge = FindWedge(near.Trimmed, bandElement))
+  if (const ReplacedElement* wedge = FindWedge(near.Trimmed.Treated, bandElement))
   {
     for (int i = 0; i < 6; ++i)
     {

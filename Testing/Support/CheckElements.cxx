@@ -9,13 +9,13 @@
 #include <vtkPointData.h>
 
 #include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 #include <boost/graph/properties.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace judge
@@ -48,29 +48,18 @@ void Expect(const Evidence& e, const char* name, double expected, double limit, 
 }
 
 /// A number for each node of a model, the same for all that elements join.
-std::vector<Id> PartsOf(const Model& model)
+std::vector<int> PartsOf(const Model& model)
 {
-  std::vector<Id> part(model.Points.size());
-  std::iota(part.begin(), part.end(), Id(0));
-  const auto find = [&part](Id node)
-  {
-    while (part[node] != node)
-    {
-      node = part[node] = part[part[node]];
-    }
-    return node;
-  };
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph(model.Points.size());
   for (const Element& element : model.Elements)
   {
     for (int i = 1; i < element.Size; ++i)
     {
-      part[find(element.Node[i])] = find(element.Node[0]);
+      boost::add_edge(element.Node[0], element.Node[i], graph);
     }
   }
-  for (Id node = 0; node < static_cast<Id>(part.size()); ++node)
-  {
-    part[node] = find(node);
-  }
+  std::vector<int> part(model.Points.size());
+  boost::connected_components(graph, part.data());
   return part;
 }
 
@@ -86,7 +75,7 @@ void CheckCoincidence(const Evidence& e, Report& report)
   std::sort(order.begin(), order.end(),
     [&](Id a, Id b) { return e.Out.Points[a][0] < e.Out.Points[b][0]; });
   // The input may have slits or touching parts: there it is no fault.
-  const std::vector<Id> part = PartsOf(e.In);
+  const std::vector<int> part = PartsOf(e.In);
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     for (std::size_t j = i + 1;
@@ -434,10 +423,7 @@ double NegativePart(const std::array<Vec3, 4>& p, const std::array<double, 4>& f
   const double a = share(0, 2), b = share(0, 3), c = share(1, 2), d = share(1, 3);
   return volume * (a * b + b * c * (1 - a) + c * d * (1 - b));
 }
-}
 
-namespace
-{
 /// Whether nodes of the new boundary are off the surface; CheckMoves judges whether rightly.
 bool HasNodesLeft(const Evidence& e)
 {
