@@ -18,13 +18,19 @@ void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed
   const Selection& ids, vtkDataSetAttributes* data)
 {
   using Stored = typename Array::ValueType;
-  SparseArray<Array> array(name, ids.size(), 1, listed.size());
+  std::vector<Id> places;
+  std::vector<Stored> values;
   for (const auto& item : listed)
   {
-    const auto value = static_cast<Stored>(item.second);
-    ids.ForPlaces(item.first, [&array, value](Id place) { *array.At(place) = value; });
+    ids.ForPlaces(item.first,
+      [&](Id place)
+      {
+        places.push_back(place);
+        values.push_back(static_cast<Stored>(item.second));
+      });
   }
-  array.AddTo(data);
+  AddSparseArray<Array>(
+    name, ids.size(), 1, places, [&](Id i, Stored* value) { *value = values[i]; }, data);
 }
 
 }

@@ -1,7 +1,7 @@
 /**
  * @file SparseArray.h
- * @brief An array of an output that is zero but near the cut: only there it is written and looked
- * at, also for its ranges.
+ * @brief Arrays of an output that are zero but near the cut: only there they are written and looked
+ * at, also for their ranges.
  */
 #ifndef SparseArray_h
 #define SparseArray_h
@@ -10,47 +10,36 @@
 #include "FreshArray.h"
 
 #include <vtkDataSetAttributes.h>
+#include <vtkSMPTools.h>
 
 #include <vector>
 
 namespace trim
 {
 
-template <typename Array>
-class SparseArray
+/// Adds an array that is zero but at some places.
+/// @param places each once; where they ascend, threads need not wait for each other's pages.
+/// @param write write(i, tuple) sets the tuple at places[i]; called by all threads.
+template <typename Array, typename Write>
+void AddSparseArray(const char* name, Id tuples, int components, const std::vector<Id>& places,
+  const Write& write, vtkDataSetAttributes* data)
 {
-public:
   using Value = typename Array::ValueType;
-
-  /// @param written about how many tuples will be.
-  SparseArray(const char* name, Id tuples, int components, std::size_t written)
-    : Zeros(MakeZeros<Array>(name, tuples, components,
-        nurbs::PagesForPlaces(tuples * components * sizeof(Value), written)))
-    , Values(Zeros->GetPointer(0))
-    , Components(components)
-  {
-  }
-
-  /// The tuple at a place, to be written.
-  Value* At(Id place)
-  {
-    this->Places.push_back(place);
-    return this->Values + this->Components * place;
-  }
-
-  /// Call this when all is written.
-  void AddTo(vtkDataSetAttributes* data) const
-  {
-    TellRanges(this->Zeros, this->Places);
-    data->AddArray(this->Zeros);
-  }
-
-private:
-  vtkSmartPointer<Array> Zeros;
-  Value* Values;
-  int Components;
-  std::vector<Id> Places;
-};
+  constexpr Id grain = 1000;
+  const auto array = MakeZeros<Array>(name, tuples, components,
+    nurbs::PagesForPlaces(tuples * components * sizeof(Value), places.size()));
+  Value* values = array->GetPointer(0);
+  vtkSMPTools::For(0, static_cast<Id>(places.size()), grain,
+    [&](Id begin, Id end)
+    {
+      for (Id i = begin; i < end; ++i)
+      {
+        write(i, values + components * places[i]);
+      }
+    });
+  TellRanges(array, places);
+  data->AddArray(array);
+}
 
 }
 

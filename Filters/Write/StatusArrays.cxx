@@ -36,6 +36,8 @@ MovedNodes Collect(const Band& band, const Moves& moves, const Flags& used)
       moved.Nodes.push_back(n);
     }
   }
+  std::sort(moved.Nodes.begin(), moved.Nodes.end(),
+    [&band](int a, int b) { return band.GlobalNode[a] < band.GlobalNode[b]; });
   return moved;
 }
 
@@ -61,14 +63,46 @@ MovedNodes MovedNodesOfOffcut(const TrimResult& result)
   return Collect(near.Mesh, near.Rest.NodeMoves, FindUsed(near.Mesh, near.Rest));
 }
 
+namespace
+{
+
+/// Displacement and CorrectionApplied.
+void AddMoves(const MovedNodes& moved, const Selection& ids, vtkPointData* pointData)
+{
+  std::vector<Id> places;
+  std::vector<int> nodes;
+  moved.ForPlaces(ids,
+    [&](Id place, int node)
+    {
+      places.push_back(place);
+      nodes.push_back(node);
+    });
+  AddSparseArray<vtkFloatArray>(
+    "Displacement", ids.size(), 3, places,
+    [&](Id i, float* stored)
+    {
+      const Vec3 move = moved.NodeMoves->Position[nodes[i]] - moved.TheBand->Point[nodes[i]];
+      for (int k = 0; k < 3; ++k)
+      {
+        stored[k] = static_cast<float>(move[k]);
+      }
+    },
+    pointData);
+  AddSparseArray<vtkUnsignedCharArray>(
+    "CorrectionApplied", ids.size(), 1, places,
+    [&](Id i, unsigned char* stored)
+    { *stored = static_cast<unsigned char>(moved.NodeMoves->Applied[nodes[i]]); },
+    pointData);
+}
+
+}
+
 void AddPointStatuses(
   const TrimResult& result, const MovedNodes& moved, const Selection& ids, vtkPointData* pointData)
 {
   const Id count = ids.size();
   const auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
   const auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
-  SparseArray<vtkFloatArray> displacement("Displacement", count, 3, moved.Nodes.size());
-  SparseArray<vtkUnsignedCharArray> correction("CorrectionApplied", count, 1, moved.Nodes.size());
   unsigned char* statuses = status->GetPointer(0);
   float* distances = distance->GetPointer(0);
   vtkSMPTools::For(0, count, Grain,
@@ -81,21 +115,9 @@ void AddPointStatuses(
   {
     ids.ForPlaces(node.first, [&](Id place) { distances[place] = node.second; });
   }
-  moved.ForPlaces(ids,
-    [&](Id place, int node)
-    {
-      const Vec3 move = moved.NodeMoves->Position[node] - moved.TheBand->Point[node];
-      float* stored = displacement.At(place);
-      for (int i = 0; i < 3; ++i)
-      {
-        stored[i] = static_cast<float>(move[i]);
-      }
-      *correction.At(place) = static_cast<unsigned char>(moved.NodeMoves->Applied[node]);
-    });
   pointData->AddArray(status);
   pointData->AddArray(distance);
-  displacement.AddTo(pointData);
-  correction.AddTo(pointData);
+  AddMoves(moved, ids, pointData);
 }
 
 void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
@@ -132,17 +154,26 @@ void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cel
 {
   static_assert(static_cast<unsigned char>(Rescue::None) == 0, "most of the array is not written");
   const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
-  SparseArray<vtkUnsignedCharArray> array("Rescue", ids.size(), 1, 0);
+  std::vector<Id> places;
+  std::vector<Rescue> rescues;
   for (int e = 0; e < elements; ++e)
   {
     const Id cell = result.Near->Mesh.Elements[e].Global;
     const Rescue rescue = RescueOf(*result.Near, e);
     if (cell >= 0 && rescue != Rescue::None)
     {
-      ids.ForPlaces(cell, [&](Id place) { *array.At(place) = static_cast<unsigned char>(rescue); });
+      ids.ForPlaces(cell,
+        [&](Id place)
+        {
+          places.push_back(place);
+          rescues.push_back(rescue);
+        });
     }
   }
-  array.AddTo(cellData);
+  AddSparseArray<vtkUnsignedCharArray>(
+    "Rescue", ids.size(), 1, places,
+    [&](Id i, unsigned char* stored) { *stored = static_cast<unsigned char>(rescues[i]); },
+    cellData);
 }
 
 }

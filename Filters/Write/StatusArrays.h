@@ -21,7 +21,7 @@ struct MovedNodes
 {
   const Moves* NodeMoves = nullptr;
   const Band* TheBand = nullptr;
-  std::vector<int> Nodes; ///< of the band, ascending
+  std::vector<int> Nodes; ///< of the band, by ascending point of the input
 
   /// Calls action(place, node) for the places of the nodes among the points of an output.
   template <typename Action>
