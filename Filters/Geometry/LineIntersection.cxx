@@ -10,6 +10,10 @@ namespace nurbs
 namespace
 {
 
+/// How far from the line a meeting may be, in widths of the gap between the patches there. More
+/// than one: it is put on its border along a parameter line, which may be oblique.
+constexpr double MostOfGap = 10.0;
+
 class LineSearch
 {
 public:
@@ -295,10 +299,15 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
   {
     return false;
   }
-  // Beside the patch: through the gap between two faces, or past the free border.
-  if (away > 2 * slack && ExamineNeighbourhood(this->Model, meeting.Point).Border)
+  // Beside the patch: through the gap between two faces, or past the free border. Where nothing
+  // gapes, as at a knot, the next patch is met on the line or there is no meeting.
+  if (away > 2 * slack)
   {
-    return false;
+    const Neighbourhood around = ExamineNeighbourhood(this->Model, meeting.Point);
+    if (around.Border || away > MostOfGap * around.Gap)
+    {
+      return false;
+    }
   }
   meeting.Away = away;
   this->Meetings.push_back(meeting);

@@ -155,6 +155,7 @@ void SectorFinder::AddLoopSector(const Contact& contact)
   const TrimLoops& loops = model.Data[curve.Face].Loops;
   Sector sector;
   sector.Face = curve.Face;
+  sector.Away = std::sqrt(contact.Foot.Squared);
   sector.Parameters = Vec2(curve.U(contact.Foot.S, 0), curve.V(contact.Foot.S, 0));
   for (const Sector& other : this->Sectors)
   {
@@ -289,6 +290,7 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
   }
   Sector sector;
   sector.Face = patch.Face;
+  sector.Away = std::sqrt(contact.Foot.Squared);
   sector.Parameters = Vec2(patch.U(s, t), patch.V(s, t));
   for (std::size_t k = 0; k < loopSectors; ++k)
   {
@@ -371,6 +373,7 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
   };
   Sector sector;
   sector.Face = patch.Face;
+  sector.Away = std::sqrt(contact.Foot.Squared);
   Vec3 last = direction(0);
   for (int k = 0; k < Samples; ++k)
   {
@@ -469,6 +472,7 @@ Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x)
   for (const Sector& sector : sectors)
   {
     result.Normal += model.Data[sector.Face].Sign * sector.Weighted;
+    result.Gap = std::max(result.Gap, sector.Away);
     bool matched = sector.RayCount == 0;
     if (sector.Straight && sector.RayCount == 2)
     {

@@ -26,6 +26,7 @@ struct Sector
 {
   int Face = -1;
   Vec2 Parameters = Vec2::Zero();
+  double Away = 0;              ///< of the piece from the point, up to the gap tolerance
   Vec3 Weighted = Vec3::Zero(); ///< integral of the unit normal over the angle (no face sign)
   int RayCount = 0;             ///< 0 in the interior, else 2; 1 where the loops end the other
   bool Straight = false;        ///< the two rays are opposite: the middle of an edge
@@ -43,6 +44,7 @@ struct Neighbourhood
 {
   Vec3 Normal = Vec3::Zero(); ///< angle-weighted, oriented, unit; zero if undefined
   bool Border = false;        ///< a free border runs through the point
+  double Gap = 0;             ///< how far apart the pieces are that meet there
 };
 
 /// Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal".

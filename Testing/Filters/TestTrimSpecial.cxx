@@ -188,6 +188,25 @@ void TestPatch()
   }
 }
 
+// A cylinder grazes the border near one of its knots, where a gap between faces of that width would
+// count as closed. Nothing gapes at a knot: the nodes go to where the border meets the cylinder.
+void TestCrossingAtKnot()
+{
+  const Mesh mesh = Sheet(10, 8, 1, Vec3(1, 1, 0.4));
+  const double radius = 0.9 * mesh.Box.HalfY, graze = 0.2;
+  for (const double beside : { -4e-4, 4e-4 })
+  {
+    const Vec2 knot(5.3, beside), out(std::sin(graze), -std::cos(graze));
+    const Vec2 centre = knot - radius * out;
+    Placement at;
+    at.X = (centre[0] - mesh.Box.Centre[0]) / mesh.Box.HalfX;
+    at.Y = (centre[1] - mesh.Box.Centre[1]) / mesh.Box.HalfY;
+    at.Angle = std::atan2(out[1], out[0]);
+    at.Size = 0.9;
+    Both("crossing at a knot", mesh, MakeSurface("cylinder", mesh.Box, at));
+  }
+}
+
 void TestKeepPoint()
 {
   const Mesh mesh = MakeMesh("sheet2");
@@ -272,6 +291,7 @@ int main()
   TestNodesFromBothSides();
   TestThinEdge();
   TestPatch();
+  TestCrossingAtKnot();
   TestKeepPoint();
   TestAbort();
   TestProgress();

@@ -289,6 +289,36 @@ void TestTangency()
   }
 }
 
+/// Lines that graze a surface within the gap tolerance of its knots, seams and shared edges, where
+/// nothing gapes: one hit, on the line all the same, and none before it.
+void TestGrazingAtBorders()
+{
+  const TrimmingSurface cylinder({ samples::Cylinder(1, 2) }, 3e-5);
+  const TrimmingSurface rounded(samples::RoundedShell(1, 0.8, 0.3, 1), 3e-5);
+  for (int k = 0; k < check::Trials(4000); ++k)
+  {
+    const double slope = std::pow(10, Uniform(-1.5, 0)), past = Uniform(-1e-3, 1e-3);
+    const auto compare = [&](const TrimmingSurface& surface, const Vec3& p, double angle)
+    {
+      const Vec3 n(std::cos(angle), std::sin(angle), 0), t(-n.y(), n.x(), 0);
+      const Vec3 d = 0.02 * slope * (t - slope * n + Vec3(0, 0, Uniform(-1, 1)));
+      auto hits = surface.Intersect(p - d, p + d);
+      CheckHits(surface, p - d, p + d, hits, "grazing");
+      check::That(hits.size() == 1 && Contains(hits, 0.5, 1e-8),
+        "one hit of a line that grazes: " + Describe(hits) + Points(p - d, p + d));
+      hits = surface.Intersect(p - d, p - 1e-3 * d);
+      check::That(hits.empty(), "none before the surface: " + Describe(hits));
+    };
+    const double angle = 0.5 * M_PI * (k % 4) + past;
+    compare(cylinder, Vec3(std::cos(angle), std::sin(angle), 0.7), angle);
+    // From a plane face to a cylinder, of radius 0.3.
+    compare(rounded,
+      past < 0 ? Vec3(1, 0.5 + past, 0.4)
+               : Vec3(0.7 + 0.3 * std::cos(past), 0.5 + 0.3 * std::sin(past), 0.4),
+      std::max(past, 0.0));
+  }
+}
+
 /// A line exactly through the gap between two faces within the tolerance is caught once; one
 /// past a free border is not.
 void TestGaps()
@@ -323,6 +353,7 @@ int main()
   TestPatchBorders();
   TestEnds();
   TestTangency();
+  TestGrazingAtBorders();
   TestGaps();
   return check::Result();
 }
