@@ -208,13 +208,14 @@ using NoteMap = std::unordered_map<const TopoDS_TShape*, ShapeNote>;
 
 /**
  * The starting and ending parameters of a B-spline surface (type 128), alone or within a trimmed
- * one, which may be less than the range of its knots. OpenCASCADE does not look at them.
+ * one, which may be less than the range of its knots. OpenCASCADE does not look at them. An outer
+ * contour has the last word: some programs let it bulge a little beyond that range.
  */
 std::vector<double> IgesRange(Handle(IGESData_IGESEntity) entity)
 {
   if (auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(entity))
   {
-    entity = trimmed->Surface();
+    entity = trimmed->HasOuterContour() ? nullptr : trimmed->Surface();
   }
   auto spline = Handle(IGESGeom_BSplineSurface)::DownCast(entity);
   if (spline.IsNull())

@@ -113,18 +113,23 @@ void TestSplines()
   TestSpline("micron", WavySurface(3, 2, clamped, kinked, false), 9, "UM", 1e-3);
 }
 
+/// The parameters of type 128 with another range at their end.
+std::string WithRange(std::string parameters, const std::vector<double>& range)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    parameters.erase(parameters.rfind(','));
+  }
+  return parameters + "," + Join(range);
+}
+
 /// The parameter range at the end of type 128 may be less than the knots'.
 void TestPartOfSpline()
 {
   const NurbsSurface given =
     WavySurface(3, 2, { 0, 0, 0, 0, 0.3, 0.5, 1, 1, 1, 1 }, { 0, 0, 0, 1, 1, 2, 2, 2 }, true);
-  std::string parameters = SurfaceParameters(given);
-  for (int i = 0; i < 4; ++i)
-  {
-    parameters.erase(parameters.rfind(','));
-  }
   IgesText iges;
-  iges.Add(128, parameters + ",0.2,0.7,0.5,1.75");
+  iges.Add(128, WithRange(SurfaceParameters(given), { 0.2, 0.7, 0.5, 1.75 }));
   const NurbsSurface read = ReadOne(iges, "part");
   CHECK(std::abs(read.FirstU() - 0.2) + std::abs(read.LastU() - 0.7) < 1e-12, "range of u");
   CHECK(std::abs(read.FirstV() - 0.5) + std::abs(read.LastV() - 1.75) < 1e-12, "range of v");
@@ -227,14 +232,14 @@ void TestTabulatedCylinder()
 }
 
 /// A square plane with a round hole or a triangle cut out of it, by pairs of curves.
-int AddSquare(IgesText& iges)
+int AddSquare(IgesText& iges, const std::vector<double>& range = { 0, 1, 0, 1 })
 {
   NurbsSurface square = WavySurface(1, 1, { 0, 0, 1, 1 }, { 0, 0, 1, 1 }, false);
   for (int i = 0; i < 4; ++i)
   {
     square.ControlPoints[i] = Vec4(20.0 * (i % 2), 20.0 * (i / 2), 3.0, 1.0);
   }
-  return iges.AddOwned(128, SurfaceParameters(square));
+  return iges.AddOwned(128, WithRange(SurfaceParameters(square), range));
 }
 
 /// The lines of a closed polygon, as one composite curve.
@@ -276,6 +281,21 @@ void TestTrimmed()
   const double area = 0.5 * 16 * 16 - 4 * Pi;
   CHECK(std::abs(Area(read, 300) - area) < 5e-3 * area, "type 144 has area " << Area(read, 300));
   CHECK(std::abs(UnitNormal(read, read.FirstU(), read.FirstV()).z() - 1.0) < 1e-12, "normal");
+}
+
+/// An outer contour that bulges beyond the surface's range is not cut off there.
+void TestTrimmedBeyondRange()
+{
+  IgesText iges;
+  const int base = AddSquare(iges, { 0.1, 0.9, 0.1, 0.9 });
+  const int flat = iges.AddOwned(100, "0.,0.5,0.5,0.95,0.5,0.95,0.5");
+  const int model = iges.AddOwned(100, "3.,10.,10.,19.,10.,19.,10.");
+  const int outer = iges.AddOwned(142,
+    "1," + std::to_string(base) + "," + std::to_string(flat) + "," + std::to_string(model) + ",1");
+  iges.Add(144, std::to_string(base) + ",1,0," + std::to_string(outer));
+  const NurbsSurface read = ReadOne(iges, "trimmed-beyond-range");
+  const double area = 81 * Pi;
+  CHECK(std::abs(Area(read, 300) - area) < 5e-3 * area, "the disc has area " << Area(read, 300));
 }
 
 /// Type 143, bounded by curves of type 141 that are given in space only.
@@ -379,6 +399,7 @@ int main()
   TestRevolution();
   TestTabulatedCylinder();
   TestTrimmed();
+  TestTrimmedBeyondRange();
   TestBounded();
   TestPlane();
   TestOffset();
