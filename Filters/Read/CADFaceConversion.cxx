@@ -231,14 +231,21 @@ public:
   std::vector<Vec2> Sample(const BoundaryWire& wire) const
   {
     std::vector<Vec2> loop;
-    for (const BoundaryCurve& boundary : wire)
+    for (size_t k = 0; k < wire.size(); ++k)
     {
+      const BoundaryCurve& boundary = wire[k];
       const std::vector<double> ends = SmoothPieces(boundary);
       for (size_t i = 0; i + 1 < ends.size(); ++i)
       {
         const Place first = this->At(boundary, ends[i]);
         loop.push_back(first.UV);
         this->Divide(boundary, first, this->At(boundary, ends[i + 1]), 0, loop);
+      }
+      const BoundaryCurve& next = wire[(k + 1) % wire.size()];
+      const Vec2 end = this->At(boundary, boundary.Last).UV;
+      if (this->AreApart(end, this->At(next, next.First).UV))
+      {
+        loop.push_back(end);
       }
     }
     return loop;
@@ -251,6 +258,15 @@ private:
     Vec2 UV;
     Vec3 Point;
   };
+
+  /// Where the edge at the apex of a cone is missing one stretch ends elsewhere than the next
+  /// begins.
+  bool AreApart(const Vec2& a, const Vec2& b) const
+  {
+    const NurbsSurface& surface = this->Surface.Converted.Surface;
+    return std::abs(a.x() - b.x()) > 1e-3 * (surface.LastU() - surface.FirstU()) ||
+      std::abs(a.y() - b.y()) > 1e-3 * (surface.LastV() - surface.FirstV());
+  }
 
   Vec3 PointAt(const Vec2& uv) const
   {

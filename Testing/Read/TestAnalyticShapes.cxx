@@ -3,6 +3,7 @@
  * solid, its normal points outwards, and the areas add up. The solid itself is the judge, by
  * OpenCASCADE's own distances and classification, which the reader does not use.
  */
+#include "CADFaceConversion.h"
 #include "ReadTesting.h"
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -25,9 +26,11 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_ConicalSurface.hxx>
 #include <Geom_Hyperbola.hxx>
 #include <Geom_Parabola.hxx>
 #include <Geom_TrimmedCurve.hxx>
@@ -327,6 +330,35 @@ void CheckUnits()
     }
   }
 }
+
+/// Half a cone as OpenCASCADE makes it of some files of Creo: no edge runs along the apex.
+void CheckOpenApex()
+{
+  const double angle = M_PI / 6;
+  const Handle(Geom_ConicalSurface) cone =
+    new Geom_ConicalSurface(gp_Ax3(Leaning()), angle, 12 - 20 * std::sin(angle));
+  const double apex = 20 - 12 / std::sin(angle);
+  const TopoDS_Face whole = BRepBuilderAPI_MakeFace(cone, 0.0, M_PI, apex, 20.0, 1e-7);
+  const BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, cone, 1e-7);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (TopExp_Explorer it(whole, TopAbs_EDGE); it.More(); it.Next())
+  {
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
+    {
+      builder.Add(wire, it.Current());
+    }
+  }
+  builder.Add(face, wire);
+  NurbsSurface surface;
+  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surface);
+  CHECK(reason.empty(), reason);
+  const double expected = 0.5 * M_PI * 12 * 12 / std::sin(angle);
+  CHECK(std::abs(Area(surface) - expected) < 1e-3 * expected,
+    "half a cone has area " << Area(surface) << ", not " << expected);
+}
 }
 
 int main(int argc, char* argv[])
@@ -336,6 +368,7 @@ int main(int argc, char* argv[])
   if (only.empty())
   {
     CheckUnits();
+    CheckOpenApex();
   }
   for (const Case& one : Cases())
   {
