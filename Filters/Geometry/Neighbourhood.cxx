@@ -62,9 +62,10 @@ struct Contact
 class SectorFinder
 {
 public:
-  SectorFinder(const SurfaceModel& model, const Vec3& x)
+  SectorFinder(const SurfaceModel& model, const Vec3& x, double gap)
     : Model(model)
     , X(x)
+    , Gap(gap)
   {
   }
 
@@ -100,6 +101,7 @@ private:
 
   const SurfaceModel& Model;
   const Vec3 X;
+  const double Gap;
   std::vector<Contact> Contacts;
   std::vector<Sector> Sectors;
   std::vector<std::pair<int, int>> Poles; ///< patch and side of those that were added
@@ -108,7 +110,7 @@ private:
 void SectorFinder::FindContacts()
 {
   const SurfaceModel& model = this->Model;
-  model.ForLeavesNear(this->X, model.Gap,
+  model.ForLeavesNear(this->X, this->Gap,
     [&](int index)
     {
       const Leaf& leaf = model.Leaves[index];
@@ -119,7 +121,7 @@ void SectorFinder::FindContacts()
       const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
       const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
       LocalFoot foot = InvertPoint(patch, model.Net(patch), this->X, s, t, domain);
-      if (foot.Squared > model.Gap * model.Gap)
+      if (foot.Squared > this->Gap * this->Gap)
       {
         return;
       }
@@ -172,13 +174,13 @@ void SectorFinder::AddLoopSector(const Contact& contact)
   sector.Straight = true;
   const double toFirst = (contact.Foot.Point - first).norm();
   const double toLast = (contact.Foot.Point - last).norm();
-  if (toFirst <= model.Gap && toFirst <= toLast)
+  if (toFirst <= this->Gap && toFirst <= toLast)
   {
     sector.Parameters = edge.From;
     backward = loops.LoopEdge(curve.Loop, curve.LoopEdge - 1).From;
     sector.Straight = false;
   }
-  else if (toLast <= model.Gap)
+  else if (toLast <= this->Gap)
   {
     sector.Parameters = edge.To;
     forward = loops.LoopEdge(curve.Loop, curve.LoopEdge + 1).To;
@@ -271,7 +273,7 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
     on[side] = away < 0.5 &&
       (away == 0 ||
         (BezierPoint(patch, net, sideS[side], sideT[side]) - contact.Foot.Point).norm() <=
-          model.Gap);
+          this->Gap);
   }
   for (int side = 0; side < 4; ++side)
   {
@@ -406,9 +408,9 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
 
 }
 
-std::vector<Sector> FindSectors(const SurfaceModel& model, const Vec3& x)
+std::vector<Sector> FindSectors(const SurfaceModel& model, const Vec3& x, double gap)
 {
-  return SectorFinder(model, x).Find();
+  return SectorFinder(model, x, gap).Find();
 }
 
 const BorderRay* FindPartner(
@@ -431,18 +433,19 @@ namespace
 {
 
 /// True if nothing else has a border along the ray a little way from the point.
-bool IsFree(const SurfaceModel& model, const Sector& sector, const BorderRay& ray, const Vec3& x)
+bool IsFree(
+  const SurfaceModel& model, const Sector& sector, const BorderRay& ray, const Vec3& x, double gap)
 {
   double part = 1e-3;
   Vec2 uv = ray.From + part * (ray.To - ray.From);
   Vec3 y = FacePoint(model, sector.Face, uv);
-  while (part < 0.5 && (y - x).norm() < 20 * model.Gap)
+  while (part < 0.5 && (y - x).norm() < 20 * gap)
   {
     part = std::min(0.5, 4 * part);
     uv = ray.From + part * (ray.To - ray.From);
     y = FacePoint(model, sector.Face, uv);
   }
-  const std::vector<Sector> sectors = FindSectors(model, y);
+  const std::vector<Sector> sectors = FindSectors(model, y, gap);
   const FaceData& data = model.Data[sector.Face];
   const Vec2 size(data.SpansU.Breaks.back() - data.SpansU.Breaks.front(),
     data.SpansV.Breaks.back() - data.SpansV.Breaks.front());
@@ -463,12 +466,11 @@ bool IsFree(const SurfaceModel& model, const Sector& sector, const BorderRay& ra
   return true;
 }
 
-}
-
-Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x)
+/// What meets where borders that lie within `gap` of each other are one edge.
+Neighbourhood ExamineWithin(const SurfaceModel& model, const Vec3& x, double gap)
 {
   Neighbourhood result;
-  const std::vector<Sector> sectors = FindSectors(model, x);
+  const std::vector<Sector> sectors = FindSectors(model, x, gap);
   for (const Sector& sector : sectors)
   {
     result.Normal += model.Data[sector.Face].Sign * sector.Weighted;
@@ -483,14 +485,28 @@ Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x)
     }
     for (int k = 0; k < sector.RayCount && !result.Border; ++k)
     {
-      result.Border =
-        !FindPartner(sectors, sector, sector.Rays[k]) && IsFree(model, sector, sector.Rays[k], x);
+      result.Border = !FindPartner(sectors, sector, sector.Rays[k]) &&
+        IsFree(model, sector, sector.Rays[k], x, gap);
     }
   }
   const double length = result.Normal.norm();
   if (length > 0)
   {
     result.Normal /= length;
+  }
+  return result;
+}
+
+}
+
+Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x)
+{
+  // The narrowest gap that closes the border: a wide one covers small features elsewhere.
+  Neighbourhood result = ExamineWithin(model, x, model.Gap);
+  for (double gap = model.NextGap(model.Gap); result.Border && gap > 0; gap = model.NextGap(gap))
+  {
+    const Neighbourhood wider = ExamineWithin(model, x, gap);
+    result = wider.Border ? result : wider;
   }
   return result;
 }

@@ -33,8 +33,8 @@ struct Sector
   BorderRay Rays[2];
 };
 
-/// Everything that comes within the gap tolerance of x (local coordinates).
-std::vector<Sector> FindSectors(const SurfaceModel& model, const Vec3& x);
+/// Everything that comes within `gap` of x (local coordinates).
+std::vector<Sector> FindSectors(const SurfaceModel& model, const Vec3& x, double gap);
 
 /// A border ray of another sector that runs along the given one; null if there is none.
 const BorderRay* FindPartner(
@@ -48,6 +48,7 @@ struct Neighbourhood
 };
 
 /// Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal".
+/// A border is free only where nothing closes it within the widest gap.
 Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x);
 
 /// Unit S_u x S_v of a patch; where it vanishes its limit from inside. Zero if there is none.

@@ -51,9 +51,11 @@ private:
 /// Votes of all places where two faces share an edge: > 0 if they are oriented alike.
 using Votes = std::map<std::pair<int, int>, int>;
 
-void VoteAt(const SurfaceModel& model, const Vec3& x, int face, Votes& votes)
+/// False if no other face shares an edge with the face there.
+bool VoteWithin(const SurfaceModel& model, const Vec3& x, double gap, int face, Votes& votes)
 {
-  const std::vector<Sector> sectors = FindSectors(model, x);
+  bool voted = false;
+  const std::vector<Sector> sectors = FindSectors(model, x, gap);
   for (const Sector& sector : sectors)
   {
     for (const Sector& other : sectors)
@@ -71,10 +73,21 @@ void VoteAt(const SurfaceModel& model, const Vec3& x, int face, Votes& votes)
             // Along one direction the inside is left of one face and right of the other.
             votes[std::minmax(face, other.Face)] +=
               sector.Rays[i].InsideIsLeft != other.Rays[j].InsideIsLeft ? 1 : -1;
+            voted = true;
           }
         }
       }
     }
+  }
+  return voted;
+}
+
+void VoteAt(const SurfaceModel& model, const Vec3& x, int face, Votes& votes)
+{
+  double gap = model.Gap;
+  while (gap > 0 && !VoteWithin(model, x, gap, face, votes))
+  {
+    gap = model.NextGap(gap);
   }
 }
 

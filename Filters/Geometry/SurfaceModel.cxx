@@ -8,7 +8,7 @@
 namespace nurbs
 {
 
-SurfaceModel::SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance)
+SurfaceModel::SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance, double widestGap)
   : Faces(std::move(faces))
 {
   Box3 hull;
@@ -24,6 +24,7 @@ SurfaceModel::SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance)
   this->Resolution = 1e-12 * this->Scale +
     4e-16 * std::max(hull.min().cwiseAbs().maxCoeff(), hull.max().cwiseAbs().maxCoeff());
   this->Gap = std::max(gapTolerance, 0.0) * (1 + 1e-9) + this->Resolution;
+  this->WidestGap = std::max(widestGap, this->Gap);
   this->Data.resize(this->Faces.size());
   for (std::size_t face = 0; face < this->Faces.size(); ++face)
   {

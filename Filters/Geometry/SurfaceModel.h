@@ -29,7 +29,7 @@ struct FaceData
 
 struct SurfaceModel
 {
-  SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance);
+  SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance, double widestGap);
 
   std::vector<NurbsSurface> Faces;
   std::vector<FaceData> Data;
@@ -42,10 +42,19 @@ struct SurfaceModel
   Vec3 Origin = Vec3::Zero();
   double Scale = 1.0;      ///< diagonal of the bounding box
   double Gap = 0.0;        ///< distance up to which borders count as one, rounding included
+  double WidestGap = 0.0;  ///< the same where a border would be free otherwise
   double Resolution = 0.0; ///< distance below which points are the same (1e-12 Scale)
   Box3 Bounds;
 
   const Vec4* Net(const BezierPatch& patch) const { return this->Nets.data() + patch.Net; }
+
+  /// What to try where a gap leaves a border free: a few times as much, at last the widest; 0
+  /// after that.
+  double NextGap(double gap) const
+  {
+    return gap < this->WidestGap ? std::min(4.5 * gap, this->WidestGap) : 0.0;
+  }
+
   int PatchAt(int face, double u, double v) const;
   int LeafAt(const BezierPatch& patch, double s, double t) const;
 

@@ -14,8 +14,8 @@ namespace nurbs
 
 struct TrimmingSurface::Implementation
 {
-  Implementation(std::vector<NurbsSurface> faces, double gapTolerance)
-    : Model(std::move(faces), gapTolerance)
+  Implementation(std::vector<NurbsSurface> faces, double gapTolerance, double widestGap)
+    : Model(std::move(faces), gapTolerance, widestGap)
   {
   }
 
@@ -146,8 +146,9 @@ Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& 
   return foot;
 }
 
-TrimmingSurface::TrimmingSurface(std::vector<NurbsSurface> faces, double gapTolerance)
-  : Impl(std::make_unique<Implementation>(std::move(faces), gapTolerance))
+TrimmingSurface::TrimmingSurface(
+  std::vector<NurbsSurface> faces, double gapTolerance, double widestGap)
+  : Impl(std::make_unique<Implementation>(std::move(faces), gapTolerance, widestGap))
 {
 }
 
@@ -345,7 +346,7 @@ bool TrimmingSurface::MayIntersect(const Box3& box) const
 bool TrimmingSurface::NormalsLieWithin(const Box3& box, const Vec3& direction, double angle) const
 {
   const SurfaceModel& model = this->Impl->Model;
-  return ForLeavesMeeting(model, box, model.Resolution + model.Gap,
+  return ForLeavesMeeting(model, box, model.Resolution + model.WidestGap,
     [&](int index)
     {
       const Leaf& leaf = model.Leaves[model.BoxAt(index).Leaf()];

@@ -61,10 +61,12 @@ public:
   /**
    * @param faces valid surfaces (FindDefect empty), at least one.
    * @param gapTolerance absolute distance up to which two face borders count as one edge.
+   * @param widestGap the same where a border would be free otherwise; less than the gap tolerance:
+   * that.
    * Face normals are made alike across shared edges; where they disagree the largest face
    * of each connected shell decides.
    */
-  TrimmingSurface(std::vector<NurbsSurface> faces, double gapTolerance);
+  TrimmingSurface(std::vector<NurbsSurface> faces, double gapTolerance, double widestGap = 0.0);
   ~TrimmingSurface();
   TrimmingSurface(const TrimmingSurface&) = delete;
   TrimmingSurface& operator=(const TrimmingSurface&) = delete;
@@ -97,7 +99,7 @@ public:
   bool MayIntersect(const Box3& box) const;
 
   /**
-   * True only if all normals of the surface within a box, or within the gap tolerance of it,
+   * True only if all normals of the surface within a box, or within the widest gap of it,
    * certainly are within an angle of a direction.
    *
    * @param direction of unit length.

@@ -321,7 +321,7 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
 void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
 {
   auto& near = *result.Near;
-  const double gap = GapShare * surface.Bounds().diagonal().norm();
+  const double gap = WidestGapShare * surface.Bounds().diagonal().norm();
   std::array<int, 2> missed{ -1, -1 };
   if (!MeasureShares(near.Mesh, near.Structure, near.Mesh.NodeStatus, near.Mesh.ElementStatus,
         surface, gap, near.Shares, missed))

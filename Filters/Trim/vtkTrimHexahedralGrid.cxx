@@ -58,8 +58,9 @@ std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurf
       box.extend(nurbs::Vec3(point[0], point[1], point[2]));
     }
   }
+  const double size = box.diagonal().norm();
   return std::make_unique<nurbs::TrimmingSurface>(
-    std::move(faces), trim::GapShare * box.diagonal().norm());
+    std::move(faces), trim::GapShare * size, trim::WidestGapShare * size);
 }
 
 }

@@ -146,7 +146,10 @@ void TestGaps()
         point.head<3>() += gap * (center - point.head<3>());
       }
     }
-    const TrimmingSurface tight(faces, 1e-3), loose(faces, 1e-6);
+    // Turned round, so that its neighbours have to be found to set it right.
+    std::swap(faces[1].ControlPoints[0], faces[1].ControlPoints[1]);
+    std::swap(faces[1].ControlPoints[2], faces[1].ControlPoints[3]);
+    const TrimmingSurface tight(faces, 1e-3), wide(faces, 1e-6, 1e-3), loose(faces, 1e-6);
     int borders = 0;
     for (int k = 0; k < check::Trials(4000); ++k)
     {
@@ -156,10 +159,13 @@ void TestGaps()
       {
         continue;
       }
-      const Foot foot = tight.ClosestPoint(p);
-      check::That(foot.Kind == FootKind::Interior, "gaps are closed" + Place(p, foot));
-      check::That(
-        (foot.SignedDistance > 0) == (q.maxCoeff() > 0), "the side beside a gap" + Place(p, foot));
+      for (const TrimmingSurface* surface : { &tight, &wide })
+      {
+        const Foot foot = surface->ClosestPoint(p);
+        check::That(foot.Kind == FootKind::Interior, "gaps are closed" + Place(p, foot));
+        check::That((foot.SignedDistance > 0) == (q.maxCoeff() > 0),
+          "the side beside a gap" + Place(p, foot));
+      }
       borders += loose.ClosestPoint(p).Kind == FootKind::Border;
     }
     check::That(
