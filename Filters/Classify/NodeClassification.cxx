@@ -128,7 +128,7 @@ struct SurfaceEnd
   Place At{};
 };
 
-/// The border point nearest to a projected node.
+/// The border point nearest to a projected node; without one the surface contradicts itself.
 std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const SurfaceEnd& fallback)
 {
   std::vector<SurfaceEnd> ends{ fallback };
@@ -142,7 +142,14 @@ std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const Surface
   ends = piece.All.Gather(ends);
   const auto nearest = std::min_element(ends.begin(), ends.end(),
     [](const SurfaceEnd& a, const SurfaceEnd& b) { return a.Distance < b.Distance; });
-  return "The trimming surface ends inside the grid, at " + PlaceText(ToVec3(nearest->At)) +
+  const std::string at = PlaceText(ToVec3(nearest->At));
+  if (nearest->Distance >= std::numeric_limits<double>::max())
+  {
+    return "The trimming surface has its two sides mixed up near " + at +
+      ": where several bodies touch or cross each other, leave one of them; where a body is "
+      "turned inside out, repair it in the CAD program.";
+  }
+  return "The trimming surface ends inside the grid, at " + at +
     ", and so does not part it: extend the surface beyond the grid or close it.";
 }
 

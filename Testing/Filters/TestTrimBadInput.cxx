@@ -305,6 +305,22 @@ void TestPointsAndArrays(const Mesh& mesh)
   Judge("all nodes at one place", grid, plane, { "one place", "1 2 3" });
 }
 
+// Two closed bodies, one of them inside out: nothing ends, but between them both sides meet.
+void TestMixedSides(const Mesh& mesh)
+{
+  vtkNew<vtkMultiBlockDataSet> both;
+  for (const bool reversed : { false, true })
+  {
+    Placement at;
+    at.X = reversed ? 0.5 : -0.5;
+    at.Y = 0;
+    at.Size = 0.3;
+    at.Reversed = reversed;
+    both->SetBlock(reversed, MakeSurface("roundrect", mesh.Box, at).Data);
+  }
+  Judge("bodies of opposite sense", mesh.Grid, both, { "two sides mixed up near (", "inside out" });
+}
+
 // The message gives a point where the surface ends: both surfaces are upright and end at a line
 // whose distance from the middle of the sheet is known.
 void TestEnds(const Mesh& mesh)
@@ -371,6 +387,7 @@ int main()
   TestPointsAndArrays(mesh);
   TestSurfaces(mesh);
   TestLoopsAndShells(mesh);
+  TestMixedSides(mesh);
   TestEnds(mesh);
   TestMissed(mesh);
   std::printf("%d wrong\n", Wrong);
