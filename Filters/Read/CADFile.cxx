@@ -77,6 +77,20 @@ std::string DescribeOmissions(const std::string& path, size_t faces,
   return text.str();
 }
 
+/// Why a file without surfaces has none, and what to do.
+std::string DescribeLack(const CADModel& model)
+{
+  if (!model.References.empty())
+  {
+    return " holds no surface but the names of other files, first \"" + model.References[0] +
+      "\"; open those, or export all parts into one file";
+  }
+  return model.Edges.empty()
+    ? " holds no surface; export the trimming surfaces into it"
+    : " holds curves but no surface; sweep the curves to surfaces in the CAD program, or use them "
+      "with the trim line source";
+}
+
 bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
   std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
 {
@@ -120,11 +134,7 @@ bool ReadCADFile(const std::string& path, double unitInMillimetres,
   {
     if (model.Faces.empty() && model.Untransferred == 0)
     {
-      error = "CAD file \"" + path + "\"" +
-        (!model.Edges.empty()
-            ? " holds curves but no surface; sweep the curves to surfaces in the CAD program, or "
-              "use them with the trim line source"
-            : " holds no surface; export the trimming surfaces into it");
+      error = "CAD file \"" + path + "\"" + DescribeLack(model);
       return false;
     }
     return ConvertFaces(path, model, 1.0 / unitInMillimetres, surfaces, error, progress);

@@ -113,7 +113,8 @@ std::string FindIgesLoss(std::istream& stream)
     if (section == 'T')
     {
       const std::array<long, 4> promised = PromisedLines(line);
-      for (int i = 0; i < 4; ++i)
+      // Not the start section, which is for the eye: some programs count it wrongly.
+      for (int i = 1; i < 4; ++i)
       {
         if (found[i] < promised[i])
         {

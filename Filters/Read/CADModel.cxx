@@ -19,6 +19,7 @@
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
+#include <StepBasic_DocumentFile.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
@@ -332,6 +333,12 @@ void CountUntransferred(
     model.UntransferredCurves += IsCurveEntity(entity, isRoot) && !Has(TopAbs_EDGE, shape);
     const auto set = Handle(StepShape_GeometricSet)::DownCast(entity);
     model.UntransferredCurves += set.IsNull() ? 0 : CountLost(set, shape);
+    const auto document = Handle(StepBasic_DocumentFile)::DownCast(entity);
+    const std::string name = document.IsNull() ? std::string() : Trimmed(document->Id());
+    if (!name.empty())
+    {
+      model.References.push_back(name);
+    }
   }
 }
 

@@ -35,8 +35,9 @@ struct CADModel
 {
   std::vector<CADFace> Faces;
   std::vector<CADEdge> Edges;
-  int Untransferred = 0;       ///< surfaces in the file of which OpenCASCADE made no face
-  int UntransferredCurves = 0; ///< curves in the file that gave no edge
+  int Untransferred = 0;               ///< surfaces in the file of which OpenCASCADE made no face
+  int UntransferredCurves = 0;         ///< curves in the file that gave no edge
+  std::vector<std::string> References; ///< other files that an assembly keeps its parts in
 };
 
 /**

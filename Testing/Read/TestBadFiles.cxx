@@ -168,6 +168,12 @@ void TestNoSurface()
                "FILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\n"
                "ENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"),
     "");
+  CheckError(File("assembly.step",
+               "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+               "FILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\n"
+               "ENDSEC;\nDATA;\n#1=DOCUMENT_TYPE('geometry');\n"
+               "#2=DOCUMENT_FILE('door.stp','','',#1,'',$);\nENDSEC;\nEND-ISO-10303-21;\n"),
+    "the names of other files, first \"door.stp\"");
   CheckError(File("garbage.step", "ISO-10303-21;\nHEADER;\n@@@((((;\nEND-ISO-10303-21;\n"), "");
   // A spline whose numbers make no sense.
   IgesText broken;

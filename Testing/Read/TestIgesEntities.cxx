@@ -372,6 +372,19 @@ void TestNames()
   }
 }
 
+/// A start section that the last line counts wrongly is no loss.
+void TestMiscounted()
+{
+  IgesText iges;
+  const int line = iges.AddOwned(110, "0.,0.,0.,10.,0.,0.");
+  iges.Add(122, std::to_string(line) + ",0.,0.,5.");
+  std::string text = iges.Text();
+  text.replace(text.rfind("S      1G"), 8, "S      4");
+  const std::string path = OutputPath("miscounted.igs");
+  WriteText(path, text);
+  ReadFaces(path, 1);
+}
+
 /// Faces that hang together in a group are read once each.
 void TestGroup()
 {
@@ -405,5 +418,6 @@ int main()
   TestOffset();
   TestNames();
   TestGroup();
+  TestMiscounted();
   return Failures != 0;
 }
