@@ -141,6 +141,10 @@ private:
     {
       this->TryForFloor(trimmed);
     }
+    else if (this->Quality.FindBelowFloor(trimmed).empty())
+    {
+      return;
+    }
     this->TakeInsideForFloor(trimmed);
     std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
     for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
