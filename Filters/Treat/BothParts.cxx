@@ -70,7 +70,7 @@ private:
 
 BothParts ClimbForBothParts(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const std::function<bool()>& aborted)
+  double precision, const LadderOptions& options, const Progress& progress)
 {
   LadderOptions demanding = options;
   demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
@@ -80,11 +80,15 @@ BothParts ClimbForBothParts(const Band& band, const Columns& columns, const Volu
   const double goal = std::max(options.QualityFloor, SmallestGoal);
   Demander demander(band, columns, shares, demanding.ForOffcut);
   BothParts parts;
+  double done = 0.0;
   for (int round = 0; round < MostRounds; ++round)
   {
-    parts.Kept =
-      ClimbLadder(band, columns, shares, nodeStatus, surface, precision, demanding, aborted);
-    if (aborted())
+    // Mostly there is one round; each takes half of what is left.
+    const double next = 0.5 * (done + 1.0);
+    parts.Kept = ClimbLadder(
+      band, columns, shares, nodeStatus, surface, precision, demanding, Part(progress, done, next));
+    done = next;
+    if (progress(done))
     {
       return parts;
     }

@@ -24,7 +24,7 @@ struct BothParts
 /// See ClimbLadder.
 BothParts ClimbForBothParts(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const std::function<bool()>& aborted);
+  double precision, const LadderOptions& options, const Progress& progress);
 
 }
 

@@ -215,14 +215,18 @@ void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, Trimmed
 }
 
 void TrialTrim::ReturnLeft(
-  const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const
 {
+  const auto aborted = [&progress] { return progress(-1.0); };
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   Faults faults = this->FaultsOf(trimmed);
   bool changed = true;
+  double done = 0.0;
   // What makes room for one node may do so for others.
   for (const bool relax : { false, true, false })
   {
+    progress(done);
+    done += 1.0 / 3.0;
     const std::vector<int> left = this->FindLeft(set, trimmed);
     if (left.empty() || (!changed && !relax))
     {

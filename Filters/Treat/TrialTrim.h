@@ -7,6 +7,7 @@
 
 #include "BandQuality.h"
 #include "Decision.h"
+#include "Progress.h"
 #include "Relaxation.h"
 #include "TrimmedBand.h"
 
@@ -69,9 +70,8 @@ public:
 
   /// Takes nodes that were left off to the surface after all, or drops them, where the elements
   /// round them stand it.
-  /// @param aborted true ends the work; the result is then of no use.
-  void ReturnLeft(
-    const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  /// @param progress where it ends the work, the result is of no use.
+  void ReturnLeft(const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const;
 
   /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
   /// by TrimmedBand::Invalid; no more may become so.

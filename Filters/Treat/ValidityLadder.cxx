@@ -24,6 +24,9 @@ constexpr double FloorMargin = 1.1;
 /// Rounds in which single pillars are left for the sake of the floor; then all of a column.
 constexpr int SingleLeaves = 8;
 
+/// Shares of the whole work, about.
+constexpr double Climbed = 0.2, Raised = 0.4, Left = 0.6, Returned = 0.9;
+
 void AddUnique(std::vector<int>& list, int value)
 {
   if (std::find(list.begin(), list.end(), value) == list.end())
@@ -52,10 +55,11 @@ public:
     this->Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
   }
 
-  TrimmedBand Climb(const std::function<bool()>& aborted)
+  TrimmedBand Climb(const Progress& progress)
   {
+    const auto aborted = [&progress] { return progress(-1.0); };
     TrimmedBand trimmed = this->Trial.Make(this->Set, this->Quality);
-    for (int climb = 0; climb < LongestClimb && !aborted(); ++climb)
+    for (int climb = 0; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
     {
       const std::vector<int> bad = this->FindBadColumns(trimmed);
       if (bad.empty())
@@ -72,9 +76,12 @@ public:
       trimmed = this->Trial.Make(this->Set, this->Quality);
     }
     this->LeaveInvalid(this->Quality, trimmed, aborted);
+    progress(Climbed);
     this->RaiseToFloor(trimmed, aborted);
+    progress(Raised);
     this->LeaveBelowFloor(trimmed, aborted);
-    this->ReturnLeft(trimmed, aborted);
+    this->ReturnLeft(trimmed, Part(progress, Left, Returned));
+    progress(Returned);
     this->Trial.Polish(this->Set, trimmed);
     trimmed.RescuedBy = this->Rungs;
     trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
@@ -386,13 +393,13 @@ private:
 
   /// Takes nodes that were left back to the surface. Columns that needed a rung are saved by
   /// leaving if they have a node left in the end, else by another way to the surface.
-  void ReturnLeft(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  void ReturnLeft(TrimmedBand& trimmed, const Progress& progress)
   {
     if (std::all_of(this->Rungs.begin(), this->Rungs.end(), [](Rung r) { return r == Rung::None; }))
     {
       return;
     }
-    this->Trial.ReturnLeft(this->Set, aborted, trimmed);
+    this->Trial.ReturnLeft(this->Set, progress, trimmed);
     const std::vector<int> users = CountUsers(this->TheBand, trimmed);
     std::vector<char> hasLeft(this->TheBand.NumberOfElements(), 0);
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
@@ -629,9 +636,9 @@ private:
 
 TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const std::function<bool()>& aborted)
+  double precision, const LadderOptions& options, const Progress& progress)
 {
-  return Ladder(band, columns, shares, nodeStatus, surface, precision, options).Climb(aborted);
+  return Ladder(band, columns, shares, nodeStatus, surface, precision, options).Climb(progress);
 }
 
 }

@@ -14,9 +14,9 @@
 #ifndef ValidityLadder_h
 #define ValidityLadder_h
 
+#include "Progress.h"
 #include "TrialTrim.h"
 
-#include <functional>
 #include <vector>
 
 namespace trim
@@ -24,11 +24,11 @@ namespace trim
 
 /**
  * @param precision absolute distance up to which a node is on the surface.
- * @param aborted true ends the work; the result is then of no use.
+ * @param progress where it ends the work, the result is of no use.
  */
 TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const std::function<bool()>& aborted);
+  double precision, const LadderOptions& options, const Progress& progress);
 
 }
 

@@ -334,16 +334,16 @@ void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
 
 /// Kept part and, if it is asked for, offcut.
 void Decide(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const TrimOptions& options, const std::function<bool()>& stopped)
+  const TrimOptions& options, const Progress& progress)
 {
   if (!options.ProduceOffcut)
   {
     near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
-      surface, precision, options.Ladder, stopped);
+      surface, precision, options.Ladder, progress);
     return;
   }
   BothParts parts = ClimbForBothParts(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
-    surface, precision, options.Ladder, stopped);
+    surface, precision, options.Ladder, progress);
   near.Trimmed = std::move(parts.Kept);
   near.Rest = std::move(parts.Rest);
 }
@@ -426,7 +426,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   // Classify.
   if (!ClassifyNodes(
         mesh, blocks, piece, surface, precision, stopped, result.Nodes, result.Error) ||
-    aborted(0.3))
+    aborted(0.2))
   {
     return result;
   }
@@ -447,18 +447,18 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const auto seeds = FindSeeds(mesh, result);
   if (piece.All.Any(!seeds.empty()))
   {
-    if (!BuildBand(mesh, blocks, piece, surface, seeds, result) || aborted(0.4))
+    if (!BuildBand(mesh, blocks, piece, surface, seeds, result) || aborted(0.3))
     {
       return result;
     }
     MeasureBand(result, surface);
     result.Error = piece.All.FirstText(result.Error);
-    if (!result.Error.empty() || aborted(0.5))
+    if (!result.Error.empty() || aborted(0.4))
     {
       return result;
     }
     auto& near = *result.Near;
-    Decide(near, surface, precision, options, stopped);
+    Decide(near, surface, precision, options, Part(progress, 0.4, 0.6));
   }
   SetFates(mesh, result);
   FindAndWarn(mesh, piece, surface, precision, options.ProduceOffcut, result);

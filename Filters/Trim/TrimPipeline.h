@@ -12,10 +12,10 @@
 #include "Findings.h"
 #include "MeshBlocks.h"
 #include "NodeClassification.h"
+#include "Progress.h"
 #include "SharedNodes.h"
 #include "TrimmingSurface.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -74,9 +74,6 @@ struct TrimResult
   std::string Error; ///< not empty: there is no result
   bool Aborted = false;
 };
-
-/// Reports a fraction of the work; returns true if it is to end.
-using Progress = std::function<bool(double)>;
 
 /**
  * Trims. Neither mesh nor surface is changed, but the surface is turned round for the time of
