@@ -22,6 +22,8 @@ constexpr double LeastEdgeShare = 0.05;
 /// On a curved surface or skin a step may turn out better than it looks by this much.
 constexpr double Foresight = 0.02;
 
+constexpr std::size_t LeastForThreads = 500;
+
 class Relaxer : private RelaxedMesh
 {
 public:
@@ -37,8 +39,10 @@ public:
 
   void Run(const std::vector<int>& active)
   {
-    const std::vector<std::vector<int>> parts =
-      this->PartsOf(this->NodesRound(active, RelaxedRings));
+    const std::vector<int> nodes = this->NodesRound(active, RelaxedRings);
+    const std::vector<std::vector<int>> parts = this->PartsOf(nodes);
+    // For a few nodes threads cost more than they save.
+    const Id grain = nodes.size() < LeastForThreads ? static_cast<Id>(parts.size()) : 1;
     this->Spread(parts);
     std::vector<std::vector<Pillar>> pillars;
     for (const auto& part : parts)
@@ -49,7 +53,7 @@ public:
     for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
     {
       // Parts do not share elements, so none of them knows how far the others are.
-      vtkSMPTools::For(0, static_cast<Id>(parts.size()), 1,
+      vtkSMPTools::For(0, static_cast<Id>(parts.size()), grain,
         [&](Id begin, Id end)
         {
           for (Id i = begin; i < end; ++i)
