@@ -38,14 +38,7 @@ public:
     , Fates(fate)
     , MovesNodes(movesNodes)
     , Kept(kept)
-    , Members(BuildLists(band.NumberOfElements(),
-        [&](auto&& add)
-        {
-          for (int e = 0; e < band.NumberOfElements(); ++e)
-          {
-            add(columns.Column[e], e);
-          }
-        }))
+    , Members(columns.Elements())
     , Whole(band.NumberOfElements(), 1)
   {
     this->FindInnerNodes();

@@ -340,6 +340,19 @@ void BuildGroups(const Band& band, Columns& columns)
 
 }
 
+Band::Lists Columns::Elements() const
+{
+  const int count = static_cast<int>(this->Column.size());
+  return BuildLists(count,
+    [&](auto&& add)
+    {
+      for (int e = 0; e < count; ++e)
+      {
+        add(this->Column[e], e);
+      }
+    });
+}
+
 bool Columns::Complete(const Band& band, int ring) const
 {
   std::vector<char> open(band.NumberOfElements(), 0);

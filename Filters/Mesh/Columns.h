@@ -27,6 +27,9 @@ struct Columns
   std::vector<int> Pillar;       ///< of each node: the smallest node of its pillar
   bool ChosenByCut = false;      ///< some by ChooseColumns
 
+  /// Of each column, ascending.
+  Band::Lists Elements() const;
+
   /// True if the columns of all elements up to this ring end at the skin, not at the band.
   bool Complete(const Band& band, int ring) const;
 

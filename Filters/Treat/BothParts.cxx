@@ -80,13 +80,14 @@ BothParts ClimbForBothParts(const Band& band, const Columns& columns, const Volu
   const double goal = std::max(options.QualityFloor, SmallestGoal);
   Demander demander(band, columns, shares, demanding.ForOffcut);
   BothParts parts;
+  LadderPosition position;
   double done = 0.0;
   for (int round = 0; round < MostRounds; ++round)
   {
     // Mostly there is one round; each takes half of what is left.
     const double next = 0.5 * (done + 1.0);
-    parts.Kept = ClimbLadder(
-      band, columns, shares, nodeStatus, surface, precision, demanding, Part(progress, done, next));
+    parts.Kept = ClimbLadder(band, columns, shares, nodeStatus, surface, precision, demanding,
+      Part(progress, done, next), position);
     done = next;
     if (progress(done))
     {

@@ -37,14 +37,7 @@ public:
     , Slots(band.NumberOfElements())
     , SplitCorner(band.NumberOfElements(), -1)
     , Shared(band.NumberOfNodes(), 0)
-    , Members(BuildLists(band.NumberOfElements(),
-        [&](auto&& add)
-        {
-          for (int e = 0; e < band.NumberOfElements(); ++e)
-          {
-            add(columns.Column[e], e);
-          }
-        }))
+    , Members(columns.Elements())
   {
   }
 

@@ -40,7 +40,7 @@ class Ladder
 public:
   Ladder(const Band& band, const Columns& columns, const VolumeShares& shares,
     const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-    double precision, const LadderOptions& options)
+    double precision, const LadderOptions& options, LadderPosition& position)
     : TheBand(band)
     , TheColumns(columns)
     , Shares(shares)
@@ -48,8 +48,17 @@ public:
     , Quality(band, options.Treatment, options.QualityFloor)
     , Aimed(band, options.Treatment, options.AimedQuality())
     , Trial(band, columns, shares, nodeStatus, surface, precision, options)
-    , Rungs(band.NumberOfElements(), Rung::None)
+    , Members(columns.Elements())
+    , Set(position.Set)
+    , Rungs(position.Rungs)
+    , Disturbed(position.Disturbed)
   {
+    if (!this->Rungs.empty())
+    {
+      return;
+    }
+    this->Rungs.assign(band.NumberOfElements(), Rung::None);
+    this->Disturbed.assign(band.NumberOfElements(), 0);
     this->Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
     this->Set.Corrections.assign(band.NumberOfNodes(), PillarChoice());
     this->Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
@@ -496,20 +505,28 @@ private:
     return columns;
   }
 
+  /// Calls action(node) for the nodes of each element of a column.
   template <typename Action>
-  void ForMovingPillars(const TrimmedBand& trimmed, int column, const Action& action)
+  void ForNodes(int column, const Action& action) const
   {
-    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    for (const int* e = this->Members.begin(column); e != this->Members.end(column); ++e)
     {
-      const auto& element = this->TheBand.Elements[e];
-      for (int i = 0; this->TheColumns.Column[e] == column && i < element.Count; ++i)
-      {
-        if (trimmed.Moving[element.Node[i]])
-        {
-          action(this->TheColumns.Pillar[element.Node[i]]);
-        }
-      }
+      const auto& element = this->TheBand.Elements[*e];
+      std::for_each(element.Node.begin(), element.Node.begin() + element.Count, action);
     }
+  }
+
+  template <typename Action>
+  void ForMovingPillars(const TrimmedBand& trimmed, int column, const Action& action) const
+  {
+    this->ForNodes(column,
+      [&](int node)
+      {
+        if (trimmed.Moving[node])
+        {
+          action(this->TheColumns.Pillar[node]);
+        }
+      });
   }
 
   /// Keeps the eliminated columns that share nodes with a column, or only those nodes that found
@@ -517,15 +534,12 @@ private:
   bool KeepAround(const TrimmedBand& trimmed, int column, bool failedOnly)
   {
     bool any = false;
-    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
-    {
-      for (int i = 0; this->TheColumns.Column[e] == column && i < this->TheBand.Elements[e].Count;
-           ++i)
+    this->ForNodes(column,
+      [&](int node)
       {
-        const int node = this->TheBand.Elements[e].Node[i];
         if (failedOnly && !trimmed.NodeMoves.Failed[node])
         {
-          continue;
+          return;
         }
         for (const int other : this->TheBand.ElementsOfNode(node))
         {
@@ -534,12 +548,27 @@ private:
             this->Shares.Column[around] <= 1.0 - SmallestShare)
           {
             this->Set.Fates[around] = Fate::Keep;
+            this->DisturbAround(around);
             any = true;
           }
         }
-      }
-    }
+      });
     return any;
+  }
+
+  /// A fate that was changed may spoil the next columns. Theirs are not changed then: trouble would
+  /// wander along the cut without an end.
+  void DisturbAround(int changed)
+  {
+    this->ForNodes(changed,
+      [this](int node)
+      {
+        for (const int other : this->TheBand.ElementsOfNode(node))
+        {
+          const int next = this->TheColumns.Column[other];
+          this->Disturbed[next] |= this->Rungs[next] == Rung::None;
+        }
+      });
   }
 
   /// Another correction for a pillar, if it is not behind the cut.
@@ -552,6 +581,7 @@ private:
   /// Undoes the rung that did not help and takes the next one.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
+    const bool mayChange = !this->Disturbed[column];
     switch (this->Rungs[column])
     {
       case Rung::None:
@@ -588,17 +618,18 @@ private:
         this->ForMovingPillars(
           trimmed, column, [&](int pillar) { this->Turn(pillar, CorrectionChoice::AsAsked); });
         this->Rungs[column] = Rung::Fate;
-        if (this->Set.Fates[column] == Fate::ByVolume &&
+        if (mayChange && this->Set.Fates[column] == Fate::ByVolume &&
           this->Shares.Column[column] >= SmallestShare)
         {
           this->Set.Fates[column] = Fate::Eliminate;
+          this->DisturbAround(column);
           return;
         }
         [[fallthrough]];
       case Rung::Fate:
         this->Set.Fates[column] = Fate::ByVolume;
         this->Rungs[column] = Rung::FateAround;
-        if (this->KeepAround(trimmed, column, false))
+        if (mayChange && this->KeepAround(trimmed, column, false))
         {
           return;
         }
@@ -628,17 +659,21 @@ private:
   BandQuality Quality;
   BandQuality Aimed;
   TrialTrim Trial;
-  Choices Set;
-  std::vector<Rung> Rungs;
+  const Band::Lists Members; ///< elements of each column
+  Choices& Set;
+  std::vector<Rung>& Rungs;
+  std::vector<char>& Disturbed;
 };
 
 }
 
 TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const Progress& progress)
+  double precision, const LadderOptions& options, const Progress& progress,
+  LadderPosition& position)
 {
-  return Ladder(band, columns, shares, nodeStatus, surface, precision, options).Climb(progress);
+  return Ladder(band, columns, shares, nodeStatus, surface, precision, options, position)
+    .Climb(progress);
 }
 
 }

@@ -22,13 +22,23 @@
 namespace trim
 {
 
+/// Where a climb came to. Another one, with other demands, may go on from there.
+struct LadderPosition
+{
+  Choices Set;                 ///< empty: at the foot
+  std::vector<Rung> Rungs;     ///< by column
+  std::vector<char> Disturbed; ///< by column: the fate of one next to it was changed before its own
+};
+
 /**
  * @param precision absolute distance up to which a node is on the surface.
  * @param progress where it ends the work, the result is of no use.
+ * @param[in,out] position where the climb starts, and where it ended.
  */
 TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
   const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const Progress& progress);
+  double precision, const LadderOptions& options, const Progress& progress,
+  LadderPosition& position);
 
 }
 

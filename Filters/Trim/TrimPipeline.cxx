@@ -338,8 +338,9 @@ void Decide(TrimBand& near, const nurbs::TrimmingSurface& surface, double precis
 {
   if (!options.ProduceOffcut)
   {
+    LadderPosition foot;
     near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
-      surface, precision, options.Ladder, progress);
+      surface, precision, options.Ladder, progress, foot);
     return;
   }
   BothParts parts = ClimbForBothParts(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
