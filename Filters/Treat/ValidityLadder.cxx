@@ -71,7 +71,8 @@ public:
     for (int climb = 0; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
     {
       const std::vector<int> bad = this->FindBadColumns(trimmed);
-      if (bad.empty())
+      if (std::all_of(
+            bad.begin(), bad.end(), [this](int c) { return this->Rungs[c] == Rung::Left; }))
       {
         break;
       }
