@@ -73,7 +73,9 @@ std::string DescribeOmissions(const std::string& path, size_t faces,
     text << (untransferred > 0 ? "; " : "") << omissions.size() << " of " << faces
          << " faces are left out, first " << omissions[0];
   }
-  text << "; repair them in the CAD program if they are needed";
+  text << (omissions.size() == faces
+      ? "; nothing else is in it: export it again from the CAD program, as STEP if it is IGES"
+      : "; repair them in the CAD program if they are needed");
   return text.str();
 }
 

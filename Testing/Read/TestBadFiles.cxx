@@ -178,7 +178,7 @@ void TestNoSurface()
   // A spline whose numbers make no sense.
   IgesText broken;
   broken.Add(128, "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.");
-  CheckError(File("broken.igs", broken.Text()), "");
+  CheckError(File("broken.igs", broken.Text()), "nothing else is in it");
   IgesText compressed;
   std::string text = compressed.Text();
   text[72] = 'C';
