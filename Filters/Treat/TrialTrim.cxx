@@ -115,7 +115,8 @@ Choices TrialTrim::ForDecision(Choices set, const TrimmedBand& trimmed) const
   return set;
 }
 
-TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal) const
+TrimmedBand TrialTrim::Make(
+  const Choices& choices, const BandQuality& goal, const TrimmedBand* from) const
 {
   Choices set = this->WithDemands(choices);
   TrimmedBand trimmed;
@@ -137,14 +138,71 @@ TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal) con
   {
     trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
       this->NodeStatus, trimmed.Kept, this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
-    this->RelaxBad(set, goal, trimmed);
+    trimmed.Unrelaxed = trimmed.NodeMoves;
+    this->RelaxBad(set, goal, from, trimmed);
   }
   return trimmed;
 }
 
-/// Relaxes round what is invalid or short of the goal.
-void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const
+/// Whether an element is kept, shaped or placed otherwise, before any relaxation.
+bool TrialTrim::Differ(const TrimmedBand& a, const TrimmedBand& b, int e) const
 {
+  const ReplacedElement* wedge = FindWedge(a.Treated, e);
+  const ReplacedElement* other = FindWedge(b.Treated, e);
+  if (a.Kept[e] != b.Kept[e] || !wedge != !other || (wedge && wedge->Node != other->Node))
+  {
+    return true;
+  }
+  const auto& element = this->TheBand.Elements[e];
+  return std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
+    [&](int n)
+    {
+      return a.Moving[n] != b.Moving[n] || a.Unrelaxed.Position[n] != b.Unrelaxed.Position[n] ||
+        a.Unrelaxed.Applied[n] != b.Unrelaxed.Applied[n] ||
+        a.Unrelaxed.Left[n] != b.Unrelaxed.Left[n];
+    });
+}
+
+/// Takes the relaxed places of another trial where both are the same before; returns the elements
+/// round the rest.
+std::vector<char> TrialTrim::TakeRelaxed(const TrimmedBand& from, TrimmedBand& trimmed) const
+{
+  std::vector<char> differs(this->TheBand.NumberOfNodes(), 0);
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+  {
+    if (this->Differ(from, trimmed, e))
+    {
+      const auto& element = this->TheBand.Elements[e];
+      std::for_each(element.Node.begin(), element.Node.begin() + element.Count,
+        [&differs](int n) { differs[n] = 1; });
+    }
+  }
+  std::vector<char> near(this->TheBand.NumberOfElements(), 0);
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    if (!differs[n])
+    {
+      trimmed.NodeMoves.Position[n] = from.NodeMoves.Position[n];
+      trimmed.NodeMoves.Applied[n] = from.NodeMoves.Applied[n];
+      continue;
+    }
+    for (const int e : this->TheBand.ElementsOfNode(n))
+    {
+      near[e] = 1;
+    }
+  }
+  return near;
+}
+
+/// Relaxes round what is invalid or short of the goal.
+void TrialTrim::RelaxBad(
+  const Choices& set, const BandQuality& goal, const TrimmedBand* from, TrimmedBand& trimmed) const
+{
+  std::vector<char> near(this->TheBand.NumberOfElements(), 1);
+  if (from)
+  {
+    near = this->TakeRelaxed(*from, trimmed);
+  }
   trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
   for (const int e : this->Quality.FindInvalid(trimmed))
   {
@@ -157,7 +215,11 @@ void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBan
   std::vector<int> bad;
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
-    if (trimmed.Relaxed[e])
+    if (!near[e])
+    {
+      trimmed.Relaxed[e] = from->Relaxed[e];
+    }
+    else if (trimmed.Relaxed[e])
     {
       bad.push_back(e);
     }

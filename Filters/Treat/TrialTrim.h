@@ -66,7 +66,9 @@ public:
 
   /// The demands go before the choices.
   /// @param goal what elements are relaxed to.
-  TrimmedBand Make(const Choices& choices, const BandQuality& goal) const;
+  /// @param from another trial: only round what it has otherwise is relaxed anew.
+  TrimmedBand Make(
+    const Choices& choices, const BandQuality& goal, const TrimmedBand* from = nullptr) const;
 
   /// Takes nodes that were left off to the surface after all, or drops them, where the elements
   /// round them stand it.
@@ -86,7 +88,10 @@ private:
   bool IsBehindOnBorder(int node, const std::vector<char>& atCut) const;
   Choices WithDemands(Choices choices) const;
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
-  void RelaxBad(const Choices& set, const BandQuality& goal, TrimmedBand& trimmed) const;
+  void RelaxBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
+    TrimmedBand& trimmed) const;
+  bool Differ(const TrimmedBand& a, const TrimmedBand& b, int element) const;
+  std::vector<char> TakeRelaxed(const TrimmedBand& from, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
   double GoalForLeft() const;
   std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;

@@ -30,6 +30,7 @@ struct TrimmedBand
 {
   std::vector<char> Kept; ///< by element
   Moves NodeMoves;
+  Moves Unrelaxed; ///< NodeMoves as corrected and treated
   Pentahedra Treated;
   std::vector<Rung> RescuedBy; ///< by column (smallest element)
   std::vector<char> Relaxed;   ///< elements that were below the floor before the relaxation

@@ -156,7 +156,7 @@ private:
   {
     if (!this->Aimed.FindBelowFloor(trimmed).empty())
     {
-      this->TryForFloor(trimmed);
+      this->TryForFloor(trimmed, nullptr);
     }
     else if (this->Quality.FindBelowFloor(trimmed).empty())
     {
@@ -189,7 +189,7 @@ private:
     {
       const Choices before = this->Set;
       const auto columns = this->ColumnsOf(this->Quality.FindBelowFloor(trimmed));
-      if (!this->TakeInside(trimmed, columns) || !this->TryForFloor(trimmed))
+      if (!this->TakeInside(trimmed, columns) || !this->TryForFloor(trimmed, &trimmed))
       {
         this->Set = before;
         return;
@@ -220,7 +220,7 @@ private:
     {
       const Choices before = this->Set;
       if ((!otherFates && rung != Rung::Correction) || !this->SetForFloor(trimmed, column, rung) ||
-        !this->TryForFloor(trimmed))
+        !this->TryForFloor(trimmed, &trimmed))
       {
         this->Set = before;
         continue;
@@ -269,9 +269,10 @@ private:
   }
 
   /// Takes the trial into `trimmed` if it is nearer to the aim, and no worse otherwise.
-  bool TryForFloor(TrimmedBand& trimmed) const
+  /// @param from see TrialTrim::Make.
+  bool TryForFloor(TrimmedBand& trimmed, const TrimmedBand* from) const
   {
-    TrimmedBand other = this->Trial.Make(this->Set, this->Aimed);
+    TrimmedBand other = this->Trial.Make(this->Set, this->Aimed, from);
     other.Invalid = this->Quality.FindInvalid(other);
     if (other.Invalid.size() > trimmed.Invalid.size() ||
       this->CountLeft(other) > this->CountLeft(trimmed))
@@ -333,7 +334,7 @@ private:
       {
         return;
       }
-      trimmed = this->Trial.Make(this->Set, this->Aimed);
+      trimmed = this->Trial.Make(this->Set, this->Aimed, round > 0 ? &trimmed : nullptr);
       this->LeaveInvalid(this->Aimed, trimmed, aborted);
     }
   }
