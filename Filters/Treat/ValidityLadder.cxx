@@ -334,7 +334,7 @@ private:
       {
         return;
       }
-      trimmed = this->Trial.Make(this->Set, this->Aimed, round > 0 ? &trimmed : nullptr);
+      trimmed = this->Trial.Make(this->Set, this->Aimed);
       this->LeaveInvalid(this->Aimed, trimmed, aborted);
     }
   }
