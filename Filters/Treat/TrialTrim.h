@@ -53,8 +53,8 @@ struct Choices
 };
 
 /**
- * Trims the band as often as it is asked to, each time from the start. What it is given must
- * outlive it.
+ * Trims the band as often as it is asked to, from the start; only relaxed places may be those of
+ * another trial. What it is given must outlive it.
  */
 class TrialTrim
 {
