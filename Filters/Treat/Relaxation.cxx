@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -17,6 +18,7 @@ constexpr std::array<double, 4> Steps{ 0.3, 0.1, 0.03, 0.01 };
 /// Where an element is below this, the ways to the surface are spread over the nodes behind first.
 constexpr double SpreadQuality = 0.2;
 constexpr int SpreadRounds = 30;
+constexpr int SpreadAttempts = 10;
 /// No step makes an edge shorter than this share of what it was.
 constexpr double LeastEdgeShare = 0.05;
 /// On a curved surface or skin a step may turn out better than it looks by this much.
@@ -118,15 +120,44 @@ private:
     }
   }
 
-  void SpreadOver(const std::vector<int>& nodes)
+  void SpreadOver(std::vector<int> nodes)
   {
     const std::vector<int> elements = this->ElementsAt(nodes);
-    const auto [lowest, below] = this->CountBelow(elements);
-    if (lowest >= SpreadQuality)
+    const std::vector<double> before = this->QualitiesOf(elements);
+    if (elements.empty() || *std::min_element(before.begin(), before.end()) >= SpreadQuality)
     {
       return;
     }
-    const std::vector<Vec3> from = this->PositionsOf(nodes);
+    // What helps along most of a long cut may do harm at a place of it: there the nodes stay.
+    for (int attempt = 0; attempt < SpreadAttempts && !nodes.empty(); ++attempt)
+    {
+      const std::vector<Vec3> from = this->PositionsOf(nodes);
+      std::vector<int> staying = this->TakeWays(nodes);
+      const std::vector<double> after = this->QualitiesOf(elements);
+      const std::vector<int> spoiled = this->NodesOfSpoiled(elements, before, after);
+      if (staying.empty() &&
+        (this->RaisesLowest(before, after) ||
+          (spoiled.empty() && Shortage(after) < Shortage(before))))
+      {
+        this->TellMoved(nodes);
+        return;
+      }
+      this->Place(nodes, from);
+      staying.insert(staying.end(), spoiled.begin(), spoiled.end());
+      std::sort(staying.begin(), staying.end());
+      const auto end = std::remove_if(nodes.begin(), nodes.end(),
+        [&staying](int n) { return std::binary_search(staying.begin(), staying.end(), n); });
+      if (end == nodes.end())
+      {
+        return;
+      }
+      nodes.erase(end, nodes.end());
+    }
+  }
+
+  /// Lets nodes go along with their neighbours; returns those that found no place.
+  std::vector<int> TakeWays(const std::vector<int>& nodes)
+  {
     for (int round = 0; round < SpreadRounds; ++round)
     {
       for (const int node : nodes)
@@ -134,29 +165,52 @@ private:
         this->TheMoves.Position[node] += this->WayOfNeighbours(node);
       }
     }
-    if (this->Settle(nodes))
-    {
-      const auto [lowestNow, belowNow] = this->CountBelow(elements);
-      if (lowestNow > lowest + this->Effort.Gain && belowNow <= below)
-      {
-        this->TellMoved(nodes);
-        return;
-      }
-    }
-    this->Place(nodes, from);
+    std::vector<int> lost;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(lost),
+      [this](int node) { return !this->Settle({ node }); });
+    return lost;
   }
 
-  /// The lowest quality and how many are below the floor.
-  std::pair<double, int> CountBelow(const std::vector<int>& elements) const
+  /// No more than the goal.
+  std::vector<double> QualitiesOf(const std::vector<int>& elements) const
   {
-    std::pair<double, int> found{ this->Goal, 0 };
-    for (const int e : elements)
+    std::vector<double> qualities;
+    std::transform(elements.begin(), elements.end(), std::back_inserter(qualities),
+      [this](int e) { return std::min(this->Goal, this->Quality(e)); });
+    return qualities;
+  }
+
+  /// Whether the lowest has come up and no more are below the floor.
+  bool RaisesLowest(const std::vector<double>& before, const std::vector<double>& after) const
+  {
+    const auto below = [this](double quality) { return quality < this->Floor; };
+    return *std::min_element(after.begin(), after.end()) >
+      *std::min_element(before.begin(), before.end()) + this->Effort.Gain &&
+      std::count_if(after.begin(), after.end(), below) <=
+      std::count_if(before.begin(), before.end(), below);
+  }
+
+  /// By how much qualities miss what needs no spreading.
+  static double Shortage(const std::vector<double>& qualities)
+  {
+    return std::accumulate(qualities.begin(), qualities.end(), 0.0,
+      [](double sum, double quality) { return sum + std::max(0.0, SpreadQuality - quality); });
+  }
+
+  /// Nodes of elements that came down to where they need spreading.
+  std::vector<int> NodesOfSpoiled(const std::vector<int>& elements,
+    const std::vector<double>& before, const std::vector<double>& after) const
+  {
+    std::vector<int> nodes;
+    for (std::size_t i = 0; i < elements.size(); ++i)
     {
-      const double quality = this->Quality(e);
-      found.first = std::min(found.first, quality);
-      found.second += quality < this->Floor;
+      if (after[i] < std::min(before[i], SpreadQuality))
+      {
+        const auto& element = this->Elements[elements[i]];
+        nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
+      }
     }
-    return found;
+    return nodes;
   }
 
   /// Nodes grouped by their pillars, in the order of the first of each.
