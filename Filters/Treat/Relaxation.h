@@ -23,9 +23,12 @@ struct RelaxationEffort
 {
   int Sweeps;  ///< at most
   double Gain; ///< of quality, below which a step is none
+  bool Joint;  ///< followed by RelaxJointly, where that applies
 };
-constexpr RelaxationEffort Thorough{ 40, 1e-4 };
-constexpr RelaxationEffort Brief{ 10, 1e-3 };
+constexpr RelaxationEffort Thorough{ 40, 1e-4, true };
+constexpr RelaxationEffort Brief{ 10, 1e-3, true };
+/// To see whether more is worthwhile.
+constexpr RelaxationEffort Probing{ 10, 1e-3, false };
 
 /// What elements are relaxed to where no floor is asked for.
 constexpr double SmallestGoal = 0.05;

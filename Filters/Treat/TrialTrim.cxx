@@ -115,8 +115,8 @@ Choices TrialTrim::ForDecision(Choices set, const TrimmedBand& trimmed) const
   return set;
 }
 
-TrimmedBand TrialTrim::Make(
-  const Choices& choices, const BandQuality& goal, const TrimmedBand* from) const
+TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal,
+  const TrimmedBand* from, const Promise& promises) const
 {
   Choices set = this->WithDemands(choices);
   TrimmedBand trimmed;
@@ -139,7 +139,7 @@ TrimmedBand TrialTrim::Make(
     trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
       this->NodeStatus, trimmed.Kept, this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
     trimmed.Unrelaxed = trimmed.NodeMoves;
-    this->RelaxBad(set, goal, from, trimmed);
+    this->RelaxBad(set, goal, from, promises, trimmed);
   }
   return trimmed;
 }
@@ -195,8 +195,8 @@ std::vector<char> TrialTrim::TakeRelaxed(const TrimmedBand& from, TrimmedBand& t
 }
 
 /// Relaxes round what is invalid or short of the goal.
-void TrialTrim::RelaxBad(
-  const Choices& set, const BandQuality& goal, const TrimmedBand* from, TrimmedBand& trimmed) const
+void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
+  const Promise& promises, TrimmedBand& trimmed) const
 {
   std::vector<char> near(this->TheBand.NumberOfElements(), 1);
   if (from)
@@ -224,8 +224,20 @@ void TrialTrim::RelaxBad(
       bad.push_back(e);
     }
   }
-  this->RelaxRound(set, bad, std::max(goal.GetFloor(), SmallestGoal),
-    bad.size() > MostThorough ? Brief : Thorough, trimmed);
+  const double quality = std::max(goal.GetFloor(), SmallestGoal);
+  if (bad.size() > MostThorough)
+  {
+    this->RelaxRound(set, bad, quality, Brief, trimmed);
+    return;
+  }
+  if (promises)
+  {
+    this->RelaxRound(set, bad, quality, Probing, trimmed);
+  }
+  if (!promises || promises(trimmed))
+  {
+    this->RelaxRound(set, bad, quality, Thorough, trimmed);
+  }
 }
 
 void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
@@ -454,7 +466,7 @@ void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, d
   const RelaxationGoal towards{ quality, this->Options.QualityFloor, effort };
   Relax(given, active, towards, trimmed.NodeMoves);
   // Straight corners that stay would pull nodes along the cut for nothing.
-  if (quality < PolishedGoal && active.size() <= MostThorough &&
+  if (quality < PolishedGoal && effort.Joint && active.size() <= MostThorough &&
     this->Options.Treatment == Optimization::Degenerate)
   {
     RelaxJointly(given, active, towards, trimmed.NodeMoves);

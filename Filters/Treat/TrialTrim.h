@@ -52,6 +52,9 @@ struct Choices
   std::vector<TreatmentChoice> Treatments; ///< by pillar
 };
 
+/// Whether a trial may become a good one.
+using Promise = std::function<bool(const TrimmedBand&)>;
+
 /**
  * Trims the band as often as it is asked to, from the start; only relaxed places may be those of
  * another trial. What it is given must outlive it.
@@ -67,8 +70,9 @@ public:
   /// The demands go before the choices.
   /// @param goal what elements are relaxed to.
   /// @param from another trial: only round what it has otherwise is relaxed anew.
-  TrimmedBand Make(
-    const Choices& choices, const BandQuality& goal, const TrimmedBand* from = nullptr) const;
+  /// @param promises asked after a brief relaxation; where it does not, that was all.
+  TrimmedBand Make(const Choices& choices, const BandQuality& goal,
+    const TrimmedBand* from = nullptr, const Promise& promises = {}) const;
 
   /// Takes nodes that were left off to the surface after all, or drops them, where the elements
   /// round them stand it.
@@ -89,7 +93,7 @@ private:
   Choices WithDemands(Choices choices) const;
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
-    TrimmedBand& trimmed) const;
+    const Promise& promises, TrimmedBand& trimmed) const;
   bool Differ(const TrimmedBand& a, const TrimmedBand& b, int element) const;
   std::vector<char> TakeRelaxed(const TrimmedBand& from, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;

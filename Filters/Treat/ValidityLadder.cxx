@@ -15,14 +15,18 @@ constexpr int MostFloorTrials = 16;
 constexpr std::size_t MostAimedColumns = 8;
 /// A choice that leaves more than this of what misses the floor is none.
 constexpr double LeastProgress = 0.999;
+/// After a brief relaxation it may miss so many times as much, and one floor.
+constexpr double MostPromising = 1.5;
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
 constexpr double SmallestShare = 0.15;
 
 /// An element counts on this much more than the floor from a pillar that is left.
 constexpr double FloorMargin = 1.1;
-/// Rounds in which single pillars are left for the sake of the floor; then all of a column.
-constexpr int SingleLeaves = 8;
+/// Rounds in which single pillars are left for the sake of the floor, or all of a column go so
+/// much of their way; then all of a column stay where they were.
+constexpr int GradualRounds = 8;
+constexpr double GradualWay = 0.7;
 
 /// Shares of the whole work, about.
 constexpr double Climbed = 0.2, Raised = 0.4, Left = 0.6, Returned = 0.9;
@@ -85,7 +89,7 @@ public:
       }
       trimmed = this->Trial.Make(this->Set, this->Quality);
     }
-    this->LeaveInvalid(this->Quality, trimmed, aborted);
+    this->LeaveInvalid(this->Quality, true, trimmed, aborted);
     progress(Climbed);
     this->RaiseToFloor(trimmed, aborted);
     progress(Raised);
@@ -272,14 +276,20 @@ private:
   /// @param from see TrialTrim::Make.
   bool TryForFloor(TrimmedBand& trimmed, const TrimmedBand* from) const
   {
-    TrimmedBand other = this->Trial.Make(this->Set, this->Aimed, from);
+    const double before = this->Quality.MeasureShortage(trimmed).Sum;
+    const auto promises = [&](const TrimmedBand& trial)
+    {
+      return this->CountLeft(trial) <= this->CountLeft(trimmed) &&
+        this->Quality.MeasureShortage(trial).Sum <=
+        MostPromising * before + this->Options.QualityFloor;
+    };
+    TrimmedBand other = this->Trial.Make(this->Set, this->Aimed, from, promises);
     other.Invalid = this->Quality.FindInvalid(other);
     if (other.Invalid.size() > trimmed.Invalid.size() ||
       this->CountLeft(other) > this->CountLeft(trimmed))
     {
       return false;
     }
-    const double before = this->Quality.MeasureShortage(trimmed).Sum;
     const double after = this->Quality.MeasureShortage(other).Sum;
     const auto aimedBefore = this->Aimed.MeasureShortage(trimmed);
     const auto aimedAfter = this->Aimed.MeasureShortage(other);
@@ -293,9 +303,10 @@ private:
   }
 
   /// What is below the floor all the same: of the nodes of such a column one pillar is left off
-  /// the surface, that which helps most, or all of them if none does.
+  /// the surface, that which helps most, or all of them, little by little, if none does.
   void LeaveBelowFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
+    bool anew = false;
     for (int round = 0; !aborted(); ++round)
     {
       bool changed = false;
@@ -305,7 +316,7 @@ private:
         const int column = this->TheColumns.Column[e];
         const std::vector<int> pillars = this->PillarsToLeave(trimmed, column);
         // Of neighbours the first one: it may help the others.
-        const bool waits = round < SingleLeaves &&
+        const bool waits = round < GradualRounds &&
           std::any_of(pillars.begin(), pillars.end(), [&](int pillar) { return seen[pillar]; });
         for (const int pillar : pillars)
         {
@@ -317,25 +328,28 @@ private:
           continue;
         }
         this->Rungs[column] = Rung::Left;
-        if (round < SingleLeaves &&
+        if (round < GradualRounds &&
           this->LeaveBest(trimmed, column, pillars, FloorMargin * this->Options.QualityFloor))
         {
           changed = true;
           continue;
         }
-        this->LeaveOnWay(pillars, 0.0);
+        this->LeaveOnWay(pillars, round < GradualRounds ? GradualWay : 0.0);
         changed |= !pillars.empty();
         if (pillars.empty())
         {
           changed |= this->LeaveCorners(e);
         }
       }
-      if (!changed)
+      if (!changed && (anew || this->Quality.FindBelowFloor(trimmed).empty()))
       {
         return;
       }
-      trimmed = this->Trial.Make(this->Set, this->Aimed);
-      this->LeaveInvalid(this->Aimed, trimmed, aborted);
+      // Places that were relaxed for other choices may keep an element below the floor: then from
+      // the start.
+      anew |= !changed;
+      trimmed = this->Trial.Make(this->Set, this->Aimed, anew ? nullptr : &trimmed);
+      this->LeaveInvalid(this->Aimed, anew, trimmed, aborted);
     }
   }
 
@@ -449,8 +463,9 @@ private:
 
   /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
   /// they were. The set of such nodes only grows, and an element that has only such is as it came.
+  /// @param anew whether what had not changed is relaxed anew too.
   void LeaveInvalid(
-    const BandQuality& goal, TrimmedBand& trimmed, const std::function<bool()>& aborted)
+    const BandQuality& goal, bool anew, TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
     while (!aborted())
     {
@@ -472,7 +487,7 @@ private:
       {
         return;
       }
-      trimmed = this->Trial.Make(this->Set, goal);
+      trimmed = this->Trial.Make(this->Set, goal, anew ? nullptr : &trimmed);
     }
   }
 
