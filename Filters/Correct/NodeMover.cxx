@@ -432,6 +432,17 @@ NodeFreedom NodeMover::FreedomOf(int node) const
   return freedom;
 }
 
+void NodeMover::StartFrom(const Vec3& x, NodeFreedom& freedom) const
+{
+  freedom.Start = this->FootOf(x, freedom);
+}
+
+nurbs::Foot NodeMover::FootOf(const Vec3& x, const NodeFreedom& freedom) const
+{
+  return freedom.Start.Kind == nurbs::FootKind::None ? this->Surface.ClosestPoint(x)
+                                                     : this->Surface.NearbyFoot(x, freedom.Start);
+}
+
 std::vector<Vec3> NodeMover::Directions(
   int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const
 {
@@ -451,7 +462,7 @@ std::vector<Vec3> NodeMover::Directions(
     const Vec3 along = this->AlongRidge(node, constraint);
     return { along, -along };
   }
-  const Vec3 across = onCut ? this->Surface.ClosestPoint(x).Normal : Vec3::Zero();
+  const Vec3 across = onCut ? this->FootOf(x, freedom).Normal : Vec3::Zero();
   if (constraint.Kind == ConstraintKind::Faces)
   {
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];
@@ -509,7 +520,7 @@ bool NodeMover::Constrained(
   const auto& constraint = freedom.Constraint;
   if (constraint.Kind == ConstraintKind::Free)
   {
-    place = onCut ? this->Surface.ClosestPoint(x).Point : x;
+    place = onCut ? this->FootOf(x, freedom).Point : x;
     return true;
   }
   if (constraint.Kind == ConstraintKind::Ridge)
@@ -520,7 +531,7 @@ bool NodeMover::Constrained(
   {
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];
     const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
-    const auto foot = this->Surface.ClosestPoint(x);
+    const auto foot = this->FootOf(x, freedom);
     const Vec3 along = foot.Normal.cross(normal).normalized();
     const NodeMove move = this->Between(node, constraint, x, foot, along);
     place = move.Target;
@@ -572,7 +583,7 @@ std::vector<Vec3> NodeMover::Tangents(
     const Vec3 u = normal.unitOrthogonal();
     return { u, normal.cross(u) };
   };
-  const Vec3 across = onCut ? this->Surface.ClosestPoint(x).Normal : Vec3::Zero();
+  const Vec3 across = onCut ? this->FootOf(x, freedom).Normal : Vec3::Zero();
   if (constraint.Kind == ConstraintKind::Faces)
   {
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];

@@ -38,6 +38,7 @@ struct NodeFreedom
 {
   NodeConstraint Constraint;
   std::vector<int> FacesAround; ///< faces that it may come to lie on
+  nurbs::Foot Start;            ///< where it is on the surface, if that is known
 };
 
 class NodeMover
@@ -83,6 +84,9 @@ public:
 
   NodeFreedom FreedomOf(int node) const;
 
+  /// Tells where a node on the cut is: the feet of places near it are found from there.
+  void StartFrom(const Vec3& x, NodeFreedom& freedom) const;
+
   /// Unit directions in which a node at x may step: in its layer, on its ridge, or along the cut.
   std::vector<Vec3> Directions(
     int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const;
@@ -97,6 +101,7 @@ public:
     int node, const NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const;
 
 private:
+  nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
   bool NearestFacet(const NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const;

@@ -163,6 +163,7 @@ const NodeFreedom& RelaxedMesh::FreedomOf(int node)
   if (!known)
   {
     known = std::make_unique<NodeFreedom>(this->Mover.FreedomOf(node));
+    this->TellStart(node);
   }
   return *known;
 }
@@ -230,12 +231,21 @@ bool RelaxedMesh::Settle(const std::vector<int>& nodes)
   return true;
 }
 
+void RelaxedMesh::TellStart(int node)
+{
+  if (this->OnCut[node] && this->Freedoms[node])
+  {
+    this->Mover.StartFrom(this->TheMoves.Position[node], *this->Freedoms[node]);
+  }
+}
+
 void RelaxedMesh::TellMoved(const std::vector<int>& nodes)
 {
   for (const int node : nodes)
   {
     const bool moved = this->TheMoves.Position[node] != this->TheBand.Point[node];
     this->TheMoves.Applied[node] = moved ? Correction::Relax : Correction::None;
+    this->TellStart(node);
   }
 }
 

@@ -98,6 +98,7 @@ public:
 private:
   bool Uses(int element, int node) const;
   bool IsMovable(int node) const;
+  void TellStart(int node);
 
   const std::vector<char>& Fixed;
   std::vector<std::unique_ptr<NodeFreedom>> Freedoms; ///< by node, once asked for
