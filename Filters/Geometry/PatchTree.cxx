@@ -77,12 +77,9 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   CenterNet(leaf.Center, size, part, centered);
   const NetBounds b = BoundNet(p, q, centered);
 
-  // Frame of the oriented box; for a curve or a collapsed leaf any frame will do.
-  Vec3 x = b.MeanU, z = b.MeanU.cross(b.MeanV);
-  if (!(x.norm() > 1e-12 * b.Extent))
-  {
-    x = b.MeanV;
-  }
+  // Frame of the oriented box; for a curve or a collapsed leaf any frame will do. Along the longer
+  // sides, or it would be much too large where the sides of a slender leaf are not at right angles.
+  Vec3 x = b.MeanU.norm() >= b.MeanV.norm() ? b.MeanU : b.MeanV, z = b.MeanU.cross(b.MeanV);
   if (!(x.norm() > 0))
   {
     x = Vec3::UnitX();
