@@ -2,6 +2,9 @@
 
 #include "Neighbourhood.h"
 
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +16,12 @@ namespace
 /// How far from the line a meeting may be, in widths of the gap between the patches there. More
 /// than one: it is put on its border along a parameter line, which may be oblique.
 constexpr double MostOfGap = 10.0;
+/// Slope along a touching line, against that across it, that is none.
+constexpr double LeastSlope = 1e-9;
+/// Sine of the angle between line and surface up to which it touches.
+constexpr double TouchSine = 1e-5;
+/// How far beyond a small box a touch is looked for, in sizes of the box.
+constexpr double ApproachRange = 8.0;
 
 class LineSearch
 {
@@ -49,6 +58,7 @@ private:
   Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   Solution Approach(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   bool IsInBox(const Solution& solution, const LeafDomain& box) const;
+  bool IsTangent(const BezierPatch& patch, const Solution& solution) const;
   bool IsBesidePatch(const Solution& solution, const LeafDomain& box) const;
   struct Prediction
   {
@@ -192,10 +202,13 @@ LineSearch::Solution LineSearch::Solve(
   return x;
 }
 
-/// Least distance from the line inside the box (Gauss-Newton, damped).
+/// Least distance from the line in the box or near it (Newton, damped): beside a touch there are
+/// too many boxes with a point near the line to wait for the one that holds it.
 LineSearch::Solution LineSearch::Approach(
   const BezierPatch& patch, double s, double t, const LeafDomain& box) const
 {
+  const double aroundS = ApproachRange * (box.S1 - box.S0);
+  const double aroundT = ApproachRange * (box.T1 - box.T0);
   const Vec4* net = this->Model.Net(patch);
   Solution x{ s, t, Vec3::Zero(), 0, false };
   SurfaceJet jet;
@@ -210,28 +223,39 @@ LineSearch::Solution LineSearch::Approach(
   for (int i = 0; i < 60; ++i)
   {
     const Vec3 r = jet.S - this->A;
-    const double g1 = this->E1.dot(r), g2 = this->E2.dot(r);
-    const double a = this->E1.dot(jet.Su), b = this->E1.dot(jet.Sv);
-    const double c = this->E2.dot(jet.Su), d = this->E2.dot(jet.Sv);
-    // Full Hessian of half the squared distance; the tangent direction has no other curvature.
-    double h11 = a * a + c * c + g1 * this->E1.dot(jet.Suu) + g2 * this->E2.dot(jet.Suu);
-    double h22 = b * b + d * d + g1 * this->E1.dot(jet.Svv) + g2 * this->E2.dot(jet.Svv);
-    double h12 = a * b + c * d + g1 * this->E1.dot(jet.Suv) + g2 * this->E2.dot(jet.Suv);
-    if (!(h11 > 0 && h22 > 0 && h11 * h22 - h12 * h12 > 0))
+    const Vec2 g(this->E1.dot(r), this->E2.dot(r));
+    const Vec3 away = g[0] * this->E1 + g[1] * this->E2;
+    Eigen::Matrix2d jacobian, bend;
+    jacobian << this->E1.dot(jet.Su), this->E1.dot(jet.Sv), this->E2.dot(jet.Su),
+      this->E2.dot(jet.Sv);
+    bend << away.dot(jet.Suu), away.dot(jet.Suv), away.dot(jet.Suv), away.dot(jet.Svv);
+    // Full Hessian of half the squared distance, along and across the valley that leads to a touch:
+    // in s and t rounding would hide how shallow it is.
+    const Eigen::JacobiSVD<Eigen::Matrix2d> axes(
+      jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Vec2 slopes = axes.singularValues();
+    const Eigen::Matrix2d squares = slopes.cwiseAbs2().asDiagonal();
+    Eigen::Matrix2d h = axes.matrixV().transpose() * bend * axes.matrixV() + squares;
+    if (!(h(0, 0) > 0 && h(1, 1) > 0 && h.determinant() > 0))
     {
-      h11 = a * a + c * c;
-      h22 = b * b + d * d;
-      h12 = a * b + c * d;
+      h = squares;
     }
-    h11 += damping * (h11 + h22);
-    h22 += damping * (h11 + h22);
-    const double f1 = a * g1 + c * g2, f2 = b * g1 + d * g2, det = h11 * h22 - h12 * h12;
-    if (!(det > 0))
+    h.diagonal() *= 1 + damping;
+    if (!(h(0, 0) > 0))
     {
       break;
     }
-    const double s1 = std::clamp(x.S + (h12 * f2 - h22 * f1) / det, box.S0, box.S1);
-    const double t1 = std::clamp(x.T + (h12 * f1 - h11 * f2) / det, box.T0, box.T1);
+    const Vec2 slope = slopes.cwiseProduct(axes.matrixU().transpose() * g);
+    Vec2 steps = h.inverse() * slope;
+    if (slopes[1] < LeastSlope * slopes[0])
+    {
+      steps = Vec2(slope[0] / h(0, 0), 0.0); // the line lies within the surface
+    }
+    const Vec2 step = axes.matrixV() * steps;
+    const double s1 =
+      std::clamp(x.S - step[0], std::max(0.0, box.S0 - aroundS), std::min(1.0, box.S1 + aroundS));
+    const double t1 =
+      std::clamp(x.T - step[1], std::max(0.0, box.T0 - aroundT), std::min(1.0, box.T1 + aroundT));
     if (s1 == x.S && t1 == x.T)
     {
       break;
@@ -270,6 +294,14 @@ bool LineSearch::IsInBox(const Solution& solution, const LeafDomain& box) const
   const double rimS = 1e-6 * (box.S1 - box.S0) + 1e-12, rimT = 1e-6 * (box.T1 - box.T0) + 1e-12;
   return solution.S >= box.S0 - rimS && solution.S <= box.S1 + rimS &&
     solution.T >= box.T0 - rimT && solution.T <= box.T1 + rimT;
+}
+
+/// Whether the line lies in the tangent plane of a solution.
+bool LineSearch::IsTangent(const BezierPatch& patch, const Solution& solution) const
+{
+  SurfaceJet jet;
+  EvaluateBezier(patch, this->Model.Net(patch), solution.S, solution.T, jet);
+  return std::abs(jet.Su.cross(jet.Sv).normalized().dot(this->D)) < TouchSine;
 }
 
 /// A solution beside the patch, which no other part will report: Report decides whether it counts.
@@ -546,6 +578,7 @@ bool LineSearch::SearchBox(
     Solution solution = this->Approach(patch, s, t, box);
     const Vec3 r = BezierPoint(patch, net, solution.S, solution.T) - this->A;
     if ((r - this->D.dot(r) * this->D).norm() <= this->Tolerance &&
+      (this->IsInBox(solution, box) || this->IsTangent(patch, solution)) &&
       this->Report(index, solution, true))
     {
       ++this->Touches;

@@ -204,6 +204,18 @@ NurbsSurface Jump()
   return surface;
 }
 
+/// A long tube whose axis leans against its circles.
+NurbsSurface LeaningTube()
+{
+  constexpr double turn = 6.283185307179586, height = 40;
+  return FromNet(3, 1, 24, 2,
+    [](double u, double v)
+    {
+      const double x = 0.5 * height * (v - 0.5), y = 0.3 * height * (v - 0.5);
+      return Vec4(std::cos(turn * u) + x, std::sin(turn * u) + y, height * (v - 0.5), 1);
+    });
+}
+
 std::vector<Named> All()
 {
   return { { "wavy bicubic", Wavy() }, { "cylinder", Cylinder(1, 2) },
@@ -212,7 +224,8 @@ std::vector<Named> All()
     { "plane", Plane(Vec3(0, 0, 0), Vec3(1, 0.2, 0.1), Vec3(0.3, 1, -0.2)) },
     { "bilinear", Bilinear() }, { "high degree", HighDegree(7, 6) }, { "creased", Creased() },
     { "weights", Weighted() }, { "unclamped", Unclamped() }, { "curled", Curled() },
-    { "slit", Slit() }, { "linear", Linear() }, { "jump", Jump() } };
+    { "slit", Slit() }, { "linear", Linear() }, { "jump", Jump() },
+    { "leaning tube", LeaningTube() } };
 }
 
 NurbsSurface Transformed(NurbsSurface surface, const Eigen::Matrix3d& linear, const Vec3& shift)

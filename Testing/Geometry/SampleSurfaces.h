@@ -40,10 +40,11 @@ NurbsSurface HighDegree(int p, int q);
 NurbsSurface Creased();  ///< repeated interior knots, C0 creases
 NurbsSurface Weighted(); ///< weights from 0.01 to 100
 NurbsSurface Unclamped();
-NurbsSurface Curled(); ///< a strongly curved S
-NurbsSurface Slit();   ///< two banks a thin slit apart
-NurbsSurface Linear(); ///< degree 1, a folded net
-NurbsSurface Jump();   ///< a C^-1 knot: two separate sheets in one surface
+NurbsSurface Curled();      ///< a strongly curved S
+NurbsSurface Slit();        ///< two banks a thin slit apart
+NurbsSurface Linear();      ///< degree 1, a folded net
+NurbsSurface Jump();        ///< a C^-1 knot: two separate sheets in one surface
+NurbsSurface LeaningTube(); ///< its patches are long and far from right angles
 
 struct Named
 {

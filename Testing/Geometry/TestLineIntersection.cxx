@@ -177,7 +177,9 @@ void TestCompleteness(const samples::Named& sample)
     {
       slope = std::min(slope, std::abs(hit.Normal.dot(d.normalized())));
     }
-    check::That(Contains(hits, before / (before + after), slope > 1e-3 ? 1e-8 : 1e-5),
+    const double length = (b - a).norm();
+    check::That(
+      Contains(hits, before / (before + after), slope > 1e-3 ? 1e-8 : 1e-5 * scale / length),
       sample.Name + ": through a known point at " + std::to_string(before / (before + after)) +
         ", " + Describe(hits) + Points(a, b));
   }
@@ -257,7 +259,7 @@ void TestTangency()
 {
   const TrimmingSurface sphere({ samples::Sphere(1) }, 1e-9);
   const TrimmingSurface torus({ samples::Torus(1, 0.25) }, 1e-9);
-  for (int k = 0; k < 300; ++k)
+  for (int k = 0; k < check::Trials(20000); ++k)
   {
     const Vec3 n = RandomVector().normalized(), t = n.cross(RandomVector()).normalized();
     auto hits = sphere.Intersect(n - 0.7 * t, n + 0.3 * t);

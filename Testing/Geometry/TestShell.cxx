@@ -305,6 +305,24 @@ void TestBoxes()
   }
 }
 
+void TestBoxesBesideLeaningTube()
+{
+  const TrimmingSurface tube({ samples::LeaningTube() }, 1e-9);
+  int far = 0, possible = 0;
+  for (int k = 0; k < check::Trials(20000); ++k)
+  {
+    const Vec3 center = tube.Bounds().center() + RandomVector().cwiseProduct(Vec3(8, 8, 2));
+    if (tube.ClosestPoint(center).Distance > 2)
+    {
+      ++far;
+      possible +=
+        tube.MayIntersect(Box3(center - Vec3::Constant(0.05), center + Vec3::Constant(0.05)));
+    }
+  }
+  check::That(far > 1000 && possible < 0.01 * far,
+    "boxes beside a leaning tube: " + std::to_string(possible) + " of " + std::to_string(far));
+}
+
 /// Normals in boxes round points of the surface, against those of feet in the box.
 void TestNormalCones()
 {
@@ -416,6 +434,7 @@ int main()
   TestFreeBorders();
   TestOrientation();
   TestBoxes();
+  TestBoxesBesideLeaningTube();
   TestNormalCones();
   TestCurvature();
   TestManyFaces();
