@@ -90,9 +90,8 @@ FacetFoot Facet::Project(const Vec3& x) const
   return foot;
 }
 
-bool Facet::IsFarther(const Vec3& x, double distance) const
+FacetBall Facet::Ball() const
 {
-  // The ball round the corners' middle holds them, and with them the facet.
   Vec3 middle = Vec3::Zero();
   for (int i = 0; i < this->Count; ++i)
   {
@@ -103,8 +102,7 @@ bool Facet::IsFarther(const Vec3& x, double distance) const
   {
     radius = std::max(radius, (this->Corner[i] - middle).squaredNorm());
   }
-  const double reach = std::sqrt(radius) + distance;
-  return (x - middle).squaredNorm() > reach * reach;
+  return { middle, std::sqrt(radius) };
 }
 
 bool Facet::IsPlaneAndConvex(const Vec3& normal) const

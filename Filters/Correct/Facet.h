@@ -18,6 +18,19 @@ struct FacetFoot
   double Outside = 0; ///< how far beyond the facet's own edges, in its parameters; 0: inside
 };
 
+struct FacetBall
+{
+  Vec3 Middle;
+  double Radius;
+
+  /// True only if every point in it is farther from x than a distance.
+  bool IsFarther(const Vec3& x, double distance) const
+  {
+    const double reach = this->Radius + distance;
+    return (x - this->Middle).squaredNorm() > reach * reach;
+  }
+};
+
 class Facet
 {
 public:
@@ -25,9 +38,8 @@ public:
 
   FacetFoot Project(const Vec3& x) const;
 
-  /// True only if every point of the facet is farther from x than a distance: a bound that costs
-  /// next to nothing.
-  bool IsFarther(const Vec3& x, double distance) const;
+  /// The ball round the corners' middle that holds them, and with them the facet.
+  FacetBall Ball() const;
 
   /**
    * The foot of x, if it is inside the facet. Plane facets, most of all, need no iteration.

@@ -127,9 +127,10 @@ void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover
     NodeMove move = found[node];
     if (leave)
     {
+      NodeFreedom freedom = mover.FreedomOf(node);
       move.By = Correction::Relax;
       move.Found = move.Found &&
-        mover.Constrained(node, mover.FreedomOf(node),
+        mover.Constrained(node, freedom,
           band.Point[node] + choice.Way * (move.Target - band.Point[node]), false, move.Target);
     }
     moves.Failed[node] = !move.Found && !leave;

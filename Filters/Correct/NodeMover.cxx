@@ -17,6 +17,8 @@ namespace
 /// No node moves farther than this many of its longest edges, if the cut has not chosen the
 /// columns.
 constexpr double LongestMove = 3.0;
+/// Rings of faces in which a node looks for the facet that it comes to lie on.
+constexpr std::size_t SkinRange = 3;
 /// How many ridge edges a node may slide along to either side.
 constexpr int LongestRidgeWalk = 4;
 /// Below this sine of the angle between surface and facet their meeting line is not taken.
@@ -173,17 +175,10 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
     return move;
   }
   // P3, on the very facet it lies in.
-  std::vector<int> faces{ bestFace };
-  for (const int f : constraint.Faces)
-  {
-    if (f != bestFace)
-    {
-      faces.push_back(f);
-    }
-  }
+  SkinRings skin{ constraint.Faces, {} };
   move.Target = p2;
   const auto from = this->Surface.ClosestPoint(p2, foot, std::numeric_limits<double>::infinity());
-  move.Found = this->Meet(node, faces, from, n, planeNormal, move);
+  move.Found = this->Meet(node, bestFace, skin, from, n, planeNormal, move);
   move.By = Correction::Project;
   const auto& into = this->TheBand.Faces[bestFace];
   move.Elements = Facet(this->TheBand, into).LengthInEdges(CornerOf(into, node), move.Target - n);
@@ -192,21 +187,23 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
 
 NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNormal) const
 {
-  return this->Between(node, ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node),
-    through, this->Surface.ClosestPoint(through), planeNormal);
+  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  SkinRings skin{ constraint.Faces, {} };
+  return this->Between(
+    node, constraint.Kind, skin, through, this->Surface.ClosestPoint(through), planeNormal);
 }
 
-NodeMove NodeMover::Between(int node, const NodeConstraint& constraint, const Vec3& through,
+NodeMove NodeMover::Between(int node, ConstraintKind kind, SkinRings& skin, const Vec3& through,
   const nurbs::Foot& foot, const Vec3& planeNormal) const
 {
   NodeMove move;
   move.Target = through;
   move.By = Correction::Project;
-  if (constraint.Kind == ConstraintKind::Faces)
+  if (kind == ConstraintKind::Faces)
   {
-    move.Found = this->Meet(node, constraint.Faces, foot, through, planeNormal, move);
+    move.Found = this->Meet(node, skin.Start.front(), skin, foot, through, planeNormal, move);
   }
-  else if (constraint.Kind == ConstraintKind::Free)
+  else if (kind == ConstraintKind::Free)
   {
     move.Found = foot.Kind == nurbs::FootKind::Interior;
     move.Target = foot.Point;
@@ -276,29 +273,45 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
   return around;
 }
 
-bool NodeMover::Meet(int node, const std::vector<int>& faces, nurbs::Foot foot,
-  const Vec3& planePoint, const Vec3& planeNormal, NodeMove& move) const
+const SkinRings::Ring& NodeMover::RingOf(SkinRings& skin, std::size_t ring) const
+{
+  while (skin.Rings.size() <= ring)
+  {
+    SkinRings::Ring next;
+    next.Faces = this->FacesAround(skin.Rings.empty() ? skin.Start : skin.Rings.back().Faces);
+    for (const int f : next.Faces)
+    {
+      next.Balls.push_back(Facet(this->TheBand, this->TheBand.Faces[f]).Ball());
+    }
+    skin.Rings.push_back(std::move(next));
+  }
+  return skin.Rings[ring];
+}
+
+bool NodeMover::Meet(int node, int first, SkinRings& skin, nurbs::Foot foot, const Vec3& planePoint,
+  const Vec3& planeNormal, NodeMove& move) const
 {
   Vec3& meeting = move.Target;
   double outside = 0.0;
-  if (!this->MeetFacet(faces.front(), planePoint, planeNormal, meeting, foot, outside))
+  if (!this->MeetFacet(first, planePoint, planeNormal, meeting, foot, outside))
   {
     return false;
   }
-  std::vector<int> tried{ faces.front() };
-  std::vector<int> around = outside > InsideSlack ? this->FacesAround(faces) : std::vector<int>();
-  int rings = 1;
+  std::vector<int> tried{ first };
+  std::size_t ring = 0;
   while (outside > InsideSlack && tried.size() < 6)
   {
     // The point lies beyond this facet: go on with the one that holds it.
     int next = -1;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const int f : around)
+    const auto& around = this->RingOf(skin, ring);
+    for (std::size_t i = 0; i < around.Faces.size(); ++i)
     {
-      const Facet facet(this->TheBand, this->TheBand.Faces[f]);
+      const int f = around.Faces[i];
       Vec3 on;
-      if (std::find(tried.begin(), tried.end(), f) != tried.end() ||
-        facet.IsFarther(meeting, nearest) || !facet.FindInside(meeting, InsideSlack, on))
+      if (around.Balls[i].IsFarther(meeting, nearest) ||
+        std::find(tried.begin(), tried.end(), f) != tried.end() ||
+        !Facet(this->TheBand, this->TheBand.Faces[f]).FindInside(meeting, InsideSlack, on))
       {
         continue;
       }
@@ -309,10 +322,9 @@ bool NodeMover::Meet(int node, const std::vector<int>& faces, nurbs::Foot foot,
         next = f;
       }
     }
-    if (next < 0 && rings < LongestMove)
+    if (next < 0 && ring + 1 < SkinRange)
     {
-      around = this->FacesAround(around);
-      ++rings;
+      ++ring;
       continue;
     }
     if (next < 0)
@@ -428,7 +440,7 @@ NodeFreedom NodeMover::FreedomOf(int node) const
 {
   NodeFreedom freedom;
   freedom.Constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
-  freedom.FacesAround = this->FacesAround(freedom.Constraint.Faces);
+  freedom.Skin.Start = freedom.Constraint.Faces;
   return freedom;
 }
 
@@ -515,7 +527,7 @@ bool NodeMover::PlaceOnRidge(
 }
 
 bool NodeMover::Constrained(
-  int node, const NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const
+  int node, NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const
 {
   const auto& constraint = freedom.Constraint;
   if (constraint.Kind == ConstraintKind::Free)
@@ -533,25 +545,26 @@ bool NodeMover::Constrained(
     const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
     const auto foot = this->FootOf(x, freedom);
     const Vec3 along = foot.Normal.cross(normal).normalized();
-    const NodeMove move = this->Between(node, constraint, x, foot, along);
+    const NodeMove move = this->Between(node, constraint.Kind, freedom.Skin, x, foot, along);
     place = move.Target;
     return move.Found;
   }
-  return this->NearestFacet(freedom, x, place, nullptr);
+  return this->NearestFacet(freedom.Skin, x, place, nullptr);
 }
 
 /// The nearest place on the faces that a node may come to lie on, and, if asked for, their normal
 /// there.
-bool NodeMover::NearestFacet(
-  const NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const
+bool NodeMover::NearestFacet(SkinRings& skin, const Vec3& x, Vec3& place, Vec3* normal) const
 {
   int face = -1;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const int f : freedom.FacesAround)
+  const auto& around = this->RingOf(skin, 0);
+  for (std::size_t i = 0; i < around.Faces.size(); ++i)
   {
-    const Facet facet(this->TheBand, this->TheBand.Faces[f]);
+    const int f = around.Faces[i];
     Vec3 on;
-    if (facet.IsFarther(x, nearest) || !facet.FindInside(x, InsideSlack, on))
+    if (around.Balls[i].IsFarther(x, nearest) ||
+      !Facet(this->TheBand, this->TheBand.Faces[f]).FindInside(x, InsideSlack, on))
     {
       continue;
     }
@@ -571,7 +584,7 @@ bool NodeMover::NearestFacet(
 }
 
 std::vector<Vec3> NodeMover::Tangents(
-  int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const
+  int node, NodeFreedom& freedom, const Vec3& x, bool onCut) const
 {
   const auto& constraint = freedom.Constraint;
   if (constraint.Kind == ConstraintKind::Ridge)
@@ -589,7 +602,7 @@ std::vector<Vec3> NodeMover::Tangents(
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];
     Vec3 place;
     Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
-    this->NearestFacet(freedom, x, place, &normal);
+    this->NearestFacet(freedom.Skin, x, place, &normal);
     return onCut ? std::vector<Vec3>{ across.cross(normal).normalized() } : plane(normal);
   }
   return onCut ? plane(across) : std::vector<Vec3>{ Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ() };

@@ -7,6 +7,7 @@
 
 #include "Band.h"
 #include "Columns.h"
+#include "Facet.h"
 #include "NodeConstraint.h"
 #include "TrimmingSurface.h"
 
@@ -33,12 +34,24 @@ struct NodeMove
   double Elements = 0; ///< length of the move in edges of the face it leads into
 };
 
+/// Faces of the side of the model that a node lies on, in growing rings, as they are asked for.
+struct SkinRings
+{
+  struct Ring
+  {
+    std::vector<int> Faces; ///< those of the ring before among them
+    std::vector<FacetBall> Balls;
+  };
+  std::vector<int> Start; ///< faces at the node
+  std::vector<Ring> Rings;
+};
+
 /// Where a node may be while it is relaxed: what NodeMover finds out once for many places.
 struct NodeFreedom
 {
   NodeConstraint Constraint;
-  std::vector<int> FacesAround; ///< faces that it may come to lie on
-  nurbs::Foot Start;            ///< where it is on the surface, if that is known
+  SkinRings Skin;    ///< faces that it may come to lie on
+  nurbs::Foot Start; ///< where it is on the surface, if that is known
 };
 
 class NodeMover
@@ -93,30 +106,30 @@ public:
 
   /// Orthonormal directions that span the ways a node at x may go; on a bent skin those of the
   /// facet that it has come to.
-  std::vector<Vec3> Tangents(int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const;
+  std::vector<Vec3> Tangents(int node, NodeFreedom& freedom, const Vec3& x, bool onCut) const;
 
   /// The place nearest to x where the node may be: on its faces, and on the surface if it is on
   /// the cut. False if there is none.
-  bool Constrained(
-    int node, const NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const;
+  bool Constrained(int node, NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const;
 
 private:
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
-  bool NearestFacet(const NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const;
+  bool NearestFacet(SkinRings& skin, const Vec3& x, Vec3& place, Vec3* normal) const;
   Vec3 AlongRidge(int node, const NodeConstraint& constraint) const;
   bool PlaceOnRidge(int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const;
   NodeMove ProjectOnFaces(int node, const NodeConstraint& constraint) const;
-  /// The meeting point of the surface, a facet (the one it lies in) and a plane, found from the
-  /// move's Target on, which becomes it; `foot` is that of the start.
-  bool Meet(int node, const std::vector<int>& faces, nurbs::Foot foot, const Vec3& planePoint,
+  /// The meeting point of the surface, a facet (the one it lies in, looked for from the first on)
+  /// and a plane, found from the move's Target on, which becomes it; `foot` is that of the start.
+  bool Meet(int node, int first, SkinRings& skin, nurbs::Foot foot, const Vec3& planePoint,
     const Vec3& planeNormal, NodeMove& move) const;
   /// The same with one facet; tells how far outside of it the meeting lies.
   bool MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNormal, Vec3& meeting,
     nurbs::Foot& foot, double& outside) const;
-  NodeMove Between(int node, const NodeConstraint& constraint, const Vec3& through,
+  NodeMove Between(int node, ConstraintKind kind, SkinRings& skin, const Vec3& through,
     const nurbs::Foot& foot, const Vec3& planeNormal) const;
+  const SkinRings::Ring& RingOf(SkinRings& skin, std::size_t ring) const;
   std::vector<int> FacesAround(const std::vector<int>& faces) const;
   /// Length of the longest edge at a node: no move is longer than a few of these.
   double Reach(int node) const;

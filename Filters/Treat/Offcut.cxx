@@ -190,9 +190,10 @@ private:
     {
       const auto& position = this->Result.NodeMoves.Position;
       const Vec3 from = 0.5 * (position[node.Previous] + position[node.Next]);
+      NodeFreedom freedom = this->Mover.FreedomOf(node.Node);
       Vec3 place;
-      if (!this->Mover.Constrained(node.Node, this->Mover.FreedomOf(node.Node),
-            from + share * (this->InsideOf(node.Node) - from), false, place))
+      if (!this->Mover.Constrained(
+            node.Node, freedom, from + share * (this->InsideOf(node.Node) - from), false, place))
       {
         return false;
       }

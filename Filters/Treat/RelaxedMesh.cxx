@@ -157,7 +157,7 @@ bool RelaxedMesh::IsMovable(int node) const
     this->Mover.MayRelax(node, this->OnCut[node] != 0);
 }
 
-const NodeFreedom& RelaxedMesh::FreedomOf(int node)
+NodeFreedom& RelaxedMesh::FreedomOf(int node)
 {
   auto& known = this->Freedoms[node];
   if (!known)

@@ -78,7 +78,7 @@ public:
   std::vector<std::vector<int>> PartsOf(const std::vector<int>& nodes) const;
 
   /// To be asked for different nodes by different threads.
-  const NodeFreedom& FreedomOf(int node);
+  NodeFreedom& FreedomOf(int node);
 
   /// To the nearest neighbour within the layer.
   double ShortestEdge(int node) const;
