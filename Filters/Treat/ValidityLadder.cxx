@@ -56,6 +56,7 @@ public:
     , Set(position.Set)
     , Rungs(position.Rungs)
     , Disturbed(position.Disturbed)
+    , KeptFor(position.KeptFor)
   {
     if (!this->Rungs.empty())
     {
@@ -550,7 +551,8 @@ private:
   /// no place; false if there are none.
   bool KeepAround(const TrimmedBand& trimmed, int column, bool failedOnly)
   {
-    bool any = false;
+    auto& kept = this->KeptFor[column];
+    const std::size_t before = kept.size();
     this->ForNodes(column,
       [&](int node)
       {
@@ -566,11 +568,21 @@ private:
           {
             this->Set.Fates[around] = Fate::Keep;
             this->DisturbAround(around);
-            any = true;
+            kept.push_back(around);
           }
         }
       });
-    return any;
+    return kept.size() > before;
+  }
+
+  /// What was kept for a column that had no use of it is decided by its volume again.
+  void GiveBack(int column)
+  {
+    for (const int around : this->KeptFor[column])
+    {
+      this->Set.Fates[around] = Fate::ByVolume;
+    }
+    this->KeptFor[column].clear();
   }
 
   /// A fate that was changed may spoil the next columns. Theirs are not changed then: trouble would
@@ -652,6 +664,7 @@ private:
         }
         [[fallthrough]];
       default:
+        this->GiveBack(column);
         this->Set.Fates[column] = Fate::ByVolume;
         this->Rungs[column] = Rung::Left;
         if (this->LeaveBest(trimmed, column, this->PillarsToLeave(trimmed, column),
@@ -680,6 +693,7 @@ private:
   Choices& Set;
   std::vector<Rung>& Rungs;
   std::vector<char>& Disturbed;
+  std::map<int, std::vector<int>>& KeptFor;
 };
 
 }

@@ -17,6 +17,7 @@
 #include "Progress.h"
 #include "TrialTrim.h"
 
+#include <map>
 #include <vector>
 
 namespace trim
@@ -28,6 +29,7 @@ struct LadderPosition
   Choices Set;                 ///< empty: at the foot
   std::vector<Rung> Rungs;     ///< by column
   std::vector<char> Disturbed; ///< by column: the fate of one next to it was changed before its own
+  std::map<int, std::vector<int>> KeptFor; ///< columns that are kept for the sake of another one
 };
 
 /**
