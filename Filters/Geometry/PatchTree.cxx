@@ -46,10 +46,26 @@ Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
     (b.SecondVV + b.Radius * b.WeightVV) / lengthV + twist / lengthU);
 }
 
-void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch)
+Vec2 MeasureSize(const BezierPatch& patch, const Vec4* net)
+{
+  const auto at = [&](double s, double t) -> Vec3 { return BezierPoint(patch, net, s, t); };
+  return Vec2((at(1, 0.5) - at(0, 0.5)).norm(), (at(0.5, 1) - at(0.5, 0)).norm());
+}
+
+void ChooseGrid(const Vec2& bend, const Vec2& size, double flatness, BezierPatch& patch)
 {
   constexpr double Finest = 16;
-  const Vec2 divisions = (bend / flatness).array().ceil().max(1.0).min(Finest).matrix();
+  Vec2 divisions = (bend / flatness).array().ceil().max(1.0).min(Finest).matrix();
+  const Vec2 leaf = size.cwiseQuotient(divisions);
+  for (int along = 0; along < 2; ++along)
+  {
+    const double width = leaf[1 - along];
+    if (width > 0)
+    {
+      const double least = std::ceil(size[along] / (MostSlender * width));
+      divisions[along] = std::max(divisions[along], std::min(least, Finest));
+    }
+  }
   patch.GridU = static_cast<int>(divisions.x());
   patch.GridV = patch.DegreeV > 0 ? static_cast<int>(divisions.y()) : 1;
 }

@@ -69,8 +69,16 @@ const Vec4* NetOfPart(
 /// How far the tangents of a patch turn along s and t, relative to its size (about radians).
 Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net);
 
-/// Divides a patch so that no leaf bends by more than the flatness, within bounds.
-void ChooseGrid(const Vec2& bend, double flatness, BezierPatch& patch);
+/// Distances between the ends of the middle lines along s and t.
+Vec2 MeasureSize(const BezierPatch& patch, const Vec4* net);
+
+/// How long a leaf or block may be against its width: where it is askew little is certain of one
+/// that is more slender, and the boxes of such leaves are full of each other.
+constexpr double MostSlender = 8.0;
+
+/// Divides a patch so that no leaf bends by more than the flatness or is too slender, within
+/// bounds.
+void ChooseGrid(const Vec2& bend, const Vec2& size, double flatness, BezierPatch& patch);
 
 /**
  * Oriented box, inverse map and certificates of one leaf.

@@ -53,6 +53,51 @@ void DivideDirection(const KnotSpans& spans, const std::vector<double>& bend, do
   }
 }
 
+/// Lengths of the spans along u and v, in the mean over the others.
+void MeasureSpans(const SurfaceModel& model, const FaceData& data, std::vector<double>& lengthU,
+  std::vector<double>& lengthV)
+{
+  const int countU = static_cast<int>(lengthU.size()), countV = static_cast<int>(lengthV.size());
+  for (int j = 0; j < countV; ++j)
+  {
+    for (int i = 0; i < countU; ++i)
+    {
+      const BezierPatch& patch = model.Patches[data.FirstPatch + j * countU + i];
+      const Vec2 size = MeasureSize(patch, model.Net(patch));
+      lengthU[i] += size.x() / countV;
+      lengthV[j] += size.y() / countU;
+    }
+  }
+}
+
+/// Raises the bend of spans that are long against the blocks of the other direction.
+void DivideSlender(const SurfaceModel& model, const FaceData& data, double flatness,
+  std::vector<double>& bendU, std::vector<double>& bendV)
+{
+  std::vector<double> lengthU(bendU.size(), 0.0), lengthV(bendV.size(), 0.0);
+  MeasureSpans(model, data, lengthU, lengthV);
+  const auto shortest = [flatness](
+                          const std::vector<double>& length, const std::vector<double>& bend)
+  {
+    double sum = 0, blocks = 0;
+    for (std::size_t k = 0; k < length.size(); ++k)
+    {
+      sum += length[k];
+      blocks += std::max(1.0, std::ceil(bend[k] / flatness));
+    }
+    return sum / blocks;
+  };
+  const double blockU = shortest(lengthU, bendU), blockV = shortest(lengthV, bendV);
+  for (std::size_t k = 0; k < bendU.size(); ++k)
+  {
+    bendU[k] = std::max(bendU[k], flatness * lengthU[k] / (MostSlender * blockV));
+  }
+  for (std::size_t k = 0; k < bendV.size(); ++k)
+  {
+    bendV[k] = std::max(bendV[k], flatness * lengthV[k] / (MostSlender * blockU));
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -75,6 +120,7 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face, const std::vect
       bendV[j] = std::max(bendV[j], bend.y());
     }
   }
+  DivideSlender(model, data, flatness, bendU, bendV);
   grid = Grid();
   DivideDirection(data.SpansU, bendU, flatness, least, grid.BlockU, grid.DivisionsU, grid.BreaksU);
   DivideDirection(data.SpansV, bendV, flatness, least, grid.BlockV, grid.DivisionsV, grid.BreaksV);

@@ -209,6 +209,11 @@ void SurfaceModel::ChooseGrids(const std::vector<Vec2>& bends)
 {
   constexpr double Flat = 0.25; // of a few patches; beyond about 0.5 queries get slower
   constexpr std::size_t Affordable = 50000;
+  std::vector<Vec2> sizes;
+  for (const BezierPatch& patch : this->Patches)
+  {
+    sizes.push_back(MeasureSize(patch, this->Net(patch)));
+  }
   double flatness = Flat;
   for (int attempt = 0; attempt < 4; ++attempt, flatness *= 1.5)
   {
@@ -216,7 +221,7 @@ void SurfaceModel::ChooseGrids(const std::vector<Vec2>& bends)
     for (std::size_t k = 0; k < bends.size(); ++k)
     {
       BezierPatch& patch = this->Patches[k];
-      ChooseGrid(bends[k], flatness, patch);
+      ChooseGrid(bends[k], sizes[k], flatness, patch);
       count += static_cast<std::size_t>(patch.GridU) * patch.GridV;
     }
     if (count <= std::max(Affordable, 2 * bends.size()))
