@@ -216,7 +216,8 @@ bool NodeMover::MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNor
 {
   const Facet facet(this->TheBand, this->TheBand.Faces[face]);
   Vec3& x = meeting;
-  for (int i = 0; i < 40; ++i)
+  double moved = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 40 && moved > 1e-3 * this->Precision; ++i)
   {
     const auto on = facet.Project(x);
     outside = on.Outside;
@@ -235,12 +236,9 @@ bool NodeMover::MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNor
     x += step;
     // The way leads to the surface, so nothing else is nearer in the end.
     foot = this->Surface.NearbyFoot(x, foot);
-    if (step.norm() <= 1e-3 * this->Precision)
-    {
-      break;
-    }
+    moved = step.norm();
   }
-  return foot.Distance <= 0.1 * this->Precision;
+  return foot.Distance <= 0.1 * this->Precision && moved <= 0.1 * this->Precision;
 }
 
 std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
