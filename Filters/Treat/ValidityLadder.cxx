@@ -314,33 +314,7 @@ private:
       std::vector<char> seen(this->TheBand.NumberOfNodes(), 0);
       for (const int e : this->Quality.FindBelowFloor(trimmed))
       {
-        const int column = this->TheColumns.Column[e];
-        const std::vector<int> pillars = this->PillarsToLeave(trimmed, column);
-        // Of neighbours the first one: it may help the others.
-        const bool waits = round < GradualRounds &&
-          std::any_of(pillars.begin(), pillars.end(), [&](int pillar) { return seen[pillar]; });
-        for (const int pillar : pillars)
-        {
-          seen[pillar] = 1;
-        }
-        if (waits)
-        {
-          changed = true;
-          continue;
-        }
-        this->Rungs[column] = Rung::Left;
-        if (round < GradualRounds &&
-          this->LeaveBest(trimmed, column, pillars, FloorMargin * this->Options.QualityFloor))
-        {
-          changed = true;
-          continue;
-        }
-        this->LeaveOnWay(pillars, round < GradualRounds ? GradualWay : 0.0);
-        changed |= !pillars.empty();
-        if (pillars.empty())
-        {
-          changed |= this->LeaveCorners(e);
-        }
+        changed |= this->LeaveForFloor(trimmed, e, round, seen);
       }
       if (!changed && (anew || this->Quality.FindBelowFloor(trimmed).empty()))
       {
@@ -352,6 +326,35 @@ private:
       trimmed = this->Trial.Make(this->Set, this->Aimed, anew ? nullptr : &trimmed);
       this->LeaveInvalid(this->Aimed, anew, trimmed, aborted);
     }
+  }
+
+  /// Leaves pillars of the column of an element below the floor; false if there is nothing more to
+  /// leave.
+  /// @param seen pillars of columns that had their turn in this round.
+  bool LeaveForFloor(const TrimmedBand& trimmed, int element, int round, std::vector<char>& seen)
+  {
+    const int column = this->TheColumns.Column[element];
+    const std::vector<int> pillars = this->PillarsToLeave(trimmed, column);
+    const bool gradual = round < GradualRounds;
+    // Of neighbours the first one: it may help the others.
+    const bool waits = gradual &&
+      std::any_of(pillars.begin(), pillars.end(), [&](int pillar) { return seen[pillar]; });
+    for (const int pillar : pillars)
+    {
+      seen[pillar] = 1;
+    }
+    if (waits)
+    {
+      return true;
+    }
+    this->Rungs[column] = Rung::Left;
+    if (gradual &&
+      this->LeaveBest(trimmed, column, pillars, FloorMargin * this->Options.QualityFloor))
+    {
+      return true;
+    }
+    this->LeaveOnWay(pillars, gradual ? GradualWay : 0.0);
+    return !pillars.empty() || this->LeaveCorners(element);
   }
 
   /// Pillars of a column that go to the surface, or part of the way.
