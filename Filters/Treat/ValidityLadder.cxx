@@ -10,9 +10,9 @@ namespace
 
 constexpr int LongestClimb = 40;
 /// How many columns below the quality floor are tried with the other correction.
-constexpr int MostFloorTrials = 16;
+constexpr int MostFloorTrials = 32;
 /// Columns below what is aimed at, but not below the floor, that are worth other choices.
-constexpr std::size_t MostAimedColumns = 8;
+constexpr std::size_t MostAimedColumns = 24;
 /// A choice that leaves more than this of what misses the floor is none.
 constexpr double LeastProgress = 0.999;
 /// After a brief relaxation it may miss so many times as much, and one floor.
