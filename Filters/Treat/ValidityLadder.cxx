@@ -348,8 +348,10 @@ private:
       return true;
     }
     this->Rungs[column] = Rung::Left;
+    const double least = FloorMargin * this->Options.QualityFloor;
     if (gradual &&
-      this->LeaveBest(trimmed, column, pillars, FloorMargin * this->Options.QualityFloor))
+      (this->LeaveBest(trimmed, column, pillars, std::max(least, this->Aimed.GetFloor())) ||
+        this->LeaveBest(trimmed, column, pillars, least)))
     {
       return true;
     }

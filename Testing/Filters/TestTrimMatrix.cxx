@@ -73,15 +73,13 @@ bool IsOrdinary(const std::string& surface, const Mesh& mesh, int optimization)
 // - inclined: border, skin and cut meet in a spike under 26, 27 and 37 degrees; of any three rays
 //   in it the determinant is 0.199 at most, or 0.229 as a wedge has it, however many elements meet;
 // - cone in a cup, roundrect in a channel: the surface leans from the wall by 15 and 17 degrees; a
-//   corner of a hexahedron there has at most the sines, 0.259 and 0.296. In the channel a wedge and
-//   its neighbour stay below that, 0.262: nothing proven;
-// - roundrect in a cup and on the stretched sheet: as far as the relaxation gets.
+//   corner of a hexahedron there has at most the sines, 0.259 and 0.296;
+// - roundrect on the stretched sheet: as far as the relaxation gets.
 double FloorOf(const std::string& surface, const Mesh& mesh)
 {
   const std::map<std::string, double> lower{ { "channel inclined", 0.22 },
     { "hole inclined", 0.22 }, { "lshape inclined", 0.22 }, { "islands inclined", 0.22 },
-    { "channel roundrect", 0.26 }, { "cup cone", 0.26 }, { "cup roundrect", 0.26 },
-    { "stretched roundrect", 0.29 } };
+    { "channel roundrect", 0.29 }, { "cup cone", 0.26 }, { "stretched roundrect", 0.29 } };
   const auto found = lower.find(mesh.Name + " " + surface);
   return found != lower.end() ? found->second : 0.3;
 }
