@@ -62,9 +62,9 @@ double NodeMover::Reach(int node) const
 
 NodeMove NodeMover::Project(int node) const
 {
-  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  NodeFreedom freedom = this->FreedomOf(node);
   NodeMove move;
-  switch (constraint.Kind)
+  switch (freedom.Constraint.Kind)
   {
     case ConstraintKind::Free:
     {
@@ -75,9 +75,9 @@ NodeMove NodeMover::Project(int node) const
       return move;
     }
     case ConstraintKind::Faces:
-      return this->ProjectOnFaces(node, constraint);
+      return this->ProjectOnFaces(node, freedom);
     case ConstraintKind::Ridge:
-      return this->SlideAlongRidge(node, constraint);
+      return this->SlideAlongRidge(node, freedom.Constraint);
     default:
       return move;
   }
@@ -129,7 +129,7 @@ NodeMove NodeMover::SlideAlongRidge(int node, const NodeConstraint& constraint) 
   return move;
 }
 
-NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) const
+NodeMove NodeMover::ProjectOnFaces(int node, NodeFreedom& freedom) const
 {
   NodeMove move;
   const Vec3& n = this->TheBand.Point[node];
@@ -144,7 +144,7 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
   int bestFace = -1;
   Vec3 p2 = n;
   Vec3 planeNormal = Vec3::Zero();
-  for (const int f : constraint.Faces)
+  for (const int f : freedom.Constraint.Faces)
   {
     const auto& face = this->TheBand.Faces[f];
     const int corner = CornerOf(face, node);
@@ -175,10 +175,9 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
     return move;
   }
   // P3, on the very facet it lies in.
-  SkinRings skin{ constraint.Faces, {} };
   move.Target = p2;
   const auto from = this->Surface.ClosestPoint(p2, foot, std::numeric_limits<double>::infinity());
-  move.Found = this->Meet(node, bestFace, skin, from, n, planeNormal, move);
+  move.Found = this->Meet(node, bestFace, freedom, from, n, planeNormal, move);
   move.By = Correction::Project;
   const auto& into = this->TheBand.Faces[bestFace];
   move.Elements = Facet(this->TheBand, into).LengthInEdges(CornerOf(into, node), move.Target - n);
@@ -187,23 +186,23 @@ NodeMove NodeMover::ProjectOnFaces(int node, const NodeConstraint& constraint) c
 
 NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNormal) const
 {
-  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
-  SkinRings skin{ constraint.Faces, {} };
-  return this->Between(
-    node, constraint.Kind, skin, through, this->Surface.ClosestPoint(through), planeNormal);
+  NodeFreedom freedom = this->FreedomOf(node);
+  return this->Between(node, freedom, through, this->Surface.ClosestPoint(through), planeNormal);
 }
 
-NodeMove NodeMover::Between(int node, ConstraintKind kind, SkinRings& skin, const Vec3& through,
+NodeMove NodeMover::Between(int node, NodeFreedom& freedom, const Vec3& through,
   const nurbs::Foot& foot, const Vec3& planeNormal) const
 {
   NodeMove move;
   move.Target = through;
   move.By = Correction::Project;
-  if (kind == ConstraintKind::Faces)
+  const auto& constraint = freedom.Constraint;
+  if (constraint.Kind == ConstraintKind::Faces)
   {
-    move.Found = this->Meet(node, skin.Start.front(), skin, foot, through, planeNormal, move);
+    move.Found =
+      this->Meet(node, constraint.Faces.front(), freedom, foot, through, planeNormal, move);
   }
-  else if (kind == ConstraintKind::Free)
+  else if (constraint.Kind == ConstraintKind::Free)
   {
     move.Found = foot.Kind == nurbs::FootKind::Interior;
     move.Target = foot.Point;
@@ -271,23 +270,50 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
   return around;
 }
 
-const SkinRings::Ring& NodeMover::RingOf(SkinRings& skin, std::size_t ring) const
+const SkinRing& NodeMover::RingOf(NodeFreedom& freedom, std::size_t ring) const
 {
-  while (skin.Rings.size() <= ring)
+  auto& rings = freedom.Rings;
+  while (rings.size() <= ring)
   {
-    SkinRings::Ring next;
-    next.Faces = this->FacesAround(skin.Rings.empty() ? skin.Start : skin.Rings.back().Faces);
+    SkinRing next;
+    next.Faces = this->FacesAround(rings.empty() ? freedom.Constraint.Faces : rings.back().Faces);
     for (const int f : next.Faces)
     {
       next.Balls.push_back(Facet(this->TheBand, this->TheBand.Faces[f]).Ball());
     }
-    skin.Rings.push_back(std::move(next));
+    rings.push_back(std::move(next));
   }
-  return skin.Rings[ring];
+  return rings[ring];
 }
 
-bool NodeMover::Meet(int node, int first, SkinRings& skin, nurbs::Foot foot, const Vec3& planePoint,
-  const Vec3& planeNormal, NodeMove& move) const
+int NodeMover::NearestFace(
+  const SkinRing& ring, const Vec3& x, const std::vector<int>& without, Vec3& place) const
+{
+  int face = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.Faces.size(); ++i)
+  {
+    const int f = ring.Faces[i];
+    Vec3 on;
+    if (ring.Balls[i].IsFarther(x, nearest) ||
+      std::find(without.begin(), without.end(), f) != without.end() ||
+      !Facet(this->TheBand, this->TheBand.Faces[f]).FindInside(x, InsideSlack, on))
+    {
+      continue;
+    }
+    const double distance = (on - x).norm();
+    if (distance < nearest)
+    {
+      nearest = distance;
+      place = on;
+      face = f;
+    }
+  }
+  return face;
+}
+
+bool NodeMover::Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot,
+  const Vec3& planePoint, const Vec3& planeNormal, NodeMove& move) const
 {
   Vec3& meeting = move.Target;
   double outside = 0.0;
@@ -300,26 +326,8 @@ bool NodeMover::Meet(int node, int first, SkinRings& skin, nurbs::Foot foot, con
   while (outside > InsideSlack && tried.size() < 6)
   {
     // The point lies beyond this facet: go on with the one that holds it.
-    int next = -1;
-    double nearest = std::numeric_limits<double>::infinity();
-    const auto& around = this->RingOf(skin, ring);
-    for (std::size_t i = 0; i < around.Faces.size(); ++i)
-    {
-      const int f = around.Faces[i];
-      Vec3 on;
-      if (around.Balls[i].IsFarther(meeting, nearest) ||
-        std::find(tried.begin(), tried.end(), f) != tried.end() ||
-        !Facet(this->TheBand, this->TheBand.Faces[f]).FindInside(meeting, InsideSlack, on))
-      {
-        continue;
-      }
-      const double distance = (on - meeting).norm();
-      if (distance < nearest)
-      {
-        nearest = distance;
-        next = f;
-      }
-    }
+    Vec3 on;
+    const int next = this->NearestFace(this->RingOf(freedom, ring), meeting, tried, on);
     if (next < 0 && ring + 1 < SkinRange)
     {
       ++ring;
@@ -330,7 +338,7 @@ bool NodeMover::Meet(int node, int first, SkinRings& skin, nurbs::Foot foot, con
       return false; // beyond the border of the skin
     }
     tried.push_back(next);
-    if (nearest <= 0.1 * this->Precision)
+    if ((on - meeting).norm() <= 0.1 * this->Precision)
     {
       outside = 0.0; // it lies in that facet already
     }
@@ -438,7 +446,6 @@ NodeFreedom NodeMover::FreedomOf(int node) const
 {
   NodeFreedom freedom;
   freedom.Constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
-  freedom.Skin.Start = freedom.Constraint.Faces;
   return freedom;
 }
 
@@ -543,37 +550,18 @@ bool NodeMover::Constrained(
     const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
     const auto foot = this->FootOf(x, freedom);
     const Vec3 along = foot.Normal.cross(normal).normalized();
-    const NodeMove move = this->Between(node, constraint.Kind, freedom.Skin, x, foot, along);
+    const NodeMove move = this->Between(node, freedom, x, foot, along);
     place = move.Target;
     return move.Found;
   }
-  return this->NearestFacet(freedom.Skin, x, place, nullptr);
+  return this->NearestFacet(freedom, x, place, nullptr);
 }
 
 /// The nearest place on the faces that a node may come to lie on, and, if asked for, their normal
 /// there.
-bool NodeMover::NearestFacet(SkinRings& skin, const Vec3& x, Vec3& place, Vec3* normal) const
+bool NodeMover::NearestFacet(NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const
 {
-  int face = -1;
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto& around = this->RingOf(skin, 0);
-  for (std::size_t i = 0; i < around.Faces.size(); ++i)
-  {
-    const int f = around.Faces[i];
-    Vec3 on;
-    if (around.Balls[i].IsFarther(x, nearest) ||
-      !Facet(this->TheBand, this->TheBand.Faces[f]).FindInside(x, InsideSlack, on))
-    {
-      continue;
-    }
-    const double distance = (on - x).norm();
-    if (distance < nearest)
-    {
-      nearest = distance;
-      place = on;
-      face = f;
-    }
-  }
+  const int face = this->NearestFace(this->RingOf(freedom, 0), x, {}, place);
   if (normal && face >= 0)
   {
     *normal = Facet(this->TheBand, this->TheBand.Faces[face]).Project(x).Normal;
@@ -600,7 +588,7 @@ std::vector<Vec3> NodeMover::Tangents(
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];
     Vec3 place;
     Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
-    this->NearestFacet(freedom.Skin, x, place, &normal);
+    this->NearestFacet(freedom, x, place, &normal);
     return onCut ? std::vector<Vec3>{ across.cross(normal).normalized() } : plane(normal);
   }
   return onCut ? plane(across) : std::vector<Vec3>{ Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ() };

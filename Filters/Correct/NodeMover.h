@@ -34,24 +34,19 @@ struct NodeMove
   double Elements = 0; ///< length of the move in edges of the face it leads into
 };
 
-/// Faces of the side of the model that a node lies on, in growing rings, as they are asked for.
-struct SkinRings
+/// Faces round a node, on the side of the model that it lies on.
+struct SkinRing
 {
-  struct Ring
-  {
-    std::vector<int> Faces; ///< those of the ring before among them
-    std::vector<FacetBall> Balls;
-  };
-  std::vector<int> Start; ///< faces at the node
-  std::vector<Ring> Rings;
+  std::vector<int> Faces; ///< those of the ring before among them
+  std::vector<FacetBall> Balls;
 };
 
 /// Where a node may be while it is relaxed: what NodeMover finds out once for many places.
 struct NodeFreedom
 {
   NodeConstraint Constraint;
-  SkinRings Skin;    ///< faces that it may come to lie on
-  nurbs::Foot Start; ///< where it is on the surface, if that is known
+  std::vector<SkinRing> Rings; ///< faces that it may come to lie on, as they are asked for
+  nurbs::Foot Start;           ///< where it is on the surface, if that is known
 };
 
 class NodeMover
@@ -116,20 +111,23 @@ private:
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
-  bool NearestFacet(SkinRings& skin, const Vec3& x, Vec3& place, Vec3* normal) const;
+  /// The face of a ring with the nearest place to x inside it, but for some; -1: none.
+  int NearestFace(
+    const SkinRing& ring, const Vec3& x, const std::vector<int>& without, Vec3& place) const;
+  bool NearestFacet(NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const;
   Vec3 AlongRidge(int node, const NodeConstraint& constraint) const;
   bool PlaceOnRidge(int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const;
-  NodeMove ProjectOnFaces(int node, const NodeConstraint& constraint) const;
+  NodeMove ProjectOnFaces(int node, NodeFreedom& freedom) const;
   /// The meeting point of the surface, a facet (the one it lies in, looked for from the first on)
   /// and a plane, found from the move's Target on, which becomes it; `foot` is that of the start.
-  bool Meet(int node, int first, SkinRings& skin, nurbs::Foot foot, const Vec3& planePoint,
+  bool Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot, const Vec3& planePoint,
     const Vec3& planeNormal, NodeMove& move) const;
   /// The same with one facet; tells how far outside of it the meeting lies.
   bool MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNormal, Vec3& meeting,
     nurbs::Foot& foot, double& outside) const;
-  NodeMove Between(int node, ConstraintKind kind, SkinRings& skin, const Vec3& through,
-    const nurbs::Foot& foot, const Vec3& planeNormal) const;
-  const SkinRings::Ring& RingOf(SkinRings& skin, std::size_t ring) const;
+  NodeMove Between(int node, NodeFreedom& freedom, const Vec3& through, const nurbs::Foot& foot,
+    const Vec3& planeNormal) const;
+  const SkinRing& RingOf(NodeFreedom& freedom, std::size_t ring) const;
   std::vector<int> FacesAround(const std::vector<int>& faces) const;
   /// Length of the longest edge at a node: no move is longer than a few of these.
   double Reach(int node) const;

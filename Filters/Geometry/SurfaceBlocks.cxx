@@ -53,29 +53,10 @@ void DivideDirection(const KnotSpans& spans, const std::vector<double>& bend, do
   }
 }
 
-/// Lengths of the spans along u and v, in the mean over the others.
-void MeasureSpans(const SurfaceModel& model, const FaceData& data, std::vector<double>& lengthU,
-  std::vector<double>& lengthV)
-{
-  const int countU = static_cast<int>(lengthU.size()), countV = static_cast<int>(lengthV.size());
-  for (int j = 0; j < countV; ++j)
-  {
-    for (int i = 0; i < countU; ++i)
-    {
-      const BezierPatch& patch = model.Patches[data.FirstPatch + j * countU + i];
-      const Vec2 size = MeasureSize(patch, model.Net(patch));
-      lengthU[i] += size.x() / countV;
-      lengthV[j] += size.y() / countU;
-    }
-  }
-}
-
 /// Raises the bend of spans that are long against the blocks of the other direction.
-void DivideSlender(const SurfaceModel& model, const FaceData& data, double flatness,
-  std::vector<double>& bendU, std::vector<double>& bendV)
+void DivideSlender(const std::vector<double>& lengthU, const std::vector<double>& lengthV,
+  double flatness, std::vector<double>& bendU, std::vector<double>& bendV)
 {
-  std::vector<double> lengthU(bendU.size(), 0.0), lengthV(bendV.size(), 0.0);
-  MeasureSpans(model, data, lengthU, lengthV);
   const auto shortest = [flatness](
                           const std::vector<double>& length, const std::vector<double>& bend)
   {
@@ -105,22 +86,25 @@ void DivideSlender(const SurfaceModel& model, const FaceData& data, double flatn
 //------------------------------------------------------------------------------
 
 void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face, const std::vector<Vec2>& bends,
-  double flatness, int least, Grid& grid) const
+  const std::vector<Vec2>& sizes, double flatness, int least, Grid& grid) const
 {
   const FaceData& data = model.Data[face];
   const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
   const int countV = static_cast<int>(data.SpansV.Breaks.size()) - 1;
   std::vector<double> bendU(countU, 0.0), bendV(countV, 0.0);
+  std::vector<double> lengthU(countU, 0.0), lengthV(countV, 0.0); // in the mean over the others
   for (int j = 0; j < countV; ++j)
   {
     for (int i = 0; i < countU; ++i)
     {
-      const Vec2& bend = bends[data.FirstPatch + j * countU + i];
-      bendU[i] = std::max(bendU[i], bend.x());
-      bendV[j] = std::max(bendV[j], bend.y());
+      const int patch = data.FirstPatch + j * countU + i;
+      bendU[i] = std::max(bendU[i], bends[patch].x());
+      bendV[j] = std::max(bendV[j], bends[patch].y());
+      lengthU[i] += sizes[patch].x() / countV;
+      lengthV[j] += sizes[patch].y() / countU;
     }
   }
-  DivideSlender(model, data, flatness, bendU, bendV);
+  DivideSlender(lengthU, lengthV, flatness, bendU, bendV);
   grid = Grid();
   DivideDirection(data.SpansU, bendU, flatness, least, grid.BlockU, grid.DivisionsU, grid.BreaksU);
   DivideDirection(data.SpansV, bendV, flatness, least, grid.BlockV, grid.DivisionsV, grid.BreaksV);
@@ -128,7 +112,8 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face, const std::vect
   grid.CountV = static_cast<int>(grid.BreaksV.size()) - 1;
 }
 
-void SurfaceBlocks::Build(const SurfaceModel& model, const std::vector<Vec2>& bends)
+void SurfaceBlocks::Build(
+  const SurfaceModel& model, const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes)
 {
   constexpr double Flat = 0.15;
   constexpr std::size_t Affordable = 20000;
@@ -144,7 +129,7 @@ void SurfaceBlocks::Build(const SurfaceModel& model, const std::vector<Vec2>& be
     for (int face = 0; face < faces; ++face)
     {
       Grid& grid = this->Grids[face];
-      this->AddGrid(model, face, bends, flatness, least, grid);
+      this->AddGrid(model, face, bends, sizes, flatness, least, grid);
       grid.First = static_cast<int>(count);
       count += static_cast<std::size_t>(grid.CountU) * grid.CountV;
     }

@@ -67,7 +67,9 @@ class SurfaceBlocks
 {
 public:
   /// @param bends of all patches, as measured by MeasureBend.
-  void Build(const SurfaceModel& model, const std::vector<Vec2>& bends);
+  /// @param sizes of all patches, as measured by MeasureSize.
+  void Build(
+    const SurfaceModel& model, const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes);
 
   /**
    * Newton for the closest point from a good guess: that of a block near p, or the start if it has
@@ -96,8 +98,8 @@ private:
     std::atomic<float> Clearance[3] = { { -1 }, { -1 }, { -1 } }; ///< by width of the ring
   };
 
-  void AddGrid(const SurfaceModel& model, int face, const std::vector<Vec2>& bends, double flatness,
-    int least, Grid& grid) const;
+  void AddGrid(const SurfaceModel& model, int face, const std::vector<Vec2>& bends,
+    const std::vector<Vec2>& sizes, double flatness, int least, Grid& grid) const;
   SurfaceBlock MeasureBlock(const SurfaceModel& model, int face, int i, int j) const;
   template <typename Visitor>
   void ForPieces(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;

@@ -135,14 +135,16 @@ void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
 
 void SurfaceModel::AddLeaves()
 {
-  std::vector<Vec2> bends;
+  std::vector<Vec2> bends, sizes;
   bends.reserve(this->Patches.size());
+  sizes.reserve(this->Patches.size());
   for (const BezierPatch& patch : this->Patches)
   {
     bends.push_back(MeasureBend(patch, this->Net(patch)));
+    sizes.push_back(MeasureSize(patch, this->Net(patch)));
   }
-  this->Blocks.Build(*this, bends);
-  this->ChooseGrids(bends);
+  this->Blocks.Build(*this, bends, sizes);
+  this->ChooseGrids(bends, sizes);
   this->RefineTrimmedGrids();
   std::size_t count = 0;
   for (BezierPatch& patch : this->Patches)
@@ -205,15 +207,10 @@ const LeafBox& SurfaceModel::MeasureBox(int index) const
 }
 
 /// Nearly flat leaves, but not more of them than a surface of many patches can afford.
-void SurfaceModel::ChooseGrids(const std::vector<Vec2>& bends)
+void SurfaceModel::ChooseGrids(const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes)
 {
   constexpr double Flat = 0.25; // of a few patches; beyond about 0.5 queries get slower
   constexpr std::size_t Affordable = 50000;
-  std::vector<Vec2> sizes;
-  for (const BezierPatch& patch : this->Patches)
-  {
-    sizes.push_back(MeasureSize(patch, this->Net(patch)));
-  }
   double flatness = Flat;
   for (int attempt = 0; attempt < 4; ++attempt, flatness *= 1.5)
   {

@@ -84,7 +84,7 @@ struct SurfaceModel
 private:
   void AddFace(int face);
   void AddTrimCurves(int face, int firstPatch, int lastPatch);
-  void ChooseGrids(const std::vector<Vec2>& bends);
+  void ChooseGrids(const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes);
   void RefineTrimmedGrids();
   void AddLeaves();
   std::vector<Eigen::AlignedBox3f> BoxLeaves() const;

@@ -277,17 +277,17 @@ private:
   /// @param from see TrialTrim::Make.
   bool TryForFloor(TrimmedBand& trimmed, const TrimmedBand* from) const
   {
+    const int left = this->CountLeft(trimmed);
     const double before = this->Quality.MeasureShortage(trimmed).Sum;
     const auto promises = [&](const TrimmedBand& trial)
     {
-      return this->CountLeft(trial) <= this->CountLeft(trimmed) &&
+      return this->CountLeft(trial) <= left &&
         this->Quality.MeasureShortage(trial).Sum <=
         MostPromising * before + this->Options.QualityFloor;
     };
     TrimmedBand other = this->Trial.Make(this->Set, this->Aimed, from, promises);
     other.Invalid = this->Quality.FindInvalid(other);
-    if (other.Invalid.size() > trimmed.Invalid.size() ||
-      this->CountLeft(other) > this->CountLeft(trimmed))
+    if (other.Invalid.size() > trimmed.Invalid.size() || this->CountLeft(other) > left)
     {
       return false;
     }

@@ -228,19 +228,17 @@ double ChordError(const Evidence& e, const std::array<Vec3, 8>& corners, int siz
 // The estimate takes the faces of its tetrahedra for those of the element. Between a twisted face
 // and either pair of triangles lies half of the tetrahedron of its four corners: the largest of
 // them, as a share of the element.
-double TwistError(const std::array<Vec3, 8>& corners, int size)
+double TwistError(const Evidence& e, Id cell, const std::array<Vec3, 8>& corners, int size)
 {
-  using Quadrilaterals = std::vector<std::array<int, 4>>;
-  const Quadrilaterals faces = size == 8
-    ? Quadrilaterals{ { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 },
-        { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }
-    : Quadrilaterals{ { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } };
   double largest = 0;
-  for (const auto& f : faces)
+  for (const Facet& facet : FacetsOf(e.In.Elements[cell], cell))
   {
-    const Vec3& a = corners[f[0]];
-    const Vec3 u = corners[f[1]] - a, v = corners[f[2]] - a, w = corners[f[3]] - a;
-    largest = std::max(largest, std::abs(u.cross(v).dot(w)) / 12);
+    if (facet.Size() == 4)
+    {
+      const auto at = [&](int i) -> const Vec3& { return e.In.Points[facet.Node[i]]; };
+      const Vec3 u = at(1) - at(0), v = at(2) - at(0), w = at(3) - at(0);
+      largest = std::max(largest, std::abs(u.cross(v).dot(w)) / 12);
+    }
   }
   const double third = 1.0 / 3;
   const Vec3 middle = size == 8 ? Vec3(0.5, 0.5, 0.5) : Vec3(third, third, 0.5);
@@ -266,7 +264,7 @@ void CheckFractions(const Evidence& e, Report& report, int maximumCells)
   {
     const auto corners = e.In.Corners(cut[k]);
     const int size = e.In.Elements[cut[k]].Size;
-    const double limit = 0.03 + ChordError(e, corners, size) + TwistError(corners, size);
+    const double limit = 0.03 + ChordError(e, corners, size) + TwistError(e, cut[k], corners, size);
     if (limit > 0.25)
     {
       continue;
