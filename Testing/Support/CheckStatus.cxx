@@ -222,7 +222,12 @@ double ChordError(const Evidence& e, const std::array<Vec3, 8>& corners, int siz
     high = std::max(high, gradient.dot(corners[i] - middle));
     longest = std::max(longest, (corners[i] - corners[0]).norm());
   }
-  return longest * longest / (8 * e.Case.Cut->MinimumRadius * (high - low));
+  const double radius = e.Case.Cut->MinimumRadius, half = longest / 2;
+  if (half >= radius)
+  {
+    return 1;
+  }
+  return half * half / (radius + std::sqrt(radius * radius - half * half)) / (high - low);
 }
 
 // The estimate takes the faces of its tetrahedra for those of the element. Between a twisted face
