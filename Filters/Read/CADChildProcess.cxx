@@ -1,6 +1,7 @@
 #include "CADChildProcess.h"
 
 #include "ByteStream.h"
+#include "CADLibrary.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -185,12 +186,13 @@ void LimitMemory(double megabytes)
   }
 }
 
-/// What the child does, given whom to tell of its progress: reads the file and packs the result.
-using ChildWork = std::function<std::string(const ReadProgress&)>;
+/// What the child does, given the readers and whom to tell of its progress: reads the file and
+/// packs the result.
+using ChildWork = std::function<std::string(const CADReaders&, const ReadProgress&)>;
 
 /// The child: silent, with the system's own reaction to crashes, never returns.
-[[noreturn]] void RunChild(
-  int file, const std::string& path, double timeLimit, const ChildWork& work)
+[[noreturn]] void RunChild(int file, const std::string& path, double timeLimit,
+  const CADReaders& readers, const ChildWork& work)
 {
   for (int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGXCPU })
   {
@@ -215,7 +217,7 @@ using ChildWork = std::function<std::string(const ReadProgress&)>;
     packer.Put(share);
     return Send(file, MessageKind::Progress, packer.Bytes);
   };
-  Send(file, MessageKind::Result, work(progress));
+  Send(file, MessageKind::Result, work(readers, progress));
   // Not exit(): the parent's destructors are not the child's to run.
   _exit(0);
 }
@@ -374,6 +376,13 @@ bool ReadInChild(const std::string& path, double seconds, const ChildWork& work,
   things.clear();
   error.clear();
   const std::string file = "CAD file \"" + path + "\" ";
+  // Here, not in the child: it is done once then.
+  const CADReaders* readers = LoadCADReaders(error);
+  if (!readers)
+  {
+    error = file + "could not be read: " + error + "; build or install the plugin again";
+    return false;
+  }
   const double timeLimit = seconds > 0.0 ? seconds : TimeLimit(path);
   int ends[2] = { -1, -1 };
   const bool piped = pipe2(ends, O_CLOEXEC) == 0;
@@ -391,7 +400,7 @@ bool ReadInChild(const std::string& path, double seconds, const ChildWork& work,
   if (process == 0)
   {
     close(ends[0]);
-    RunChild(ends[1], path, timeLimit, work);
+    RunChild(ends[1], path, timeLimit, *readers, work);
   }
   close(ends[1]);
   Child child(process, ends[0], Patience * timeLimit);
@@ -413,11 +422,11 @@ bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
   std::vector<NamedSurface>& surfaces, std::string& error, double seconds,
   const ReadProgress& progress)
 {
-  const ChildWork work = [&](const ReadProgress& report)
+  const ChildWork work = [&](const CADReaders& readers, const ReadProgress& report)
   {
     std::vector<NamedSurface> found;
     std::string text;
-    const bool success = ReadCADFile(path, unitInMillimetres, found, text, report);
+    const bool success = readers.ReadFile(path, unitInMillimetres, found, text, report);
     return PackResult(success, text, found, PackSurface);
   };
   return ReadInChild(path, seconds, work, UnpackSurface, surfaces, error, progress);
@@ -427,11 +436,11 @@ bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
 bool ReadCADCurvesInChild(const std::string& path, double unitInMillimetres,
   std::vector<FileCurve>& curves, std::string& error, const ReadProgress& progress)
 {
-  const ChildWork work = [&](const ReadProgress& report)
+  const ChildWork work = [&](const CADReaders& readers, const ReadProgress& report)
   {
     std::vector<FileCurve> found;
     std::string text;
-    const bool success = ReadCADCurves(path, unitInMillimetres, found, text, report);
+    const bool success = readers.ReadCurves(path, unitInMillimetres, found, text, report);
     return PackResult(success, text, found, PackCurve);
   };
   return ReadInChild(path, 0.0, work, UnpackCurve, curves, error, progress);
