@@ -19,6 +19,8 @@ constexpr double SmallestJacobian = 1e-6;
 constexpr double JacobianRounding = 1e-9;
 /// Above this share of the scaled Jacobian it had an element is as good as before.
 constexpr double SameQuality = 0.98;
+/// What an element has to keep that came with it, but below the floor.
+constexpr double LeastKept = 0.2;
 /// An element with less of its volume left has collapsed.
 constexpr double SmallestVolumeShare = 0.01;
 
@@ -139,10 +141,25 @@ bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
     SmallestDistanceShare * ShortestDistance(before, element.Count);
 }
 
+/// A higher floor must not let go what a lower one would hold.
+double BandQuality::FloorOf(int e) const
+{
+  const double before = ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count);
+  if (before >= this->Floor)
+  {
+    return this->Floor;
+  }
+  return this->Floor > LeastKept && before >= LeastKept ? LeastKept : 0.0;
+}
+
 bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count) const
 {
-  return this->Floor > 0.0 && ScaledJacobian(points, count) < this->Floor &&
-    ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count) >= this->Floor;
+  if (this->Floor <= 0.0)
+  {
+    return false;
+  }
+  const double quality = ScaledJacobian(points, count);
+  return quality < this->Floor && quality < this->FloorOf(e);
 }
 
 template <typename Test>
@@ -223,7 +240,7 @@ BandQuality::Shortage BandQuality::MeasureShortage(const TrimmedBand& trimmed) c
   for (const int e : this->FindBelowFloor(trimmed))
   {
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    const double missing = this->Floor - ScaledJacobian(final.Points, final.Count);
+    const double missing = this->FloorOf(e) - ScaledJacobian(final.Points, final.Count);
     shortage.Sum += missing;
     shortage.Largest = std::max(shortage.Largest, missing);
   }

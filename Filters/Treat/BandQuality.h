@@ -19,7 +19,8 @@ public:
    * @param treatment what counts as valid: with degenerated pentahedra a Jacobian that is positive
    * in the whole element, with distributed ones not negative, else positive at the integration
    * points.
-   * @param floor scaled Jacobian that touched elements have to reach; 0: none.
+   * @param floor scaled Jacobian that touched elements have to reach; 0: none. Those that came
+   * below it have to keep 0.2, if they had that.
    */
   BandQuality(const Band& band, Optimization treatment, double floor)
     : TheBand(band)
@@ -33,8 +34,8 @@ public:
   /// Kept elements that the trim made invalid, ascending.
   std::vector<int> FindInvalid(const TrimmedBand& trimmed) const;
 
-  /// Touched elements below the floor that were not so before; straight corners are exempt,
-  /// unless all were to become wedges.
+  /// Touched elements below the floor that holds for them; straight corners are exempt, unless all
+  /// were to become wedges.
   std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const;
 
   /// Touched elements below a scaled Jacobian, and below what they had before.
@@ -60,6 +61,7 @@ public:
 
 private:
   ElementPoints ShapeBefore(int element) const;
+  double FloorOf(int element) const;
   bool IsExempt(const TrimmedBand& trimmed, int element) const;
   /// Touched kept elements that are not exempt and pass a test.
   template <typename Test>

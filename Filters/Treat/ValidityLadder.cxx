@@ -304,19 +304,25 @@ private:
   }
 
   /// What is below the floor all the same: of the nodes of such a column one pillar is left off
-  /// the surface, that which helps most, or all of them, little by little, if none does.
+  /// the surface, that which helps most, or all of them, little by little, if none does. An element
+  /// that the nodes behind the cut spoil keeps its own where they were.
   void LeaveBelowFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
     bool anew = false;
     for (int round = 0; !aborted(); ++round)
     {
+      const std::vector<int> below = this->Quality.FindBelowFloor(trimmed);
       bool changed = false;
       std::vector<char> seen(this->TheBand.NumberOfNodes(), 0);
-      for (const int e : this->Quality.FindBelowFloor(trimmed))
+      for (const int e : below)
       {
         changed |= this->LeaveForFloor(trimmed, e, round, seen);
       }
-      if (!changed && (anew || this->Quality.FindBelowFloor(trimmed).empty()))
+      for (std::size_t i = 0; anew && !changed && i < below.size(); ++i)
+      {
+        changed = this->LeaveWhole(below[i]);
+      }
+      if (!changed && (anew || below.empty()))
       {
         return;
       }
@@ -467,6 +473,21 @@ private:
     return changed;
   }
 
+  /// Lets all nodes of an element stay where they were, those behind the cut too; false if they do.
+  bool LeaveWhole(int e)
+  {
+    this->Rungs[this->TheColumns.Column[e]] = Rung::Left;
+    bool changed = this->LeaveCorners(e);
+    const auto& element = this->TheBand.Elements[e];
+    for (int i = 0; i < element.Count; ++i)
+    {
+      auto& set = this->Set.Corrections[this->TheColumns.Pillar[element.Node[i]]];
+      changed |= set.Correction != CorrectionChoice::Leave || set.Way > 0.0;
+      set = { CorrectionChoice::Leave, 0.0 };
+    }
+    return changed;
+  }
+
   /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
   /// they were. The set of such nodes only grows, and an element that has only such is as it came.
   /// @param anew whether what had not changed is relaxed anew too.
@@ -479,15 +500,7 @@ private:
       bool changed = false;
       for (const int e : trimmed.Invalid)
       {
-        const auto& element = this->TheBand.Elements[e];
-        this->Rungs[this->TheColumns.Column[e]] = Rung::Left;
-        changed |= this->LeaveCorners(e);
-        for (int i = 0; i < element.Count; ++i)
-        {
-          auto& set = this->Set.Corrections[this->TheColumns.Pillar[element.Node[i]]];
-          changed |= set.Correction != CorrectionChoice::Leave || set.Way > 0.0;
-          set = { CorrectionChoice::Leave, 0.0 };
-        }
+        changed |= this->LeaveWhole(e);
       }
       if (!changed)
       {

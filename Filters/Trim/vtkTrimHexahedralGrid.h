@@ -149,9 +149,9 @@ public:
   ///@{
   /**
    * Scaled Jacobian (0 to 1) that every element touched by the trim has to reach, but for
-   * straight corners with Optimization 0 and 1. Nodes behind the cut are moved where it needs
-   * it; what cannot reach it otherwise has nodes left off the surface (DistanceLeft). 0 turns it
-   * off. Default: 0.2.
+   * straight corners with Optimization 0 and 1; an element that came below it has to keep 0.2,
+   * if it had that. Nodes behind the cut are moved where it needs it; what cannot reach it
+   * otherwise has nodes left off the surface (DistanceLeft). 0 turns it off. Default: 0.2.
    */
   vtkSetClampMacro(MinimumScaledJacobian, double, 0.0, 1.0);
   vtkGetMacro(MinimumScaledJacobian, double);

@@ -210,11 +210,33 @@ void CheckFewLeft()
     Expect(lowest >= c.Lowest, "an element paid for a node that was left");
   }
 }
+
+/// A floor above what the mesh has: elements that came below it are still held to the default one.
+/// The judge looks at each element.
+void CheckHighFloor()
+{
+  const Mesh mesh = MakeMesh("irregular");
+  for (const char* kind : { "plane", "wavy", "cylinder", "arc" })
+  {
+    const Surface surface = MakeSurface(kind, mesh.Box, Placement());
+    TrimOptions options;
+    options.CorrectionType = 3;
+    options.MinimumScaledJacobian = 0.8;
+    for (const bool invert : { false, true })
+    {
+      options.InvertSide = invert;
+      Report report(std::string("a floor of 0.8, ") + kind + (invert ? ", inverted" : ""));
+      RunAndJudge(mesh, surface, options, report);
+      Expect(report.Failures() == 0, "an element is worse than the default floor allows");
+    }
+  }
+}
 }
 
 int main()
 {
   CheckTargets();
+  CheckHighFloor();
   CheckThickSheets();
   CheckHardCuts();
   CheckFewLeft();
