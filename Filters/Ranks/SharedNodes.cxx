@@ -1,8 +1,10 @@
 #include "SharedNodes.h"
 
 #include "ElementTopology.h"
+#include "MeshBlocks.h"
 #include "NodeClassification.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -12,6 +14,7 @@ namespace trim
 {
 namespace
 {
+using nurbs::SparseVector;
 
 /// The space that all pieces cover is divided into so many boxes along each axis.
 constexpr int BoxesPerAxis = 64;
@@ -25,46 +28,118 @@ std::uint64_t Scatter(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-/**
- * Nodes of faces that have a cell on one side only. Each face gives its nodes the same random
- * number from both its cells, so that those of inner faces cancel out; no face is ever stored.
- */
-std::vector<Id> FindBorderNodes(const HexMesh& mesh)
+/// Where the nodes of this piece may be other ranks' as well.
+struct MeetingPlaces
 {
-  std::vector<std::uint64_t> sum(mesh.NumberOfPoints, 0);
+  Box3 Whole;               ///< all pieces
+  std::vector<Box3> Others; ///< each other rank's piece, wider by a box of SpaceGrid
+
+  bool MayHold(const Vec3& p) const
+  {
+    return std::any_of(
+      this->Others.begin(), this->Others.end(), [&p](const Box3& box) { return box.contains(p); });
+  }
+  bool MayMeet(const Box3& part) const
+  {
+    return std::any_of(this->Others.begin(), this->Others.end(),
+      [&part](const Box3& box) { return box.intersects(part); });
+  }
+};
+
+MeetingPlaces FindMeetingPlaces(const Box3& own, const Ranks& ranks)
+{
+  using Corners = std::array<Place, 2>;
+  MeetingPlaces places;
+  const auto all = ranks.Gather(std::vector<Corners>{ { ToPlace(own.min()), ToPlace(own.max()) } });
+  for (int rank = 0; rank < ranks.Count(); ++rank)
+  {
+    const Box3 box(ToVec3(all[rank][0]), ToVec3(all[rank][1]));
+    if (!box.isEmpty())
+    {
+      places.Whole.extend(box);
+      if (rank != ranks.Rank())
+      {
+        places.Others.push_back(box);
+      }
+    }
+  }
+  // A little more, against rounding.
+  const Vec3 margin =
+    places.Whole.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(1.01 / BoxesPerAxis * places.Whole.sizes());
+  for (Box3& box : places.Others)
+  {
+    box = Box3(box.min() - margin, box.max() + margin);
+  }
+  return places;
+}
+
+/// Calls action(nodes, count) for the cells in those blocks that may meet others.
+template <typename Action>
+void ForMeetingCells(
+  const HexMesh& mesh, const MeshBlocks& blocks, const MeetingPlaces& places, const Action& action)
+{
   std::array<Id, 8> nodes;
+  for (Id b = 0; b < blocks.NumberOfBlocks(); ++b)
+  {
+    if (places.MayMeet(blocks.Boxes[b]))
+    {
+      const Id end = MeshBlocks::EndCell(b, mesh.NumberOfCells);
+      for (Id c = MeshBlocks::FirstCell(b); c < end; ++c)
+      {
+        const int count = mesh.Cell(c, nodes);
+        action(nodes, count);
+      }
+    }
+  }
+}
+
+/**
+ * Nodes, where pieces may meet, of faces that have a cell on one side only. Each face gives its
+ * nodes the same random number from both its cells, so that those of inner faces cancel out; no
+ * face is ever stored.
+ */
+std::vector<Id> FindBorderNodes(
+  const HexMesh& mesh, const MeshBlocks& blocks, const MeetingPlaces& places)
+{
+  SparseVector<std::uint64_t> sum(mesh.NumberOfPoints);
   std::array<std::uint64_t, 8> scattered;
-  for (Id c = 0; c < mesh.NumberOfCells; ++c)
-  {
-    const int count = mesh.Cell(c, nodes);
-    const auto& topology = TopologyOf(count);
-    for (int i = 0; i < count; ++i)
+  ForMeetingCells(mesh, blocks, places,
+    [&](const std::array<Id, 8>& nodes, int count)
     {
-      scattered[i] = Scatter(static_cast<std::uint64_t>(nodes[i]));
-    }
-    for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
-    {
-      const auto& face = topology.Faces[slot];
-      std::uint64_t number = 0;
-      for (int i = 0; i < face.Count; ++i)
+      const auto& topology = TopologyOf(count);
+      for (int i = 0; i < count; ++i)
       {
-        number += scattered[face.Node[i]];
+        scattered[i] = Scatter(static_cast<std::uint64_t>(nodes[i]));
       }
-      number = Scatter(number);
-      for (int i = 0; i < face.Count; ++i)
+      for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
       {
-        sum[nodes[face.Node[i]]] ^= number;
+        const auto& face = topology.Faces[slot];
+        std::uint64_t number = 0;
+        for (int i = 0; i < face.Count; ++i)
+        {
+          number += scattered[face.Node[i]];
+        }
+        number = Scatter(number);
+        for (int i = 0; i < face.Count; ++i)
+        {
+          sum[nodes[face.Node[i]]] ^= number;
+        }
       }
-    }
-  }
+    });
   std::vector<Id> border;
-  for (Id i = 0; i < mesh.NumberOfPoints; ++i)
-  {
-    if (sum[i] != 0)
+  ForMeetingCells(mesh, blocks, places,
+    [&](const std::array<Id, 8>& nodes, int count)
     {
-      border.push_back(i);
-    }
-  }
+      for (int i = 0; i < count; ++i)
+      {
+        // Of other nodes not all cells were asked.
+        if (sum[nodes[i]] != 0 && places.MayHold(mesh.Point(nodes[i])))
+        {
+          border.push_back(nodes[i]);
+          sum[nodes[i]] = 0; // once
+        }
+      }
+    });
   return border;
 }
 
@@ -72,20 +147,12 @@ std::vector<Id> FindBorderNodes(const HexMesh& mesh)
 class SpaceGrid
 {
 public:
-  SpaceGrid(const HexMesh& mesh, const std::vector<Id>& nodes, const Ranks& ranks)
+  explicit SpaceGrid(const Box3& whole)
   {
-    Place high{};
     for (int k = 0; k < 3; ++k)
     {
-      double low = std::numeric_limits<double>::infinity();
-      high[k] = -low;
-      for (const Id n : nodes)
-      {
-        low = std::min(low, mesh.Point(n)[k]);
-        high[k] = std::max(high[k], mesh.Point(n)[k]);
-      }
-      this->Low[k] = -ranks.Largest(-low);
-      const double width = ranks.Largest(high[k]) - this->Low[k];
+      this->Low[k] = whole.min()[k];
+      const double width = whole.max()[k] - this->Low[k];
       this->Scale[k] = width > 0.0 ? BoxesPerAxis / width : 0.0;
     }
   }
@@ -108,10 +175,11 @@ private:
 };
 
 /// Those of the nodes that lie in boxes which another rank has nodes in as well.
-std::vector<Id> FindMeetingNodes(
-  const HexMesh& mesh, const std::vector<Id>& nodes, const Ranks& ranks)
+std::vector<Id> FindMeetingNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Ranks& ranks)
 {
-  const SpaceGrid grid(mesh, nodes, ranks);
+  const MeetingPlaces places = FindMeetingPlaces(blocks.Bounds, ranks);
+  const std::vector<Id> nodes = FindBorderNodes(mesh, blocks, places);
+  const SpaceGrid grid(places.Whole);
   constexpr int boxes = BoxesPerAxis * BoxesPerAxis * BoxesPerAxis;
   std::vector<char> mine(boxes, 0);
   std::vector<int> filled;
@@ -224,8 +292,8 @@ Id SharedNodes::NumberOf(Id local) const
   return it != this->Local.end() && *it == local ? this->Number[it - this->Local.begin()] : -1;
 }
 
-bool FindSharedNodes(const HexMesh& mesh, const Id* globalIds, const Ranks& ranks,
-  SharedNodes& shared, std::string& error)
+bool FindSharedNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Id* globalIds,
+  const Ranks& ranks, SharedNodes& shared, std::string& error)
 {
   shared = SharedNodes{};
   if (ranks.Alone())
@@ -233,7 +301,7 @@ bool FindSharedNodes(const HexMesh& mesh, const Id* globalIds, const Ranks& rank
     return true;
   }
   std::vector<SentNode> mine;
-  for (const Id n : FindMeetingNodes(mesh, FindBorderNodes(mesh), ranks))
+  for (const Id n : FindMeetingNodes(mesh, blocks, ranks))
   {
     // Added to zero, so that there is one zero only.
     const Vec3 at = mesh.Point(n) + Vec3::Zero();

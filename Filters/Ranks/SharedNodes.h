@@ -18,6 +18,7 @@
 
 namespace trim
 {
+struct MeshBlocks;
 
 using Place = std::array<double, 3>; ///< a position that can be sent
 
@@ -46,13 +47,14 @@ struct SharedNodes
 /**
  * Finds the shared nodes; collective.
  *
+ * @param blocks of this rank's piece, before ShareBounds.
  * @param globalIds of each point of the piece; null: told apart by their places. The same
  * on all ranks that have points.
  * @return false with an error, the same on all ranks, where nodes of one piece lie at one place
  * or one global id stands for two places.
  */
-bool FindSharedNodes(const HexMesh& mesh, const Id* globalIds, const Ranks& ranks,
-  SharedNodes& shared, std::string& error);
+bool FindSharedNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Id* globalIds,
+  const Ranks& ranks, SharedNodes& shared, std::string& error);
 
 /// The piece of the mesh that this rank has among those of the others.
 struct Piece

@@ -119,12 +119,12 @@ struct vtkTrimHexahedralGrid::Cache
     auto* ids = vtkIdTypeArray::SafeDownCast(this->Own.Grid->GetPointData()->GetGlobalIds());
     const bool lacksIds = this->Mesh.NumberOfPoints > 0 && !ids;
     const bool useIds = !ranks.Any(lacksIds) && ids;
-    if (!trim::FindSharedNodes(
-          this->Mesh, useIds ? ids->GetPointer(0) : nullptr, ranks, this->Shared, error))
+    this->Blocks = trim::BuildMeshBlocks(this->Mesh);
+    if (!trim::FindSharedNodes(this->Mesh, this->Blocks, useIds ? ids->GetPointer(0) : nullptr,
+          ranks, this->Shared, error))
     {
       return false;
     }
-    this->Blocks = trim::BuildMeshBlocks(this->Mesh);
     trim::ShareBounds(ranks, this->Blocks);
     this->Joined = true;
     return true;
