@@ -53,31 +53,28 @@ public:
     , Aimed(band, options.Treatment, options.AimedQuality())
     , Trial(band, columns, shares, nodeStatus, surface, precision, options)
     , Members(columns.Elements())
-    , Set(position.Set)
-    , Rungs(position.Rungs)
-    , Disturbed(position.Disturbed)
-    , KeptFor(position.KeptFor)
+    , At(position)
   {
-    if (!this->Rungs.empty())
+    if (!this->At.Rungs.empty())
     {
       return;
     }
-    this->Rungs.assign(band.NumberOfElements(), Rung::None);
-    this->Disturbed.assign(band.NumberOfElements(), 0);
-    this->Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
-    this->Set.Corrections.assign(band.NumberOfNodes(), PillarChoice());
-    this->Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
+    this->At.Rungs.assign(band.NumberOfElements(), Rung::None);
+    this->At.Disturbed.assign(band.NumberOfElements(), 0);
+    this->At.Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
+    this->At.Set.Corrections.assign(band.NumberOfNodes(), PillarChoice());
+    this->At.Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
   }
 
   TrimmedBand Climb(const Progress& progress)
   {
     const auto aborted = [&progress] { return progress(-1.0); };
-    TrimmedBand trimmed = this->Trial.Make(this->Set, this->Quality);
+    TrimmedBand trimmed = this->Trial.Make(this->At.Set, this->Quality);
     for (int climb = 0; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
     {
       const std::vector<int> bad = this->FindBadColumns(trimmed);
       if (std::all_of(
-            bad.begin(), bad.end(), [this](int c) { return this->Rungs[c] == Rung::Left; }))
+            bad.begin(), bad.end(), [this](int c) { return this->At.Rungs[c] == Rung::Left; }))
       {
         break;
       }
@@ -88,7 +85,7 @@ public:
           this->StepUp(trimmed, column);
         }
       }
-      trimmed = this->Trial.Make(this->Set, this->Quality);
+      trimmed = this->Trial.Make(this->At.Set, this->Quality);
     }
     this->LeaveInvalid(this->Quality, true, trimmed, aborted);
     progress(Climbed);
@@ -97,8 +94,8 @@ public:
     this->LeaveBelowFloor(trimmed, aborted);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
-    this->Trial.Polish(this->Set, trimmed);
-    trimmed.RescuedBy = this->Rungs;
+    this->Trial.Polish(this->At.Set, trimmed);
+    trimmed.RescuedBy = this->At.Rungs;
     trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
     return trimmed;
   }
@@ -116,7 +113,7 @@ private:
       for (int i = 0; i < element.Count; ++i)
       {
         const int pillar = this->TheColumns.Pillar[element.Node[i]];
-        auto& set = this->Set.Corrections[pillar];
+        auto& set = this->At.Set.Corrections[pillar];
         if (behind[pillar] && set.Correction < CorrectionChoice::Leave)
         {
           set = { CorrectionChoice::Inside, 0.0 };
@@ -142,7 +139,8 @@ private:
   bool IsLeft(const TrimmedBand& trimmed, int node) const
   {
     return trimmed.NodeMoves.Left[node] &&
-      this->Set.Corrections[this->TheColumns.Pillar[node]].Correction != CorrectionChoice::Inside;
+      this->At.Set.Corrections[this->TheColumns.Pillar[node]].Correction !=
+      CorrectionChoice::Inside;
   }
 
   int CountLeft(const TrimmedBand& trimmed) const
@@ -192,11 +190,11 @@ private:
   {
     for (int round = 0; round < MostFloorTrials; ++round)
     {
-      const Choices before = this->Set;
+      const Choices before = this->At.Set;
       const auto columns = this->ColumnsOf(this->Quality.FindBelowFloor(trimmed));
       if (!this->TakeInside(trimmed, columns) || !this->TryForFloor(trimmed, &trimmed))
       {
-        this->Set = before;
+        this->At.Set = before;
         return;
       }
     }
@@ -223,14 +221,14 @@ private:
   {
     for (const Rung rung : { Rung::Correction, Rung::Fate, Rung::FateAround })
     {
-      const Choices before = this->Set;
+      const LadderPosition before = this->At;
       if ((!otherFates && rung != Rung::Correction) || !this->SetForFloor(trimmed, column, rung) ||
         !this->TryForFloor(trimmed, &trimmed))
       {
-        this->Set = before;
+        this->At = before;
         continue;
       }
-      this->Rungs[column] = rung;
+      this->At.Rungs[column] = rung;
       if (!this->IsShort(trimmed, column))
       {
         return;
@@ -255,9 +253,9 @@ private:
         this->ForMovingPillars(trimmed, column,
           [&](int pillar)
           {
-            if (this->Set.Corrections[pillar].Correction == CorrectionChoice::AsAsked)
+            if (this->At.Set.Corrections[pillar].Correction == CorrectionChoice::AsAsked)
             {
-              this->Set.Corrections[pillar].Correction = CorrectionChoice::Other;
+              this->At.Set.Corrections[pillar].Correction = CorrectionChoice::Other;
             }
           });
         return true;
@@ -266,7 +264,7 @@ private:
         {
           return false;
         }
-        this->Set.Fates[column] = Fate::Eliminate;
+        this->At.Set.Fates[column] = Fate::Eliminate;
         return true;
       default:
         return this->KeepAround(trimmed, column, false);
@@ -285,7 +283,7 @@ private:
         this->Quality.MeasureShortage(trial).Sum <=
         MostPromising * before + this->Options.QualityFloor;
     };
-    TrimmedBand other = this->Trial.Make(this->Set, this->Aimed, from, promises);
+    TrimmedBand other = this->Trial.Make(this->At.Set, this->Aimed, from, promises);
     other.Invalid = this->Quality.FindInvalid(other);
     if (other.Invalid.size() > trimmed.Invalid.size() || this->CountLeft(other) > left)
     {
@@ -329,7 +327,7 @@ private:
       // Places that were relaxed for other choices may keep an element below the floor: then from
       // the start.
       anew |= !changed;
-      trimmed = this->Trial.Make(this->Set, this->Aimed, anew ? nullptr : &trimmed);
+      trimmed = this->Trial.Make(this->At.Set, this->Aimed, anew ? nullptr : &trimmed);
       this->LeaveInvalid(this->Aimed, anew, trimmed, aborted);
     }
   }
@@ -353,10 +351,11 @@ private:
     {
       return true;
     }
-    this->Rungs[column] = Rung::Left;
+    this->At.Rungs[column] = Rung::Left;
     const double least = FloorMargin * this->Options.QualityFloor;
+    const double aim = this->Aimed.GetFloor();
     if (gradual &&
-      (this->LeaveBest(trimmed, column, pillars, std::max(least, this->Aimed.GetFloor())) ||
+      ((aim > least && this->LeaveBest(trimmed, column, pillars, aim)) ||
         this->LeaveBest(trimmed, column, pillars, least)))
     {
       return true;
@@ -372,7 +371,7 @@ private:
     this->ForMovingPillars(trimmed, column,
       [&](int pillar)
       {
-        const auto& set = this->Set.Corrections[pillar];
+        const auto& set = this->At.Set.Corrections[pillar];
         if (set.Correction != CorrectionChoice::Leave || set.Way > 0.0)
         {
           AddUnique(pillars, pillar);
@@ -422,7 +421,7 @@ private:
   {
     for (const int pillar : pillars)
     {
-      auto& set = this->Set.Corrections[pillar];
+      auto& set = this->At.Set.Corrections[pillar];
       const double gone = set.Correction == CorrectionChoice::Leave ? set.Way : 1.0;
       set = { CorrectionChoice::Leave, gone * way };
     }
@@ -432,11 +431,12 @@ private:
   /// leaving if they have a node left in the end, else by another way to the surface.
   void ReturnLeft(TrimmedBand& trimmed, const Progress& progress)
   {
-    if (std::all_of(this->Rungs.begin(), this->Rungs.end(), [](Rung r) { return r == Rung::None; }))
+    if (std::all_of(
+          this->At.Rungs.begin(), this->At.Rungs.end(), [](Rung r) { return r == Rung::None; }))
     {
       return;
     }
-    this->Trial.ReturnLeft(this->Set, progress, trimmed);
+    this->Trial.ReturnLeft(this->At.Set, progress, trimmed);
     const std::vector<int> users = CountUsers(this->TheBand, trimmed);
     std::vector<char> hasLeft(this->TheBand.NumberOfElements(), 0);
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
@@ -446,15 +446,15 @@ private:
         std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
           [&](int n) { return users[n] > 0 && this->IsLeft(trimmed, n); });
     }
-    for (std::size_t c = 0; c < this->Rungs.size(); ++c)
+    for (std::size_t c = 0; c < this->At.Rungs.size(); ++c)
     {
-      if (this->Rungs[c] != Rung::None && hasLeft[c])
+      if (this->At.Rungs[c] != Rung::None && hasLeft[c])
       {
-        this->Rungs[c] = Rung::Left;
+        this->At.Rungs[c] = Rung::Left;
       }
-      else if (this->Rungs[c] == Rung::Left)
+      else if (this->At.Rungs[c] == Rung::Left)
       {
-        this->Rungs[c] = Rung::Correction;
+        this->At.Rungs[c] = Rung::Correction;
       }
     }
   }
@@ -466,7 +466,7 @@ private:
     const auto& element = this->TheBand.Elements[e];
     for (int i = 0; i < element.Count; ++i)
     {
-      auto& treatment = this->Set.Treatments[this->TheColumns.Pillar[element.Node[i]]];
+      auto& treatment = this->At.Set.Treatments[this->TheColumns.Pillar[element.Node[i]]];
       changed |= treatment != TreatmentChoice::LeaveCorner;
       treatment = TreatmentChoice::LeaveCorner;
     }
@@ -476,12 +476,12 @@ private:
   /// Lets all nodes of an element stay where they were, those behind the cut too; false if they do.
   bool LeaveWhole(int e)
   {
-    this->Rungs[this->TheColumns.Column[e]] = Rung::Left;
+    this->At.Rungs[this->TheColumns.Column[e]] = Rung::Left;
     bool changed = this->LeaveCorners(e);
     const auto& element = this->TheBand.Elements[e];
     for (int i = 0; i < element.Count; ++i)
     {
-      auto& set = this->Set.Corrections[this->TheColumns.Pillar[element.Node[i]]];
+      auto& set = this->At.Set.Corrections[this->TheColumns.Pillar[element.Node[i]]];
       changed |= set.Correction != CorrectionChoice::Leave || set.Way > 0.0;
       set = { CorrectionChoice::Leave, 0.0 };
     }
@@ -506,7 +506,7 @@ private:
       {
         return;
       }
-      trimmed = this->Trial.Make(this->Set, goal, anew ? nullptr : &trimmed);
+      trimmed = this->Trial.Make(this->At.Set, goal, anew ? nullptr : &trimmed);
     }
   }
 
@@ -569,7 +569,7 @@ private:
   /// no place; false if there are none.
   bool KeepAround(const TrimmedBand& trimmed, int column, bool failedOnly)
   {
-    auto& kept = this->KeptFor[column];
+    auto& kept = this->At.KeptFor[column];
     const std::size_t before = kept.size();
     this->ForNodes(column,
       [&](int node)
@@ -581,10 +581,10 @@ private:
         for (const int other : this->TheBand.ElementsOfNode(node))
         {
           const int around = this->TheColumns.Column[other];
-          if (!trimmed.Kept[other] && this->Set.Fates[around] == Fate::ByVolume &&
+          if (!trimmed.Kept[other] && this->At.Set.Fates[around] == Fate::ByVolume &&
             this->Shares.Column[around] <= 1.0 - SmallestShare)
           {
-            this->Set.Fates[around] = Fate::Keep;
+            this->At.Set.Fates[around] = Fate::Keep;
             this->DisturbAround(around);
             kept.push_back(around);
           }
@@ -596,11 +596,11 @@ private:
   /// What was kept for a column that had no use of it is decided by its volume again.
   void GiveBack(int column)
   {
-    for (const int around : this->KeptFor[column])
+    for (const int around : this->At.KeptFor[column])
     {
-      this->Set.Fates[around] = Fate::ByVolume;
+      this->At.Set.Fates[around] = Fate::ByVolume;
     }
-    this->KeptFor[column].clear();
+    this->At.KeptFor[column].clear();
   }
 
   /// A fate that was changed may spoil the next columns. Theirs are not changed then: trouble would
@@ -613,7 +613,7 @@ private:
         for (const int other : this->TheBand.ElementsOfNode(node))
         {
           const int next = this->TheColumns.Column[other];
-          this->Disturbed[next] |= this->Rungs[next] == Rung::None;
+          this->At.Disturbed[next] |= this->At.Rungs[next] == Rung::None;
         }
       });
   }
@@ -621,61 +621,61 @@ private:
   /// Another correction for a pillar, if it is not behind the cut.
   void Turn(int pillar, CorrectionChoice choice)
   {
-    auto& set = this->Set.Corrections[pillar].Correction;
+    auto& set = this->At.Set.Corrections[pillar].Correction;
     set = set == CorrectionChoice::Inside ? set : choice;
   }
 
   /// Undoes the rung that did not help and takes the next one.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
-    const bool mayChange = !this->Disturbed[column];
-    switch (this->Rungs[column])
+    const bool mayChange = !this->At.Disturbed[column];
+    switch (this->At.Rungs[column])
     {
       case Rung::None:
         // A border node without a place, mostly a corner that is kept: with the elements round
         // it kept it need not move.
-        this->Rungs[column] = Rung::FateFirst;
+        this->At.Rungs[column] = Rung::FateFirst;
         if (this->KeepAround(trimmed, column, true))
         {
           return;
         }
         [[fallthrough]];
       case Rung::FateFirst:
-        this->Rungs[column] = Rung::Treatment;
+        this->At.Rungs[column] = Rung::Treatment;
         if (trimmed.Treated.Exposed.size() && trimmed.Treated.Exposed[column])
         {
           const auto other = this->Options.Treatment == Optimization::Degenerate
             ? TreatmentChoice::Distribute
             : TreatmentChoice::Degenerate;
           this->ForMovingPillars(
-            trimmed, column, [&](int pillar) { this->Set.Treatments[pillar] = other; });
+            trimmed, column, [&](int pillar) { this->At.Set.Treatments[pillar] = other; });
           return;
         }
         [[fallthrough]];
       case Rung::Treatment:
-        this->Rungs[column] = Rung::Correction;
+        this->At.Rungs[column] = Rung::Correction;
         this->ForMovingPillars(trimmed, column,
           [&](int pillar)
           {
-            this->Set.Treatments[pillar] = TreatmentChoice::AsAsked;
+            this->At.Set.Treatments[pillar] = TreatmentChoice::AsAsked;
             this->Turn(pillar, CorrectionChoice::Other);
           });
         return;
       case Rung::Correction:
         this->ForMovingPillars(
           trimmed, column, [&](int pillar) { this->Turn(pillar, CorrectionChoice::AsAsked); });
-        this->Rungs[column] = Rung::Fate;
-        if (mayChange && this->Set.Fates[column] == Fate::ByVolume &&
+        this->At.Rungs[column] = Rung::Fate;
+        if (mayChange && this->At.Set.Fates[column] == Fate::ByVolume &&
           this->Shares.Column[column] >= SmallestShare)
         {
-          this->Set.Fates[column] = Fate::Eliminate;
+          this->At.Set.Fates[column] = Fate::Eliminate;
           this->DisturbAround(column);
           return;
         }
         [[fallthrough]];
       case Rung::Fate:
-        this->Set.Fates[column] = Fate::ByVolume;
-        this->Rungs[column] = Rung::FateAround;
+        this->At.Set.Fates[column] = Fate::ByVolume;
+        this->At.Rungs[column] = Rung::FateAround;
         if (mayChange && this->KeepAround(trimmed, column, false))
         {
           return;
@@ -683,8 +683,8 @@ private:
         [[fallthrough]];
       default:
         this->GiveBack(column);
-        this->Set.Fates[column] = Fate::ByVolume;
-        this->Rungs[column] = Rung::Left;
+        this->At.Set.Fates[column] = Fate::ByVolume;
+        this->At.Rungs[column] = Rung::Left;
         if (this->LeaveBest(trimmed, column, this->PillarsToLeave(trimmed, column),
               std::max(this->Aimed.GetFloor(), SmallestGoal)))
         {
@@ -693,8 +693,8 @@ private:
         this->ForMovingPillars(trimmed, column,
           [&](int pillar)
           {
-            this->Set.Corrections[pillar].Correction = CorrectionChoice::Leave;
-            this->Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
+            this->At.Set.Corrections[pillar].Correction = CorrectionChoice::Leave;
+            this->At.Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
           });
         return;
     }
@@ -708,10 +708,7 @@ private:
   BandQuality Aimed;
   TrialTrim Trial;
   const Band::Lists Members; ///< elements of each column
-  Choices& Set;
-  std::vector<Rung>& Rungs;
-  std::vector<char>& Disturbed;
-  std::map<int, std::vector<int>>& KeptFor;
+  LadderPosition& At;
 };
 
 }

@@ -269,11 +269,12 @@ void CheckFractions(const Evidence& e, Report& report, int maximumCells)
   {
     const auto corners = e.In.Corners(cut[k]);
     const int size = e.In.Elements[cut[k]].Size;
-    const double limit = 0.03 + ChordError(e, corners, size) + TwistError(e, cut[k], corners, size);
-    if (limit > 0.25)
+    const double chord = ChordError(e, corners, size);
+    if (chord > 0.22)
     {
       continue;
     }
+    const double limit = 0.03 + chord + TwistError(e, cut[k], corners, size);
     double beyond = 0, all = 0;
     for (int i = 0; i < 1000; ++i)
     {
