@@ -6,11 +6,15 @@
 namespace trim
 {
 
+double LargestCoordinateOf(const nurbs::Box3& bounds)
+{
+  return std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
+}
+
 std::string FindGridScaleDefect(const nurbs::Box3& bounds)
 {
   std::ostringstream text;
-  const double largest =
-    std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
+  const double largest = LargestCoordinateOf(bounds);
   const double size = bounds.sizes().maxCoeff();
   if (!(largest <= LargestCoordinate))
   {

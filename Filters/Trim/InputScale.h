@@ -17,6 +17,9 @@ constexpr double LargestSurface = 1e6;
 /// Coordinates of the grid have to stay below, as those of surfaces (NurbsSurface.cxx).
 constexpr double LargestCoordinate = 1e15;
 
+/// The largest absolute coordinate in a box.
+double LargestCoordinateOf(const nurbs::Box3& bounds);
+
 /// What is wrong with the extent of a grid, of which `bounds` are not empty; empty: nothing.
 std::string FindGridScaleDefect(const nurbs::Box3& bounds);
 

@@ -2,6 +2,7 @@
 
 #include "FeasibilityCheck.h"
 #include "GatherBand.h"
+#include "InputScale.h"
 #include "Shortfalls.h"
 #include "Status.h"
 #include "TrimWarnings.h"
@@ -21,6 +22,11 @@ namespace
 constexpr int BandRings = 4;
 /// Rings where columns reach farther, in a sheet of many layers under an inclined surface.
 constexpr int DeepBandRings = 12;
+/// Nodes are placed on the surface to this share of the diagonal of the grid's box.
+constexpr double PlacePrecision = 1e-9;
+/// Rounding of a distance, in units of the largest coordinate: what is nearer than that is on the
+/// surface, whatever tolerance is asked for.
+constexpr double DistanceRounding = 16.0 * std::numeric_limits<double>::epsilon();
 /// A surface that shifts by more than this share of an element from skin to skin cannot be
 /// followed by whole columns: other columns are looked for, else every element is decided alone.
 constexpr double LargestColumnShift = 3.5;
@@ -422,11 +428,14 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   // If one rank stops, all do: the others would wait for it.
   const auto aborted = [&](double done) { return result.Aborted = piece.All.Any(progress(done)); };
   const auto stopped = [&progress] { return progress(-1.0); };
-  const double precision = options.Tolerance * blocks.Bounds.diagonal().norm();
+  const double diagonal = blocks.Bounds.diagonal().norm();
+  const double precision = PlacePrecision * diagonal;
+  const double tolerance =
+    std::max(options.Tolerance * diagonal, DistanceRounding * LargestCoordinateOf(blocks.Bounds));
 
   // Classify.
   if (!ClassifyNodes(
-        mesh, blocks, piece, surface, precision, stopped, result.Nodes, result.Error) ||
+        mesh, blocks, piece, surface, tolerance, stopped, result.Nodes, result.Error) ||
     aborted(0.2))
   {
     return result;

@@ -36,7 +36,7 @@ struct TrimOptions
   bool InvertSide = false;
   bool UseKeepPoint = false;
   Vec3 KeepPoint = Vec3::Zero();
-  double Tolerance = 1e-9; ///< relative to the diagonal of the grid
+  double Tolerance = 1e-9; ///< of the status "on surface", relative to the diagonal of the grid
   bool ProduceOffcut = false;
 };
 

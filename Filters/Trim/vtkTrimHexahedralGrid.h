@@ -179,8 +179,9 @@ public:
 
   ///@{
   /**
-   * Distance under which a node is on the surface, relative to the diagonal of the grid's
-   * bounding box. Default: 1e-9.
+   * Distance under which a node counts as on the surface where it is, relative to the diagonal of
+   * the grid's bounding box. Nodes that are moved to the surface come to lie on it to 1e-9 of the
+   * diagonal, whatever is set here. Default: 1e-9.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);

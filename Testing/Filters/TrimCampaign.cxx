@@ -57,6 +57,12 @@ Draw DrawTrim(unsigned seed, int number, const std::vector<std::string>& names)
     : floor < 0.8                                  ? 0
     : floor < 0.9                                  ? 0.3
                                                    : 0.5;
+  const double fraction = any(random);
+  draw.Options.EliminationFraction = fraction < 0.8 ? 0.5 : 5 * (fraction - 0.8);
+  const double tolerance = any(random);
+  draw.Options.Tolerance = tolerance < 0.8 ? 1e-9
+    : tolerance < 0.9                      ? 0
+                                           : std::pow(10.0, -12 + 70 * (tolerance - 0.9));
   return draw;
 }
 
@@ -64,11 +70,12 @@ std::string Words(const Draw& draw)
 {
   char text[300];
   std::snprintf(text, sizeof(text),
-    "%s %s x %.3f y %.3f angle %.3f lean %.3f size %.3f seed %u%s type %d opt %d floor %g%s",
+    "%s %s x %.3f y %.3f angle %.3f lean %.3f size %.3f seed %u%s type %d opt %d floor %g "
+    "fraction %.3f tolerance %.2g%s",
     draw.Mesh.c_str(), draw.Kind.c_str(), draw.At.X, draw.At.Y, draw.At.Angle, draw.At.Lean,
     draw.At.Size, draw.At.Seed, draw.At.Reversed ? " reversed" : "", draw.Options.CorrectionType,
-    draw.Options.Optimization, draw.Options.MinimumScaledJacobian,
-    draw.Options.InvertSide ? " inverted" : "");
+    draw.Options.Optimization, draw.Options.MinimumScaledJacobian, draw.Options.EliminationFraction,
+    draw.Options.Tolerance, draw.Options.InvertSide ? " inverted" : "");
   return text;
 }
 }

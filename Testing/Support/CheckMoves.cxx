@@ -254,22 +254,26 @@ void CheckBoundary(const Evidence& e, Report& report)
       {
         continue; // behind the cut: it came to lie inside
       }
-      if (!(std::abs(left - (d <= e.Exact ? 0 : d)) <= 1e-6 * d + e.Exact))
+      // Where it was, a node may be as far from the surface as the tolerance says.
+      const bool stayed = e.NodeStatus[e.PointOf[p]] == 2 && !e.Moved(p);
+      const double exact =
+        stayed ? std::max(e.Exact, e.Case.Options.Tolerance * e.Diagonal) : e.Exact;
+      if (!(std::abs(left - (d <= exact ? 0 : d)) <= 1e-6 * d + e.Exact))
       {
         report.Fail("DistanceLeft", Point(p), left, d);
       }
-      if (!(d <= e.Exact) && left > 0)
+      if (!(d <= exact) && left > 0)
       {
         // Corners of the model must stay, even where the surface passes beside them.
         report.Note(corner && !e.Moved(p) ? "corners of the model beside the surface" : LeftOff);
       }
-      else if (!(d <= e.Exact))
+      else if (!(d <= exact))
       {
         report.Fail("new boundary on the surface",
           Point(p) + (beyond ? " (eliminate)" : " (keep)") +
             (e.Moved(p) ? " moved" : " not moved") +
             (e.OnNewBoundary[p] ? "" : ", not on the new boundary"),
-          d, e.Exact);
+          d, exact);
       }
     }
     CheckPlaces(e, report);
