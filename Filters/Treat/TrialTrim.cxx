@@ -163,9 +163,10 @@ bool TrialTrim::Differ(const TrimmedBand& a, const TrimmedBand& b, int e) const
     });
 }
 
-/// Takes the relaxed places of another trial where both are the same before; returns the elements
-/// round the rest.
-std::vector<char> TrialTrim::TakeRelaxed(const TrimmedBand& from, TrimmedBand& trimmed) const
+/// Takes the relaxed places of another trial where both are the same before, but for nodes that
+/// have to stay now; returns the elements round the rest.
+std::vector<char> TrialTrim::TakeRelaxed(
+  const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const
 {
   std::vector<char> differs(this->TheBand.NumberOfNodes(), 0);
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
@@ -180,7 +181,10 @@ std::vector<char> TrialTrim::TakeRelaxed(const TrimmedBand& from, TrimmedBand& t
   std::vector<char> near(this->TheBand.NumberOfElements(), 0);
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
-    if (!differs[n])
+    const auto choice = set.Corrections[this->TheColumns.Pillar[n]].Correction;
+    const bool stays = choice == CorrectionChoice::Leave &&
+      from.NodeMoves.Position[n] != trimmed.NodeMoves.Position[n];
+    if (!differs[n] && !stays)
     {
       trimmed.NodeMoves.Position[n] = from.NodeMoves.Position[n];
       trimmed.NodeMoves.Applied[n] = from.NodeMoves.Applied[n];
@@ -201,7 +205,7 @@ void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, const Trim
   std::vector<char> near(this->TheBand.NumberOfElements(), 1);
   if (from)
   {
-    near = this->TakeRelaxed(*from, trimmed);
+    near = this->TakeRelaxed(set, *from, trimmed);
   }
   trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
   for (const int e : this->Quality.FindInvalid(trimmed))

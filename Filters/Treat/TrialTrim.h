@@ -95,7 +95,8 @@ private:
   void RelaxBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
     const Promise& promises, TrimmedBand& trimmed) const;
   bool Differ(const TrimmedBand& a, const TrimmedBand& b, int element) const;
-  std::vector<char> TakeRelaxed(const TrimmedBand& from, TrimmedBand& trimmed) const;
+  std::vector<char> TakeRelaxed(
+    const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
   double GoalForLeft() const;
   std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;

@@ -72,6 +72,7 @@ public:
     TrimmedBand trimmed = this->Trial.Make(this->At.Set, this->Quality);
     for (int climb = 0; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
     {
+      trimmed.Invalid = this->Quality.FindInvalid(trimmed);
       const std::vector<int> bad = this->FindBadColumns(trimmed);
       if (std::all_of(
             bad.begin(), bad.end(), [this](int c) { return this->At.Rungs[c] == Rung::Left; }))
@@ -512,7 +513,7 @@ private:
 
   std::vector<int> FindBadColumns(const TrimmedBand& trimmed) const
   {
-    std::vector<int> elements = this->Quality.FindInvalid(trimmed);
+    std::vector<int> elements = trimmed.Invalid;
     for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
     {
       const auto& element = this->TheBand.Elements[e];
@@ -526,6 +527,12 @@ private:
       }
     }
     return this->ColumnsOf(elements);
+  }
+
+  bool HasInvalid(const TrimmedBand& trimmed, int column) const
+  {
+    return std::any_of(trimmed.Invalid.begin(), trimmed.Invalid.end(),
+      [&](int e) { return this->TheColumns.Column[e] == column; });
   }
 
   /// The columns of elements, each once, ascending.
@@ -625,6 +632,20 @@ private:
     set = set == CorrectionChoice::Inside ? set : choice;
   }
 
+  /// Lets the nodes of a column that found no place stay where they were.
+  void LeaveFailed(const TrimmedBand& trimmed, int column)
+  {
+    this->ForNodes(column,
+      [&](int node)
+      {
+        if (trimmed.NodeMoves.Failed[node])
+        {
+          auto& set = this->At.Set.Corrections[this->TheColumns.Pillar[node]];
+          set = { CorrectionChoice::Leave, 0.0 };
+        }
+      });
+  }
+
   /// Undoes the rung that did not help and takes the next one.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
@@ -685,6 +706,11 @@ private:
         this->GiveBack(column);
         this->At.Set.Fates[column] = Fate::ByVolume;
         this->At.Rungs[column] = Rung::Left;
+        if (!this->HasInvalid(trimmed, column))
+        {
+          this->LeaveFailed(trimmed, column);
+          return;
+        }
         if (this->LeaveBest(trimmed, column, this->PillarsToLeave(trimmed, column),
               std::max(this->Aimed.GetFloor(), SmallestGoal)))
         {
