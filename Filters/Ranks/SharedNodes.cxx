@@ -64,33 +64,12 @@ MeetingPlaces FindMeetingPlaces(const Box3& own, const Ranks& ranks)
     }
   }
   // A little more, against rounding.
-  const Vec3 margin =
-    places.Whole.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(1.01 / BoxesPerAxis * places.Whole.sizes());
+  const Vec3 margin = 1.01 / BoxesPerAxis * places.Whole.sizes();
   for (Box3& box : places.Others)
   {
     box = Box3(box.min() - margin, box.max() + margin);
   }
   return places;
-}
-
-/// Calls action(nodes, count) for the cells in those blocks that may meet others.
-template <typename Action>
-void ForMeetingCells(
-  const HexMesh& mesh, const MeshBlocks& blocks, const MeetingPlaces& places, const Action& action)
-{
-  std::array<Id, 8> nodes;
-  for (Id b = 0; b < blocks.NumberOfBlocks(); ++b)
-  {
-    if (places.MayMeet(blocks.Boxes[b]))
-    {
-      const Id end = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-      for (Id c = MeshBlocks::FirstCell(b); c < end; ++c)
-      {
-        const int count = mesh.Cell(c, nodes);
-        action(nodes, count);
-      }
-    }
-  }
 }
 
 /**
@@ -101,45 +80,49 @@ void ForMeetingCells(
 std::vector<Id> FindBorderNodes(
   const HexMesh& mesh, const MeshBlocks& blocks, const MeetingPlaces& places)
 {
+  const std::vector<Id> cells = FindCells(
+    mesh, blocks, [&places](const Box3& box) { return places.MayMeet(box); },
+    CellSearch::WholeRuns);
   SparseVector<std::uint64_t> sum(mesh.NumberOfPoints);
+  std::array<Id, 8> nodes;
   std::array<std::uint64_t, 8> scattered;
-  ForMeetingCells(mesh, blocks, places,
-    [&](const std::array<Id, 8>& nodes, int count)
+  for (const Id c : cells)
+  {
+    const int count = mesh.Cell(c, nodes);
+    const auto& topology = TopologyOf(count);
+    for (int i = 0; i < count; ++i)
     {
-      const auto& topology = TopologyOf(count);
-      for (int i = 0; i < count; ++i)
+      scattered[i] = Scatter(static_cast<std::uint64_t>(nodes[i]));
+    }
+    for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
+    {
+      const auto& face = topology.Faces[slot];
+      std::uint64_t number = 0;
+      for (int i = 0; i < face.Count; ++i)
       {
-        scattered[i] = Scatter(static_cast<std::uint64_t>(nodes[i]));
+        number += scattered[face.Node[i]];
       }
-      for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
+      number = Scatter(number);
+      for (int i = 0; i < face.Count; ++i)
       {
-        const auto& face = topology.Faces[slot];
-        std::uint64_t number = 0;
-        for (int i = 0; i < face.Count; ++i)
-        {
-          number += scattered[face.Node[i]];
-        }
-        number = Scatter(number);
-        for (int i = 0; i < face.Count; ++i)
-        {
-          sum[nodes[face.Node[i]]] ^= number;
-        }
+        sum[nodes[face.Node[i]]] ^= number;
       }
-    });
+    }
+  }
   std::vector<Id> border;
-  ForMeetingCells(mesh, blocks, places,
-    [&](const std::array<Id, 8>& nodes, int count)
+  for (const Id c : cells)
+  {
+    const int count = mesh.Cell(c, nodes);
+    for (int i = 0; i < count; ++i)
     {
-      for (int i = 0; i < count; ++i)
+      // Of other nodes not all cells were asked.
+      if (sum[nodes[i]] != 0 && places.MayHold(mesh.Point(nodes[i])))
       {
-        // Of other nodes not all cells were asked.
-        if (sum[nodes[i]] != 0 && places.MayHold(mesh.Point(nodes[i])))
-        {
-          border.push_back(nodes[i]);
-          sum[nodes[i]] = 0; // once
-        }
+        border.push_back(nodes[i]);
+        sum[nodes[i]] = 0; // once
       }
-    });
+    }
+  }
   return border;
 }
 

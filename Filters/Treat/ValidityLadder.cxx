@@ -640,8 +640,7 @@ private:
       {
         if (trimmed.NodeMoves.Failed[node])
         {
-          auto& set = this->At.Set.Corrections[this->TheColumns.Pillar[node]];
-          set = { CorrectionChoice::Leave, 0.0 };
+          this->LeaveOnWay({ this->TheColumns.Pillar[node] }, 0.0);
         }
       });
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <set>
 
 namespace judge
@@ -24,14 +25,14 @@ std::string Where(const Vec3& p)
   return text;
 }
 
-// Distance to the mesh edges at a node of the input; `next`: the nodes at their other ends.
-double DistanceToEdgesAt(const Evidence& e, Id node, const Vec3& p, std::set<Id>& next)
+// The nodes at the other ends of the mesh edges at a node of the input.
+std::set<Id> NextNodes(const Evidence& e, Id node)
 {
   static const int hex[12][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 },
     { 6, 7 }, { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
   static const int wedge[9][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 }, { 5, 3 },
     { 0, 3 }, { 1, 4 }, { 2, 5 } };
-  double best = 1e300;
+  std::set<Id> next;
   for (Id c : e.CellsAt[node])
   {
     const Element& element = e.In.Elements[c];
@@ -42,27 +43,26 @@ double DistanceToEdgesAt(const Evidence& e, Id node, const Vec3& p, std::set<Id>
       const Id b = element.Node[element.Size == 8 ? hex[k][1] : wedge[k][1]];
       if (a == node || b == node)
       {
-        best = std::min(best, DistanceToSegment(p, e.In.Points[a], e.In.Points[b]));
         next.insert(a == node ? b : a);
       }
     }
   }
-  return best;
+  return next;
 }
 
 // Type III slides along a mesh edge at the node; on a border, and between the layers under a sharp
 // bend of the skin, it may go on beyond the next node.
 double DistanceToSlides(const Evidence& e, Id node, const Vec3& p)
 {
-  std::set<Id> next, others;
-  double best = DistanceToEdgesAt(e, node, p, next);
-  if (e.Border.PlaceOf(node) != Exterior::Place::Inside)
+  const bool beyond = e.Border.PlaceOf(node) == Exterior::Place::Inside;
+  double best = std::numeric_limits<double>::infinity();
+  for (const Id next : NextNodes(e, node))
   {
-    return best;
-  }
-  for (const Id other : next)
-  {
-    best = std::min(best, DistanceToEdgesAt(e, other, p, others));
+    best = std::min(best, DistanceToSegment(p, e.In.Points[node], e.In.Points[next]));
+    for (const Id other : beyond ? NextNodes(e, next) : std::set<Id>())
+    {
+      best = std::min(best, DistanceToSegment(p, e.In.Points[next], e.In.Points[other]));
+    }
   }
   return best;
 }
