@@ -125,6 +125,10 @@ void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover
   for (const int node : nodes)
   {
     NodeMove move = found[node];
+    if (!move.Found && !leave && choice.MayEndAtCorner)
+    {
+      move = mover.EndAtCorner(node);
+    }
     if (leave)
     {
       NodeFreedom freedom = mover.FreedomOf(node);
@@ -134,7 +138,7 @@ void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover
           band.Point[node] + choice.Way * (move.Target - band.Point[node]), false, move.Target);
     }
     moves.Failed[node] = !move.Found && !leave;
-    moves.Left[node] = leave || !move.Found;
+    moves.Left[node] = leave || !move.Found || !move.OnSurface;
     if (move.Found)
     {
       moves.Position[node] = AsStored(band, move.Target);

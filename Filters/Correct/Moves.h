@@ -26,6 +26,8 @@ struct PillarChoice
 {
   CorrectionChoice Correction = CorrectionChoice::AsAsked;
   double Way = 0.0; ///< 0: it stays where it was, 1 would be the surface
+  /// Nodes that find no place may go to a corner of the model right beside the surface.
+  bool MayEndAtCorner = false;
 };
 
 struct Moves

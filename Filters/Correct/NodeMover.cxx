@@ -27,6 +27,8 @@ constexpr double SmallestSine = 0.05;
 constexpr double SameSideCosine = 0.7071;
 /// How far beyond a facet's edges, in its parameters, still counts as inside.
 constexpr double InsideSlack = 1e-9;
+/// A corner nearer to the surface than this many of its shortest edges is right beside it.
+constexpr double BesideCut = 0.5;
 /// Sine up to which a border counts as straight or level.
 constexpr double StraightSine = 1e-9;
 
@@ -83,6 +85,30 @@ NodeMove NodeMover::Project(int node) const
   }
 }
 
+template <typename Visit>
+void NodeMover::WalkRidge(int node, int firstEdge, const Visit& visit) const
+{
+  int edge = firstEdge;
+  int from = node;
+  double walked = 0.0;
+  for (int step = 0; step < LongestRidgeWalk; ++step)
+  {
+    const int to = this->TheBand.OtherEnd(edge, from);
+    if (visit(from, to, walked))
+    {
+      return;
+    }
+    walked += (this->TheBand.Point[to] - this->TheBand.Point[from]).norm();
+    const auto next = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, to);
+    if (next.Kind != ConstraintKind::Ridge || next.RidgeEdges.size() != 2 || next.SharpCorner)
+    {
+      return;
+    }
+    edge = next.RidgeEdges[0] == edge ? next.RidgeEdges[1] : next.RidgeEdges[0];
+    from = to;
+  }
+}
+
 NodeMove NodeMover::SlideAlongRidge(int node, const NodeConstraint& constraint) const
 {
   NodeMove move;
@@ -94,37 +120,70 @@ NodeMove NodeMover::SlideAlongRidge(int node, const NodeConstraint& constraint) 
   double best = std::numeric_limits<double>::infinity();
   for (const int first : constraint.RidgeEdges)
   {
-    int edge = first;
-    int from = node;
-    double walked = 0.0;
-    for (int step = 0; step < LongestRidgeWalk && walked < best; ++step)
-    {
-      const int to = this->TheBand.OtherEnd(edge, from);
-      const Vec3& a = this->TheBand.Point[from];
-      const Vec3& b = this->TheBand.Point[to];
-      const double length = (b - a).norm();
-      const auto hits = this->Surface.Intersect(a, b);
-      if (!hits.empty())
+    this->WalkRidge(node, first,
+      [&](int from, int to, double walked)
       {
-        const double distance = walked + length * std::clamp(hits.front().K, 0.0, 1.0);
-        if (distance < best)
+        const Vec3& a = this->TheBand.Point[from];
+        const Vec3& b = this->TheBand.Point[to];
+        const auto hits = this->Surface.Intersect(a, b);
+        const double distance =
+          hits.empty() ? walked : walked + (b - a).norm() * std::clamp(hits.front().K, 0.0, 1.0);
+        if (!hits.empty() && distance < best)
         {
           best = distance;
           move.Found = true;
           move.Target = hits.front().Point;
           move.By = Correction::Slide;
         }
-        break;
-      }
-      walked += length;
-      const auto next = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, to);
-      if (next.Kind != ConstraintKind::Ridge || next.RidgeEdges.size() != 2 || next.SharpCorner)
+        return !hits.empty() || walked + (b - a).norm() >= best;
+      });
+  }
+  return move;
+}
+
+/// Whether a corner of the model is nearer to the surface than half its shortest edge on the
+/// border.
+bool NodeMover::IsBesideCut(int corner) const
+{
+  const Vec3& p = this->TheBand.Point[corner];
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const int edge : this->FreedomOf(corner).Constraint.RidgeEdges)
+  {
+    const Vec3& end = this->TheBand.Point[this->TheBand.OtherEnd(edge, corner)];
+    shortest = std::min(shortest, (end - p).norm());
+  }
+  return this->Surface.ClosestPoint(p).Distance < BesideCut * shortest;
+}
+
+NodeMove NodeMover::EndAtCorner(int node) const
+{
+  NodeMove move;
+  move.By = Correction::Slide;
+  move.OnSurface = false;
+  const auto isCorner = [this](int n, const NodeConstraint& constraint)
+  {
+    return constraint.Kind == ConstraintKind::Ridge && constraint.SharpCorner &&
+      this->IsBesideCut(n);
+  };
+  const NodeConstraint constraint = this->FreedomOf(node).Constraint;
+  if (isCorner(node, constraint))
+  {
+    move.Found = this->NodeStatus[node] == NodeKeep;
+    move.Target = this->TheBand.Point[node];
+    return move;
+  }
+  for (const int first : constraint.RidgeEdges)
+  {
+    this->WalkRidge(node, first,
+      [&](int, int to, double)
       {
-        break;
-      }
-      edge = next.RidgeEdges[0] == edge ? next.RidgeEdges[1] : next.RidgeEdges[0];
-      from = to;
-    }
+        if (isCorner(to, this->FreedomOf(to).Constraint))
+        {
+          move.Found = true;
+          move.Target = this->TheBand.Point[to];
+        }
+        return move.Found;
+      });
   }
   return move;
 }

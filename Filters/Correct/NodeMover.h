@@ -31,7 +31,8 @@ struct NodeMove
   bool Found = false;
   Vec3 Target = Vec3::Zero();
   Correction By = Correction::None;
-  double Elements = 0; ///< length of the move in edges of the face it leads into
+  bool OnSurface = true; ///< false: as near to it as the model lets the node come
+  double Elements = 0;   ///< length of the move in edges of the face it leads into
 };
 
 /// Faces round a node, on the side of the model that it lies on.
@@ -67,6 +68,13 @@ public:
    * @param edge a band edge at the node; the move is found if the surface crosses it.
    */
   NodeMove SlideAlong(int node, int edge) const;
+
+  /**
+   * The corner of the model, right beside the surface, that the border of a node leads to: a cut
+   * that leans passes it on one side below and on the other above, so that the border ends before
+   * it meets the surface. A corner that is kept ends at itself.
+   */
+  NodeMove EndAtCorner(int node) const;
 
   /// Edges that type III may use at a node: not through the thickness, not off the skin.
   std::vector<int> SlidingEdges(int node) const;
@@ -109,6 +117,11 @@ public:
 
 private:
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
+  /// Calls visit(from, to, walked) for the edges of a ridge from a node on, until that returns
+  /// true or the ridge turns or ends; `walked` is the way to `from`.
+  template <typename Visit>
+  void WalkRidge(int node, int firstEdge, const Visit& visit) const;
+  bool IsBesideCut(int corner) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
   /// The face of a ring with the nearest place to x inside it, but for some; -1: none.

@@ -87,6 +87,9 @@ public:
   /// them: a surface that leans by more than an element has such.
   std::vector<char> FindPillarsBehind(const TrimmedBand& trimmed) const;
 
+  /// Whether a node may go to a corner of the model instead of to the surface.
+  bool MayEndAtCorner(int node) const { return this->Mover.EndAtCorner(node).Found; }
+
 private:
   /// @param atCut by pillar.
   bool IsBehindOnBorder(int node, const std::vector<char>& atCut) const;

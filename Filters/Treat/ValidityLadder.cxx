@@ -645,6 +645,34 @@ private:
       });
   }
 
+  /// Lets nodes of a column that found no place end at corners of the model, if that is all that
+  /// is wrong, and others above or below them found one; false if it is not, or was no help.
+  bool EndAtCorners(const TrimmedBand& trimmed, int column)
+  {
+    bool only = !this->HasInvalid(trimmed, column);
+    std::vector<int> pillars, placed;
+    this->ForNodes(column,
+      [&](int node)
+      {
+        const int pillar = this->TheColumns.Pillar[node];
+        if (only && trimmed.NodeMoves.Failed[node])
+        {
+          only =
+            !this->At.Set.Corrections[pillar].MayEndAtCorner && this->Trial.MayEndAtCorner(node);
+        }
+        AddUnique(trimmed.NodeMoves.Failed[node] ? pillars : placed, pillar);
+      });
+    only = only &&
+      std::all_of(pillars.begin(), pillars.end(),
+        [&](int pillar)
+        { return std::find(placed.begin(), placed.end(), pillar) != placed.end(); });
+    for (std::size_t i = 0; only && i < pillars.size(); ++i)
+    {
+      this->At.Set.Corrections[pillars[i]].MayEndAtCorner = true;
+    }
+    return only;
+  }
+
   /// Undoes the rung that did not help and takes the next one.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
@@ -661,6 +689,10 @@ private:
         }
         [[fallthrough]];
       case Rung::FateFirst:
+        if (this->EndAtCorners(trimmed, column))
+        {
+          return;
+        }
         this->At.Rungs[column] = Rung::Treatment;
         if (trimmed.Treated.Exposed.size() && trimmed.Treated.Exposed[column])
         {

@@ -1,14 +1,17 @@
 /**
  * @file TestTrimSpecial.cxx
  * @brief Surfaces that meet the mesh in special ways: exactly through nodes, edges and facets,
- * along a layer, touching only, or not at all; a keep point; abort.
+ * through an upright edge of the model, along a layer, touching only, or not at all; a keep point;
+ * abort.
  */
 #include "Expect.h"
 #include "RunTrim.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
 
 #include <cmath>
@@ -161,6 +164,43 @@ void TestNodesFromBothSides()
   Wrong += report.Failures() > 0;
 }
 
+double FarthestLeft(vtkUnstructuredGrid* trimmed)
+{
+  double range[2] = { 0, 0 };
+  trimmed->GetPointData()->GetArray("DistanceLeft")->GetRange(range);
+  return range[1];
+}
+
+// A leaning cut through an upright edge of the model meets one side of the sheet below and the
+// other above: what cannot come to it ends at the corner, and does not stay an element away.
+void TestThroughUprightEdge()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  for (const double lean : { 0.09, 0.26, -0.26, 0.52 })
+  {
+    for (const double angle : { 0.5, 0.79, 1.05 })
+    {
+      const Vec3 normal(
+        -std::sin(angle) * std::cos(lean), std::cos(angle) * std::cos(lean), std::sin(lean));
+      Report report("special through an upright edge");
+      for (const bool invert : { false, true })
+      {
+        TrimOptions options;
+        options.Optimization = 2;
+        options.InvertSide = invert;
+        const Outcome outcome =
+          RunAndJudge(mesh, PlaneThrough(Vec3::Zero(), normal, 200), options, report);
+        const double left = FarthestLeft(outcome.Case.Trimmed);
+        if (!(left < 0.5 * mesh.Box.ElementSize))
+        {
+          report.Fail("at the corner", "farthest node", left, 0.5 * mesh.Box.ElementSize);
+        }
+      }
+      Wrong += report.Failures() > 0;
+    }
+  }
+}
+
 // The two sides of a thin edge are no one face on which its nodes could slide away.
 void TestThinEdge()
 {
@@ -289,6 +329,7 @@ int main()
   TestSlot();
   TestSideLostInOneLayer();
   TestNodesFromBothSides();
+  TestThroughUprightEdge();
   TestThinEdge();
   TestPatch();
   TestCrossingAtKnot();
