@@ -32,35 +32,6 @@ constexpr int MostRounds = 6;
 /// From here on the search runs on pillars.
 constexpr int ManyNodes = 20000;
 
-/// Largest difference of number(node) within an element.
-template <typename Number>
-int WidestElement(const NodeGraph& graph, const Number& number)
-{
-  std::atomic<int> widest{ 0 };
-  vtkSMPTools::For(0, std::max<Id>(1, graph.Offset.size()) - 1, 30000,
-    [&](Id begin, Id end)
-    {
-      int own = 0;
-      for (Id e = begin; e < end; ++e)
-      {
-        int low = std::numeric_limits<int>::max();
-        int high = 0;
-        for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
-        {
-          const int n = number(graph.Connectivity[i]);
-          low = std::min(low, n);
-          high = std::max(high, n);
-        }
-        own = std::max(own, high - low);
-      }
-      int seen = widest.load();
-      while (own > seen && !widest.compare_exchange_weak(seen, own))
-      {
-      }
-    });
-  return widest.load();
-}
-
 PageVector<int> Identity(int count)
 {
   PageVector<int> number(count);
@@ -388,12 +359,29 @@ void OfferCuthillMcKee(const NodeGraph& graph, const PageVector<int>& number, Be
 
 int NodeBandwidth(const NodeGraph& graph, const PageVector<int>& number)
 {
-  return WidestElement(graph, [&number](int node) { return number[node]; });
-}
-
-int NodeBandwidth(const NodeGraph& graph)
-{
-  return WidestElement(graph, [](int node) { return node; });
+  std::atomic<int> widest{ 0 };
+  vtkSMPTools::For(0, std::max<Id>(1, graph.Offset.size()) - 1, 30000,
+    [&](Id begin, Id end)
+    {
+      int own = 0;
+      for (Id e = begin; e < end; ++e)
+      {
+        int low = std::numeric_limits<int>::max();
+        int high = 0;
+        for (int i = graph.Offset[e]; i < graph.Offset[e + 1]; ++i)
+        {
+          const int n = number[graph.Connectivity[i]];
+          low = std::min(low, n);
+          high = std::max(high, n);
+        }
+        own = std::max(own, high - low);
+      }
+      int seen = widest.load();
+      while (own > seen && !widest.compare_exchange_weak(seen, own))
+      {
+      }
+    });
+  return widest.load();
 }
 
 Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const NodePlaces& position)
@@ -420,7 +408,7 @@ PageVector<int> OrderNodes(
   {
     return OrderByPillars(graph, position, aborted);
   }
-  best.Bandwidth = NodeBandwidth(graph, best.Number);
+  best.Bandwidth = graph.Bandwidth;
 
   const auto links = LinkElements(graph);
   // A pseudo-peripheral node: the far end of the far end. Its depth gives the bound.

@@ -26,6 +26,7 @@ struct NodeGraph
   int NumberOfNodes = 0;
   PageVector<int> Offset;       ///< number of elements + 1
   PageVector<int> Connectivity; ///< node numbers as they came
+  int Bandwidth = 0;            ///< largest difference of these within an element
 };
 
 /// Where the nodes of a graph are: points of the mesh.
@@ -46,9 +47,6 @@ private:
 
 /// Largest difference of node numbers within an element, under number[node].
 int NodeBandwidth(const NodeGraph& graph, const PageVector<int>& number);
-
-/// The same under the numbers as they are.
-int NodeBandwidth(const NodeGraph& graph);
 
 /// The frame of one element's edges: the rows of a regular mesh that lies askew.
 Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const NodePlaces& position);

@@ -1,50 +1,136 @@
 #include "PillarGraph.h"
 
+#include <vtkSMPThreadLocal.h>
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace trim
 {
 namespace
 {
 
-/// Adds the pillars of an element to `set`, ascending, each once; returns their number.
+/// Nodes of a hexahedron, those of two opposite facets one after the other.
+using Opposite = std::array<std::array<int, 4>, 2>;
+constexpr std::array<Opposite, 3> OppositeFacets = { { { { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } } },
+  { { { 0, 1, 5, 4 }, { 3, 2, 6, 7 } } }, { { { 0, 3, 7, 4 }, { 1, 2, 6, 5 } } } } };
+
+/// Adds a pillar to `set`, ascending, each once; returns their number.
+int AddPillar(int pillar, int count, std::array<int, 8>& set)
+{
+  int at = count;
+  while (at > 0 && set[at - 1] > pillar)
+  {
+    --at;
+  }
+  if (at > 0 && set[at - 1] == pillar)
+  {
+    return count;
+  }
+  std::copy_backward(set.begin() + at, set.begin() + count, set.begin() + count + 1);
+  set[at] = pillar;
+  return count + 1;
+}
+
+/// The pillars of an element, ascending, each once; returns their number.
 int PillarsOf(
   const NodeGraph& graph, const Pillars& pillars, std::size_t element, std::array<int, 8>& set)
 {
-  int count = 0;
-  for (int i = graph.Offset[element]; i < graph.Offset[element + 1]; ++i)
+  std::array<int, 8> own;
+  const int size = graph.Offset[element + 1] - graph.Offset[element];
+  for (int i = 0; i < size; ++i)
   {
-    const int p = pillars.Pillar[graph.Connectivity[i]];
-    int at = count;
-    while (at > 0 && set[at - 1] > p)
+    own[i] = pillars.Pillar[graph.Connectivity[graph.Offset[element] + i]];
+  }
+  int count = 0;
+  for (const auto& [lower, upper] : OppositeFacets)
+  {
+    if (size == 8 && own[lower[0]] == own[upper[0]] && own[lower[1]] == own[upper[1]] &&
+      own[lower[2]] == own[upper[2]] && own[lower[3]] == own[upper[3]])
     {
-      --at;
+      for (const int i : lower)
+      {
+        count = AddPillar(own[i], count, set);
+      }
+      return count;
     }
-    if (at > 0 && set[at - 1] == p)
-    {
-      continue;
-    }
-    std::copy_backward(set.begin() + at, set.begin() + count, set.begin() + count + 1);
-    set[at] = p;
-    ++count;
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    count = AddPillar(own[i], count, set);
   }
   return count;
 }
 
+/// The columns of each pillar, in flat arrays.
+struct ColumnsOfPillars
+{
+  PageVector<int> Start, Column;
+
+  ColumnsOfPillars(const PillarColumns& columns, int pillars)
+    : Start(pillars + 1)
+    , Column(columns.Member.size())
+  {
+    for (const int p : columns.Member)
+    {
+      ++this->Start[p + 1];
+    }
+    std::partial_sum(this->Start.begin(), this->Start.end(), this->Start.begin());
+    PageVector<int> fill(this->Start.begin(), this->Start.end() - 1);
+    for (std::size_t c = 0; c + 1 < columns.Offset.size(); ++c)
+    {
+      for (int i = columns.Offset[c]; i < columns.Offset[c + 1]; ++i)
+      {
+        this->Column[fill[columns.Member[i]]++] = static_cast<int>(c);
+      }
+    }
+  }
+};
+
+/// Appends the neighbours of pillars to a list, those of each ascending, and tells how many.
+/// @param mark of each pillar, -1 at first.
+void ListNeighbours(const PillarColumns& columns, const ColumnsOfPillars& of, int begin, int end,
+  PageVector<int>& mark, PageVector<int>& list, int* degree)
+{
+  for (int p = begin; p < end; ++p)
+  {
+    const std::size_t first = list.size();
+    mark[p] = p;
+    for (int k = of.Start[p]; k < of.Start[p + 1]; ++k)
+    {
+      const int c = of.Column[k];
+      for (int i = columns.Offset[c]; i < columns.Offset[c + 1]; ++i)
+      {
+        const int other = columns.Member[i];
+        if (mark[other] != p)
+        {
+          mark[other] = p;
+          list.push_back(other);
+        }
+      }
+    }
+    std::sort(list.begin() + first, list.end());
+    degree[p] = static_cast<int>(list.size() - first);
+  }
 }
 
-/// Elements above one another have the same pillars: only the first of them is linked.
-PillarGraph::PillarGraph(const NodeGraph& graph, const Pillars& pillars)
-  : ThePillars(pillars)
+}
+
+PillarColumns FindPillarColumns(const NodeGraph& graph, const Pillars& pillars)
 {
-  PageVector<int> offset{ 0 }, member;
+  PillarColumns columns;
+  auto& [offset, member] = columns;
   PageVector<int> head(pillars.Count, -1), next;
   offset.reserve(pillars.Count + 1); // in a sheet there are fewer columns than pillars
   next.reserve(pillars.Count);
   member.reserve(4 * static_cast<std::size_t>(pillars.Count));
+  offset.push_back(0);
   std::array<int, 8> set;
   for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
   {
@@ -64,48 +150,50 @@ PillarGraph::PillarGraph(const NodeGraph& graph, const Pillars& pillars)
       offset.push_back(static_cast<int>(member.size()));
     }
   }
-  this->Link(offset, member);
+  return columns;
 }
 
-void PillarGraph::Link(const PageVector<int>& offset, const PageVector<int>& member)
+PillarGraph::PillarGraph(const PillarColumns& columns, const Pillars& pillars)
+  : ThePillars(pillars)
+  , Start(pillars.Count + 1)
 {
-  const int count = this->ThePillars.Count;
-  PageVector<int> first(count + 1, 0);
-  for (const int p : member)
-  {
-    ++first[p + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  PageVector<int> column(member.size());
-  PageVector<int> fill(first.begin(), first.end() - 1);
-  for (std::size_t c = 0; c + 1 < offset.size(); ++c)
-  {
-    for (int i = offset[c]; i < offset[c + 1]; ++i)
+  const ColumnsOfPillars of(columns, pillars.Count);
+  // One after the other in one list, or in several that are put together then.
+  const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  const int parts = threads > 1 ? 4 * threads : 1;
+  const auto beginOf = [&](int part)
+  { return static_cast<int>(static_cast<Id>(pillars.Count) * part / parts); };
+  std::vector<PageVector<int>> lists(parts);
+  vtkSMPThreadLocal<PageVector<int>> marks;
+  vtkSMPTools::For(0, parts, 1,
+    [&](Id first, Id last)
     {
-      column[fill[member[i]]++] = static_cast<int>(c);
-    }
-  }
-  this->Start.reserve(count + 1);
-  this->Start.push_back(0);
-  this->Neighbour.reserve(3 * member.size());
-  PageVector<int> mark(count, -1);
-  for (int p = 0; p < count; ++p)
-  {
-    mark[p] = p;
-    for (int k = first[p]; k < first[p + 1]; ++k)
-    {
-      for (int i = offset[column[k]]; i < offset[column[k] + 1]; ++i)
+      PageVector<int>& mark = marks.Local();
+      mark.resize(pillars.Count, -1);
+      for (Id part = first; part < last; ++part)
       {
-        if (mark[member[i]] != p)
-        {
-          mark[member[i]] = p;
-          this->Neighbour.push_back(member[i]);
-        }
+        const int begin = beginOf(static_cast<int>(part));
+        const int end = beginOf(static_cast<int>(part) + 1);
+        lists[part].reserve(3 * static_cast<std::size_t>(of.Start[end] - of.Start[begin]));
+        ListNeighbours(columns, of, begin, end, mark, lists[part], this->Start.data() + 1);
       }
-    }
-    std::sort(this->Neighbour.begin() + this->Start.back(), this->Neighbour.end());
-    this->Start.push_back(static_cast<int>(this->Neighbour.size()));
+    });
+  std::partial_sum(this->Start.begin(), this->Start.end(), this->Start.begin());
+  if (parts == 1)
+  {
+    this->Neighbour = std::move(lists.front());
+    return;
   }
+  this->Neighbour.resize(this->Start.back());
+  vtkSMPTools::For(0, parts, 1,
+    [&](Id first, Id last)
+    {
+      for (Id part = first; part < last; ++part)
+      {
+        std::copy(lists[part].begin(), lists[part].end(),
+          this->Neighbour.begin() + this->Start[beginOf(static_cast<int>(part))]);
+      }
+    });
 }
 
 PillarGraph::Levels PillarGraph::FindLevels(int root) const
@@ -217,15 +305,24 @@ int PillarGraph::Bandwidth(const PageVector<int>& order, int enough) const
     first[p] = next;
     next += this->ThePillars.Start[p + 1] - this->ThePillars.Start[p];
   }
-  int widest = 0;
-  for (std::size_t p = 0; p < order.size() && widest < enough; ++p)
-  {
-    for (int k = this->Start[p]; k < this->Start[p + 1]; ++k)
+  std::atomic<int> widest{ 0 };
+  vtkSMPTools::For(0, static_cast<Id>(order.size()), 20000,
+    [&](Id begin, Id end)
     {
-      widest = std::max(widest, first[this->Neighbour[k]] - first[p]);
-    }
-  }
-  return widest;
+      int own = 0;
+      for (Id p = begin; p < end && std::max(own, widest.load()) < enough; ++p)
+      {
+        for (int k = this->Start[p]; k < this->Start[p + 1]; ++k)
+        {
+          own = std::max(own, first[this->Neighbour[k]] - first[p]);
+        }
+      }
+      int seen = widest.load();
+      while (own > seen && !widest.compare_exchange_weak(seen, own))
+      {
+      }
+    });
+  return widest.load();
 }
 
 }

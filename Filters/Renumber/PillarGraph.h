@@ -13,10 +13,20 @@
 namespace trim
 {
 
+/// The pillars of each column of elements, ascending, in flat arrays.
+struct PillarColumns
+{
+  PageVector<int> Offset; ///< number of columns + 1
+  PageVector<int> Member;
+};
+
+/// Elements above one another have the same pillars: they are one column.
+PillarColumns FindPillarColumns(const NodeGraph& graph, const Pillars& pillars);
+
 class PillarGraph
 {
 public:
-  PillarGraph(const NodeGraph& graph, const Pillars& pillars);
+  PillarGraph(const PillarColumns& columns, const Pillars& pillars);
 
   int Count() const { return static_cast<int>(this->Start.size()) - 1; }
   int Degree(int p) const { return this->Start[p + 1] - this->Start[p]; }
@@ -44,8 +54,6 @@ public:
   int Bandwidth(const PageVector<int>& order, int enough) const;
 
 private:
-  void Link(const PageVector<int>& offset, const PageVector<int>& member);
-
   const Pillars& ThePillars;
   PageVector<int> Start, Neighbour; ///< neighbours ascending
 };

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace trim
 {
@@ -18,7 +21,7 @@ namespace
 /// Orderings are applied to their own result up to this often.
 constexpr int MostRounds = 2;
 
-PageVector<Vec3> Centres(const Pillars& pillars, const NodePlaces& position)
+PageVector<Vec3> CentresOf(const Pillars& pillars, const NodePlaces& position)
 {
   PageVector<Vec3> centres(pillars.Count);
   vtkSMPTools::For(0, pillars.Count, 10000,
@@ -47,35 +50,101 @@ PageVector<int> Inverse(const PageVector<int>& order)
   return rank;
 }
 
+/// Frames whose axes, the longest of the part first, the pillars may be sorted along.
+struct Frames
+{
+  std::vector<Eigen::Matrix3d> All; ///< each once
+  Vec3 Longest;                     ///< principal axis
+
+  Frames(const NodeGraph& graph, const NodePlaces& position, const PageVector<Vec3>& points)
+  {
+    const auto count = static_cast<int>(points.size());
+    const auto point = [&points](int p) -> const Vec3& { return points[p]; };
+    const Eigen::Matrix3d principal = ByExtent(PrincipalAxes(count, point), count, point);
+    this->Longest = principal.col(0);
+    for (const Eigen::Matrix3d& frame :
+      { Eigen::Matrix3d(Eigen::Matrix3d::Identity()), ElementAxes(graph, position), principal })
+    {
+      const Eigen::Matrix3d axes = ByExtent(frame, count, point);
+      if (std::find(this->All.begin(), this->All.end(), axes) == this->All.end())
+      {
+        this->All.push_back(axes);
+      }
+    }
+  }
+};
+
+/// Where the pillars are.
+struct PillarPlaces
+{
+  PageVector<Vec3> Centres;
+  Frames Axes;
+  double HalfElement; ///< of the first edge of the first element
+
+  PillarPlaces(const NodeGraph& graph, const Pillars& pillars, const NodePlaces& position)
+    : Centres(CentresOf(pillars, position))
+    , Axes(graph, position, this->Centres)
+    , HalfElement(0.5 * (position(graph.Connectivity[1]) - position(graph.Connectivity[0])).norm())
+  {
+  }
+
+  /// Pillars at one end of the longest axis, less than half an element from it.
+  PageVector<int> WholeSide() const
+  {
+    const Vec3& axis = this->Axes.Longest;
+    double low = std::numeric_limits<double>::infinity();
+    for (const Vec3& centre : this->Centres)
+    {
+      low = std::min(low, centre.dot(axis));
+    }
+    PageVector<int> side;
+    for (std::size_t p = 0; p < this->Centres.size(); ++p)
+    {
+      if (this->Centres[p].dot(axis) <= low + this->HalfElement)
+      {
+        side.push_back(static_cast<int>(p));
+      }
+    }
+    return side;
+  }
+};
+
 /// The candidates and the best of them.
 class Search
 {
 public:
-  Search(const NodeGraph& graph, const Pillars& pillars, const NodePlaces& position,
-    const std::function<bool()>& aborted)
+  Search(const PillarGraph& graph, const PillarPlaces& places, const std::function<bool()>& aborted)
     : Graph(graph)
-    , Pillar(graph, pillars)
-    , Position(position)
+    , Places(places)
     , Aborted(aborted)
-    , Points(Centres(pillars, position))
-    , Best(pillars.Count)
+    , Best(graph.Count())
   {
     std::iota(this->Best.begin(), this->Best.end(), 0);
-    this->Bandwidth = this->Pillar.Bandwidth(this->Best, std::numeric_limits<int>::max());
+    this->Bandwidth = this->Graph.Bandwidth(this->Best, std::numeric_limits<int>::max());
   }
 
   PageVector<int> Run()
   {
     // A pseudo-peripheral pillar: the far end of the far end. Its depth gives the bound.
-    const int oneEnd = this->Pillar.FindLevels(0).Last;
-    const auto levels = this->Pillar.FindLevels(oneEnd);
-    this->Bound = (levels.Reached - 1 + levels.Depth - 1) / std::max(1, levels.Depth);
-    this->OfferSorts();
+    int oneEnd = 0;
+    PillarGraph::Levels levels;
+    std::vector<Candidate> candidates{ [&]
+      {
+        oneEnd = this->Graph.FindLevels(0).Last;
+        levels = this->Graph.FindLevels(oneEnd);
+        this->Bound = (levels.Reached - 1 + levels.Depth - 1) / std::max(1, levels.Depth);
+        return PageVector<int>();
+      } };
+    for (const Eigen::Matrix3d& axes : this->Places.Axes.All)
+    {
+      candidates.emplace_back([&] { return SortByRows(this->Places.Centres, axes); });
+    }
+    this->OfferEach(candidates);
     // The ordering breaks ties by the numbers it is given, so it may gain from its own result.
     for (int round = 0; round < MostRounds && !this->Done(); ++round)
     {
       const int before = this->Bandwidth;
-      this->OfferCuthillMcKee({ oneEnd, levels.Last });
+      this->OfferCuthillMcKee({ this->Places.WholeSide(), { oneEnd }, { levels.Last } });
       if (this->Bandwidth == before)
       {
         break;
@@ -85,11 +154,57 @@ public:
   }
 
 private:
+  using Candidate = std::function<PageVector<int>()>;
+
   bool Done() const { return this->Bandwidth <= this->Bound || this->Aborted(); }
 
+  void OfferCuthillMcKee(const std::vector<PageVector<int>>& roots)
+  {
+    const PageVector<int> rank = Inverse(this->Best);
+    std::vector<Candidate> candidates;
+    for (const auto& root : roots)
+    {
+      candidates.emplace_back([&] { return this->Graph.ReverseCuthillMcKee(root, rank); });
+    }
+    this->OfferEach(candidates);
+  }
+
+  /// Offers one after the other, as long as there is something to gain. With threads all are made
+  /// at once, though the first may do.
+  void OfferEach(const std::vector<Candidate>& candidates)
+  {
+    const auto count = static_cast<Id>(candidates.size());
+    std::vector<PageVector<int>> orders(count);
+    const auto make = [&](Id begin, Id end)
+    {
+      for (Id i = begin; i < end; ++i)
+      {
+        orders[i] = candidates[i]();
+      }
+    };
+    const bool atOnce = vtkSMPTools::GetEstimatedNumberOfThreads() > 1;
+    if (atOnce)
+    {
+      vtkSMPTools::For(0, count, 1, make);
+    }
+    for (Id i = 0; i < count && !this->Done(); ++i)
+    {
+      if (!atOnce)
+      {
+        make(i, i + 1);
+      }
+      this->Offer(std::move(orders[i]));
+    }
+  }
+
+  /// @param order may be empty: none.
   void Offer(PageVector<int> order)
   {
-    const int bandwidth = this->Pillar.Bandwidth(order, this->Bandwidth);
+    if (order.empty())
+    {
+      return;
+    }
+    const int bandwidth = this->Graph.Bandwidth(order, this->Bandwidth);
     if (bandwidth < this->Bandwidth)
     {
       this->Bandwidth = bandwidth;
@@ -97,69 +212,9 @@ private:
     }
   }
 
-  void OfferSorts()
-  {
-    const auto count = static_cast<int>(this->Points.size());
-    const auto centre = [this](int p) -> const Vec3& { return this->Points[p]; };
-    this->Longest = ByExtent(PrincipalAxes(count, centre), count, centre);
-    std::vector<Eigen::Matrix3d> tried;
-    for (const Eigen::Matrix3d& frame : { Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
-           ElementAxes(this->Graph, this->Position), this->Longest })
-    {
-      const Eigen::Matrix3d axes = ByExtent(frame, count, centre);
-      if (!this->Done() && std::find(tried.begin(), tried.end(), axes) == tried.end())
-      {
-        this->Offer(SortByRows(this->Points, axes));
-        tried.push_back(axes);
-      }
-    }
-  }
-
-  void OfferCuthillMcKee(const PageVector<int>& ends)
-  {
-    const PageVector<int> rank = Inverse(this->Best);
-    std::vector<PageVector<int>> roots = { this->WholeSide() };
-    for (const int end : ends)
-    {
-      roots.push_back({ end });
-    }
-    for (const auto& root : roots)
-    {
-      if (!this->Done())
-      {
-        this->Offer(this->Pillar.ReverseCuthillMcKee(root, rank));
-      }
-    }
-  }
-
-  /// Pillars at one end of the longest axis, less than an element from it.
-  PageVector<int> WholeSide() const
-  {
-    const Vec3 axis = this->Longest.col(0);
-    double low = std::numeric_limits<double>::infinity();
-    for (const Vec3& point : this->Points)
-    {
-      low = std::min(low, point.dot(axis));
-    }
-    const int* nodes = this->Graph.Connectivity.data();
-    const double width = 0.5 * (this->Position(nodes[1]) - this->Position(nodes[0])).norm();
-    PageVector<int> side;
-    for (int p = 0; p < this->Pillar.Count(); ++p)
-    {
-      if (this->Points[p].dot(axis) <= low + width)
-      {
-        side.push_back(p);
-      }
-    }
-    return side;
-  }
-
-  const NodeGraph& Graph;
-  const PillarGraph Pillar;
-  const NodePlaces& Position;
+  const PillarGraph& Graph;
+  const PillarPlaces& Places;
   const std::function<bool()>& Aborted;
-  const PageVector<Vec3> Points; ///< the centres of the pillars
-  Eigen::Matrix3d Longest;
   int Bound = 0;
   int Bandwidth = 0;
   PageVector<int> Best; ///< order
@@ -171,16 +226,28 @@ PageVector<int> OrderByPillars(
   const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted)
 {
   const Pillars pillars = FindPillars(graph, position);
+  PillarColumns columns;
+  std::optional<PillarPlaces> places;
+  vtkSMPTools::For(0, 2, 1,
+    [&](Id begin, Id end)
+    {
+      for (Id i = begin; i < end; ++i)
+      {
+        i == 0 ? void(columns = FindPillarColumns(graph, pillars))
+               : void(places.emplace(graph, pillars, position));
+      }
+    });
+  const PillarGraph pillarGraph(std::exchange(columns, {}), pillars);
   PageVector<int> number(graph.NumberOfNodes);
   int next = 0;
-  for (const int p : Search(graph, pillars, position, aborted).Run())
+  for (const int p : Search(pillarGraph, *places, aborted).Run())
   {
     for (int i = pillars.Start[p]; i < pillars.Start[p + 1]; ++i)
     {
       number[pillars.Node[i]] = next++;
     }
   }
-  if (NodeBandwidth(graph, number) >= NodeBandwidth(graph))
+  if (NodeBandwidth(graph, number) >= graph.Bandwidth)
   {
     std::iota(number.begin(), number.end(), 0);
   }

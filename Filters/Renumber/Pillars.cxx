@@ -1,6 +1,6 @@
 #include "Pillars.h"
 
-#include "DisjointSets.h"
+#include "ConcurrentSets.h"
 
 #include <vtkSMPTools.h>
 
@@ -49,15 +49,9 @@ const Edges& ShortestEdges(const int* nodes, int count, const NodePlaces& positi
   return HexahedronEdges[shortest];
 }
 
-/// Nodes by pillar, and in each by their height along `up`.
+/// Fills in the nodes by pillar, and in each by their height along `up`.
 void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
 {
-  pillars.Start.assign(pillars.Count + 1, 0);
-  for (const int pillar : pillars.Pillar)
-  {
-    ++pillars.Start[pillar + 1];
-  }
-  std::partial_sum(pillars.Start.begin(), pillars.Start.end(), pillars.Start.begin());
   pillars.Node.resize(pillars.Pillar.size());
   PageVector<int> next(pillars.Start.begin(), pillars.Start.end() - 1);
   for (std::size_t n = 0; n < pillars.Pillar.size(); ++n)
@@ -100,43 +94,126 @@ Pillars SingleNodes(int numberOfNodes)
   return pillars;
 }
 
+namespace
+{
+
+/// Elements or nodes for a thread at a time; the same whatever threads there are.
+constexpr Id Grain = 30000;
+
+Id NumberOfGrains(Id count)
+{
+  return (count + Grain - 1) / Grain;
+}
+
+/// Calls action(grain, begin, end) for all grains of so many items.
+template <typename Action>
+void ForGrains(Id count, const Action& action)
+{
+  vtkSMPTools::For(0, NumberOfGrains(count), 1,
+    [&](Id first, Id last)
+    {
+      for (Id grain = first; grain < last; ++grain)
+      {
+        action(grain, grain * Grain, std::min(count, (grain + 1) * Grain));
+      }
+    });
+}
+
+/// To a sum of directions, whichever way it points.
+void AddAlong(const Vec3& direction, Vec3& sum)
+{
+  sum += direction.dot(sum) < 0.0 ? Vec3(-direction) : direction;
+}
+
+/// Unites the nodes above one another; returns the mean direction from one to the next.
+Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, ConcurrentSets& sets)
+{
+  const auto count = static_cast<Id>(graph.Offset.size()) - 1;
+  std::vector<Vec3> up(NumberOfGrains(count), Vec3::Zero());
+  ForGrains(count,
+    [&](Id grain, Id begin, Id end)
+    {
+      Vec3 direction, sum = Vec3::Zero();
+      for (Id e = begin; e < end; ++e)
+      {
+        const int* nodes = graph.Connectivity.data() + graph.Offset[e];
+        for (const auto& edge :
+          ShortestEdges(nodes, graph.Offset[e + 1] - graph.Offset[e], position, direction))
+        {
+          sets.Unite(nodes[edge[0]], nodes[edge[1]]);
+        }
+        AddAlong(direction, sum);
+      }
+      up[grain] = sum;
+    });
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& part : up)
+  {
+    AddAlong(part, sum);
+  }
+  return sum;
+}
+
+/// Numbers the sets in the order of their roots; returns how many there are.
+int NumberSets(int count, ConcurrentSets& sets, PageVector<int>& number)
+{
+  const auto isRoot = [&sets](Id n) { return sets.IsRoot(static_cast<int>(n)); };
+  std::vector<int> first(NumberOfGrains(count) + 1, 0);
+  ForGrains(count,
+    [&](Id grain, Id begin, Id end)
+    {
+      for (Id n = begin; n < end; ++n)
+      {
+        first[grain + 1] += isRoot(n);
+      }
+    });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  number.resize(count);
+  ForGrains(count,
+    [&](Id grain, Id begin, Id end)
+    {
+      int next = first[grain];
+      for (Id n = begin; n < end; ++n)
+      {
+        if (isRoot(n))
+        {
+          number[n] = next++;
+        }
+      }
+    });
+  ForGrains(count,
+    [&](Id, Id begin, Id end)
+    {
+      for (Id n = begin; n < end; ++n)
+      {
+        if (!isRoot(n))
+        {
+          number[n] = number[sets.Find(static_cast<int>(n))];
+        }
+      }
+    });
+  return first.back();
+}
+
+}
+
 Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position)
 {
-  DisjointSets<int> sets(graph.NumberOfNodes);
-  Vec3 up = Vec3::Zero();
-  for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
-  {
-    const int* nodes = graph.Connectivity.data() + graph.Offset[e];
-    Vec3 direction;
-    for (const auto& edge :
-      ShortestEdges(nodes, graph.Offset[e + 1] - graph.Offset[e], position, direction))
-    {
-      sets.Unite(nodes[edge[0]], nodes[edge[1]]);
-    }
-    up += direction.dot(up) < 0.0 ? Vec3(-direction) : direction;
-  }
+  ConcurrentSets sets(graph.NumberOfNodes, vtkSMPTools::GetEstimatedNumberOfThreads() < 2);
+  const Vec3 up = UniteShortEdges(graph, position, sets);
   Pillars pillars;
-  pillars.Pillar.resize(graph.NumberOfNodes);
-  PageVector<int> size;
-  for (int n = 0; n < graph.NumberOfNodes; ++n)
+  pillars.Count = NumberSets(graph.NumberOfNodes, sets, pillars.Pillar);
+  pillars.Start.assign(pillars.Count + 1, 0);
+  for (const int pillar : pillars.Pillar)
   {
-    // The root is the smallest member, so it comes first and has its number already.
-    const int root = sets.Find(n);
-    if (root == n)
-    {
-      size.push_back(0);
-    }
-    pillars.Pillar[n] = root == n ? static_cast<int>(size.size()) - 1 : pillars.Pillar[root];
-    if (++size[pillars.Pillar[n]] > MostLayers)
-    {
-      return SingleNodes(graph.NumberOfNodes);
-    }
+    ++pillars.Start[pillar + 1];
   }
-  pillars.Count = static_cast<int>(size.size());
-  if (graph.NumberOfNodes < LeastMean * pillars.Count)
+  if (graph.NumberOfNodes < LeastMean * pillars.Count ||
+    *std::max_element(pillars.Start.begin(), pillars.Start.end()) > MostLayers)
   {
     return SingleNodes(graph.NumberOfNodes);
   }
+  std::partial_sum(pillars.Start.begin(), pillars.Start.end(), pillars.Start.begin());
   Arrange(position, up, pillars);
   return pillars;
 }

@@ -1,6 +1,9 @@
 #include "RowSort.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -167,27 +170,64 @@ int FindRows(const PageVector<nurbs::Vec3>& points, const nurbs::Vec3& axis, Pag
 
 }
 
+namespace
+{
+
+/// Sorts an order by a key of each point, below `keys`; among equals it stays as it was.
+void SortByKey(const PageVector<int>& key, int keys, PageVector<int>& order)
+{
+  PageVector<int> start(keys + 1, 0);
+  for (const int k : key)
+  {
+    ++start[k + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  PageVector<int> next(order.size());
+  for (const int i : order)
+  {
+    next[start[key[i]]++] = i;
+  }
+  order.swap(next);
+}
+
+}
+
 PageVector<int> SortByRows(const PageVector<nurbs::Vec3>& points, const Eigen::Matrix3d& axes)
 {
+  std::array<PageVector<int>, 3> row;
+  std::array<int, 3> rows{};
+  vtkSMPTools::For(0, 3, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType axis = begin; axis < end; ++axis)
+      {
+        row[axis].resize(points.size());
+        rows[axis] = FindRows(points, axes.col(axis), row[axis]);
+      }
+    });
   PageVector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
-  PageVector<int> row(points.size());
-  PageVector<int> next(points.size());
-  // The innermost axis first: each pass keeps the order of the one before within a row.
-  for (const int axis : { 2, 1, 0 })
+  // The innermost axis first: each pass keeps the order of the one before within a row. Axes whose
+  // rows make no more keys than there are points, about, go in one pass.
+  const auto most = static_cast<std::int64_t>(2 * points.size());
+  for (int inner = 2; inner >= 0;)
   {
-    const int rows = FindRows(points, axes.col(axis), row);
-    PageVector<int> start(rows + 1, 0);
-    for (const int r : row)
+    PageVector<int> key = std::move(row[inner]);
+    std::int64_t keys = rows[inner];
+    int outer = inner - 1;
+    for (; outer >= 0 && keys * rows[outer] <= most; --outer)
     {
-      ++start[r + 1];
+      for (std::size_t i = 0; rows[outer] > 1 && i < key.size(); ++i)
+      {
+        key[i] += static_cast<int>(keys) * row[outer][i];
+      }
+      keys *= rows[outer];
     }
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    for (const int i : order)
+    if (keys > 1)
     {
-      next[start[row[i]]++] = i;
+      SortByKey(key, static_cast<int>(keys), order);
     }
-    order.swap(next);
+    inner = outer;
   }
   return order;
 }

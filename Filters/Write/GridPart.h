@@ -172,7 +172,8 @@ void RenumberPart(
   graph.NumberOfNodes = static_cast<int>(part.Points.size());
   graph.Offset.resize(part.Cells.size() + 1);
   graph.Connectivity.resize(part.Offset.back());
-  NumberElements(part, nodesOf, graph.Offset.data(), graph.Connectivity.data());
+  graph.Bandwidth = static_cast<int>(
+    NumberElements(part, nodesOf, graph.Offset.data(), graph.Connectivity.data()));
   TakeNumbers(
     OrderNodes(graph, NodePlaces(mesh, part.Points.data()), [&progress] { return progress(-1.0); }),
     part);
