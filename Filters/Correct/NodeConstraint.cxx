@@ -94,18 +94,45 @@ std::vector<int> LateralEdges(
   return edges;
 }
 
-/// Whether a node of a pillar does not lie beyond the surface.
-bool HasNodeThatStays(
+/// Edges of a node along the lateral border of a sheet.
+std::vector<int> BorderEdges(const Band& band, const Columns& columns, int node)
+{
+  std::vector<int> faces;
+  for (const int f : band.FacesOfNode(node))
+  {
+    if (band.Faces[f].Exterior && !columns.IsLayerFace(band, f))
+    {
+      faces.push_back(f);
+    }
+  }
+  return LateralEdges(band, columns, faces, node);
+}
+
+/// What holds the nodes of a pillar on the border of a sheet.
+struct PillarHold
+{
+  bool Stays = false; ///< one does not lie beyond the surface
+  /// From those that do to their neighbours on the border that do not.
+  std::vector<Vec3> Ways;
+
+  bool IsWay(const Vec3& way) const
+  {
+    return !this->Ways.empty() &&
+      std::all_of(this->Ways.begin(), this->Ways.end(),
+        [&way](const Vec3& other) { return way.dot(other) > 0.0; });
+  }
+};
+
+PillarHold FindHold(
   const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node)
 {
+  PillarHold hold;
   // Corrupt grids have pillars that branch and close.
   std::vector<int> pillar{ node };
   for (std::size_t i = 0; i < pillar.size() && pillar.size() < MostLayers; ++i)
   {
-    if (nodeStatus[pillar[i]] != NodeEliminate)
-    {
-      return true;
-    }
+    const bool stays = nodeStatus[pillar[i]] != NodeEliminate;
+    hold.Stays |= stays;
     for (const int edge : band.EdgesOfNode(pillar[i]))
     {
       if (columns.IsThicknessEdge(band, edge))
@@ -113,8 +140,16 @@ bool HasNodeThatStays(
         AddUnique(pillar, band.OtherEnd(edge, pillar[i]));
       }
     }
+    for (const int edge : stays ? std::vector<int>() : BorderEdges(band, columns, pillar[i]))
+    {
+      const int other = band.OtherEnd(edge, pillar[i]);
+      if (nodeStatus[other] != NodeEliminate)
+      {
+        hold.Ways.push_back(band.Point[other] - band.Point[pillar[i]]);
+      }
+    }
   }
-  return false;
+  return hold;
 }
 
 /// How many edges straight on from a node the first one is that does not lie beyond the surface.
@@ -153,21 +188,33 @@ int StepsBack(const Band& band, const Columns& columns,
 
 /**
  * A cut that leans takes away a layer of the border before it comes to another. A node beyond it
- * stays on the border all the same if others of its pillar do, and the surface is nearer along
- * the border than into the sheet.
+ * stays on the border all the same if others of its pillar do, or slide along it the same way, and
+ * the surface is nearer along the border than into the sheet.
  */
 bool StaysOnBorder(const Band& band, const Columns& columns,
   const std::vector<unsigned char>& nodeStatus, const std::vector<int>& borderEdges, int node)
 {
-  if (borderEdges.empty() || !HasNodeThatStays(band, columns, nodeStatus, node))
+  const PillarHold hold =
+    borderEdges.empty() ? PillarHold() : FindHold(band, columns, nodeStatus, node);
+  if (!hold.Stays && (hold.Ways.empty() || columns.ChosenByCut))
   {
     return false;
   }
   int along = LongestStepsBack + 1;
+  bool sameWay = false;
   for (const int edge : borderEdges)
   {
-    along = std::min(along, StepsBack(band, columns, nodeStatus, node, edge, LongestStepsBack));
+    const int steps = StepsBack(band, columns, nodeStatus, node, edge, LongestStepsBack);
+    if (steps > along)
+    {
+      continue;
+    }
+    const bool same = hold.IsWay(band.Point[band.OtherEnd(edge, node)] - band.Point[node]);
+    sameWay = same && (sameWay || steps < along);
+    along = steps;
   }
+  // In a sheet what the others do tips the scales.
+  const int nearer = sameWay && !columns.ChosenByCut ? along - 1 : along;
   const auto edges = band.EdgesOfNode(node);
   return along <= LongestStepsBack &&
     std::none_of(edges.begin(), edges.end(),
@@ -175,7 +222,7 @@ bool StaysOnBorder(const Band& band, const Columns& columns,
       {
         return !columns.IsThicknessEdge(band, edge) &&
           std::find(borderEdges.begin(), borderEdges.end(), edge) == borderEdges.end() &&
-          StepsBack(band, columns, nodeStatus, node, edge, along) <= along;
+          StepsBack(band, columns, nodeStatus, node, edge, nearer) <= nearer;
       });
 }
 

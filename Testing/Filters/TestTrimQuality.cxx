@@ -54,6 +54,22 @@ void CheckTargets()
     const std::string what = "straight cut, " + std::to_string(degrees) + " degrees";
     Expect(LowestOf(sheet, cut, degrees % 2, what.c_str()) >= 0.5, "straight cuts: 0.5");
   }
+  // Leaning ones, which leave the sheet where one layer of a column has lost its side to them.
+  const Mesh slab = Sheet(24, 20, 2, Vec3(1, 1, 0.4), plain);
+  for (const int degrees : { 48, 54, 60, 66 })
+  {
+    for (const int lean : { -30, 30 })
+    {
+      const double angle = degrees * M_PI / 180, tilt = lean * M_PI / 180;
+      const Vec3 normal(
+        -std::sin(angle) * std::cos(tilt), std::cos(angle) * std::cos(tilt), std::sin(tilt));
+      const Surface cut =
+        PlaneThrough(slab.Box.Centre + Vec3(-1.494, -1.345, 0), normal, 10 * slab.Box.HalfX);
+      const std::string what =
+        "straight cut, " + std::to_string(degrees) + ", leaning by " + std::to_string(lean);
+      Expect(LowestOf(slab, cut, false, what.c_str()) >= 0.5, "leaning straight cuts: 0.5");
+    }
+  }
   for (const double thickness : { 1.0, 2.0 })
   {
     const double h = 100.0 / 224;

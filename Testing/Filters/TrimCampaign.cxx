@@ -2,7 +2,8 @@
  * @file TrimCampaign.cxx
  * @brief Random trims: mesh x surface x position x options, each judged; a table of outcomes.
  *
- * TrimCampaign [count [seed [only [files]]]]: `only` repeats one trim of the series alone, -1: all;
+ * TrimCampaign [count [seed [only [files]]]]: `only` repeats one trim of the series alone, and
+ * shows what the filter says of it, -1: all;
  * files (.vtu) are trimmed instead of the tests' own meshes.
  */
 #include "RunTrim.h"
@@ -124,6 +125,14 @@ int main(int argc, char* argv[])
     if (report.Failures() > 0 && !rescues.empty())
     {
       std::printf("     with %s\n", rescues.c_str());
+    }
+    if (only >= 0)
+    {
+      std::printf("%s\n%s\n", Words(draw).c_str(), rescues.c_str());
+      for (const std::string& warning : outcome.Warnings)
+      {
+        std::printf("%s", warning.c_str());
+      }
     }
     const auto number = [&outcome](const char* name)
     { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
