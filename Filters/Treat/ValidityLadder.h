@@ -7,7 +7,8 @@
  * that does not do: nodes beyond the surface that are not at the cut stay behind it; the other
  * pentahedral treatment, the other correction, the column's other fate, and at last nodes left off
  * the surface: where they were for elements that are invalid, a part of their way for elements
- * below the floor. What came below the floor is held to 0.2, or exempt if it came below that, too.
+ * below the floor. Nodes whose border ends at a corner of the model right beside the surface may end
+ * there. What came below the floor is held to 0.2, or exempt if it came below that, too.
  * Then nodes that were left return to the surface, as many as can. At the end everything is relaxed
  * once more, to a higher goal that binds nobody.
  */
