@@ -143,11 +143,11 @@ NodeMove NodeMover::SlideAlongRidge(int node, const NodeConstraint& constraint) 
 
 /// Whether a corner of the model is nearer to the surface than half its shortest edge on the
 /// border.
-bool NodeMover::IsBesideCut(int corner) const
+bool NodeMover::IsBesideCut(int corner, const NodeConstraint& constraint) const
 {
   const Vec3& p = this->TheBand.Point[corner];
   double shortest = std::numeric_limits<double>::infinity();
-  for (const int edge : this->FreedomOf(corner).Constraint.RidgeEdges)
+  for (const int edge : constraint.RidgeEdges)
   {
     const Vec3& end = this->TheBand.Point[this->TheBand.OtherEnd(edge, corner)];
     shortest = std::min(shortest, (end - p).norm());
@@ -163,7 +163,7 @@ NodeMove NodeMover::EndAtCorner(int node) const
   const auto isCorner = [this](int n, const NodeConstraint& constraint)
   {
     return constraint.Kind == ConstraintKind::Ridge && constraint.SharpCorner &&
-      this->IsBesideCut(n);
+      this->IsBesideCut(n, constraint);
   };
   const NodeConstraint constraint = this->FreedomOf(node).Constraint;
   if (isCorner(node, constraint))

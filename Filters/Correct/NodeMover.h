@@ -121,7 +121,7 @@ private:
   /// true or the ridge turns or ends; `walked` is the way to `from`.
   template <typename Visit>
   void WalkRidge(int node, int firstEdge, const Visit& visit) const;
-  bool IsBesideCut(int corner) const;
+  bool IsBesideCut(int corner, const NodeConstraint& constraint) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
   /// The face of a ring with the nearest place to x inside it, but for some; -1: none.

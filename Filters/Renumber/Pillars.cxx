@@ -1,6 +1,7 @@
 #include "Pillars.h"
 
 #include "ConcurrentSets.h"
+#include "Runs.h"
 
 #include <vtkSMPTools.h>
 
@@ -105,20 +106,6 @@ Id NumberOfGrains(Id count)
   return (count + Grain - 1) / Grain;
 }
 
-/// Calls action(grain, begin, end) for all grains of so many items.
-template <typename Action>
-void ForGrains(Id count, const Action& action)
-{
-  vtkSMPTools::For(0, NumberOfGrains(count), 1,
-    [&](Id first, Id last)
-    {
-      for (Id grain = first; grain < last; ++grain)
-      {
-        action(grain, grain * Grain, std::min(count, (grain + 1) * Grain));
-      }
-    });
-}
-
 /// To a sum of directions, whichever way it points.
 void AddAlong(const Vec3& direction, Vec3& sum)
 {
@@ -130,7 +117,7 @@ Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, Concurr
 {
   const auto count = static_cast<Id>(graph.Offset.size()) - 1;
   std::vector<Vec3> up(NumberOfGrains(count), Vec3::Zero());
-  ForGrains(count,
+  ForRuns(count, Grain,
     [&](Id grain, Id begin, Id end)
     {
       Vec3 direction, sum = Vec3::Zero();
@@ -159,7 +146,7 @@ int NumberSets(int count, ConcurrentSets& sets, PageVector<int>& number)
 {
   const auto isRoot = [&sets](Id n) { return sets.IsRoot(static_cast<int>(n)); };
   std::vector<int> first(NumberOfGrains(count) + 1, 0);
-  ForGrains(count,
+  ForRuns(count, Grain,
     [&](Id grain, Id begin, Id end)
     {
       for (Id n = begin; n < end; ++n)
@@ -169,7 +156,7 @@ int NumberSets(int count, ConcurrentSets& sets, PageVector<int>& number)
     });
   std::partial_sum(first.begin(), first.end(), first.begin());
   number.resize(count);
-  ForGrains(count,
+  ForRuns(count, Grain,
     [&](Id grain, Id begin, Id end)
     {
       int next = first[grain];
@@ -181,7 +168,7 @@ int NumberSets(int count, ConcurrentSets& sets, PageVector<int>& number)
         }
       }
     });
-  ForGrains(count,
+  ForRuns(count, Grain,
     [&](Id, Id begin, Id end)
     {
       for (Id n = begin; n < end; ++n)

@@ -168,11 +168,6 @@ int FindRows(const PageVector<nurbs::Vec3>& points, const nurbs::Vec3& axis, Pag
   return FindRows(items, row);
 }
 
-}
-
-namespace
-{
-
 /// Sorts an order by a key of each point, below `keys`; among equals it stays as it was.
 void SortByKey(const PageVector<int>& key, int keys, PageVector<int>& order)
 {

@@ -11,6 +11,7 @@
 
 #include "FreshArray.h"
 #include "NodeOrdering.h"
+#include "Runs.h"
 #include "Selection.h"
 #include "Status.h"
 #include "StatusArrays.h"
@@ -50,14 +51,7 @@ struct GridPart
 template <typename Action>
 void ForRuns(Id count, const Action& action)
 {
-  vtkSMPTools::For(0, (count + PartGrain - 1) / PartGrain, 1,
-    [&](Id begin, Id end)
-    {
-      for (Id run = begin; run < end; ++run)
-      {
-        action(run, run * PartGrain, std::min(count, (run + 1) * PartGrain));
-      }
-    });
+  ForRuns(count, PartGrain, action);
 }
 
 using PointFlags = PageVector<std::atomic<unsigned char>>;
@@ -172,8 +166,8 @@ void RenumberPart(
   graph.NumberOfNodes = static_cast<int>(part.Points.size());
   graph.Offset.resize(part.Cells.size() + 1);
   graph.Connectivity.resize(part.Offset.back());
-  graph.Bandwidth = static_cast<int>(
-    NumberElements(part, nodesOf, graph.Offset.data(), graph.Connectivity.data()));
+  graph.Bandwidth =
+    static_cast<int>(NumberElements(part, nodesOf, graph.Offset.data(), graph.Connectivity.data()));
   TakeNumbers(
     OrderNodes(graph, NodePlaces(mesh, part.Points.data()), [&progress] { return progress(-1.0); }),
     part);

@@ -1,0 +1,33 @@
+/**
+ * @file Runs.h
+ * @brief Loops over long lists in runs of a fixed length, the same whatever threads there are.
+ */
+#ifndef Runs_h
+#define Runs_h
+
+#include "HexMesh.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+
+namespace trim
+{
+
+/// Calls action(run, begin, end) for all runs of so many of the items, by all threads.
+template <typename Action>
+void ForRuns(Id count, Id length, const Action& action)
+{
+  vtkSMPTools::For(0, (count + length - 1) / length, 1,
+    [&](Id begin, Id end)
+    {
+      for (Id run = begin; run < end; ++run)
+      {
+        action(run, run * length, std::min(count, (run + 1) * length));
+      }
+    });
+}
+
+}
+
+#endif
