@@ -48,6 +48,7 @@ add_library(NURBSTrimStages STATIC
   Write/StatusArrays.cxx
   Write/Summary.cxx
   Write/TrimmedGrid.cxx
+  Trim/BandTrim.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx
   Trim/Shortfalls.cxx

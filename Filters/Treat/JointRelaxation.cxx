@@ -484,7 +484,8 @@ private:
   /// Each node settles by itself.
   void SettleEach(const std::vector<int>& nodes, const std::vector<Vec3>& from)
   {
-    vtkSMPTools::For(0, static_cast<Id>(nodes.size()), 16,
+    // For fewer, threads cost more than they save.
+    vtkSMPTools::For(0, static_cast<Id>(nodes.size()), 128,
       [&](Id begin, Id end)
       {
         for (Id i = begin; i < end; ++i)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace trim
@@ -17,7 +18,12 @@ constexpr std::array<double, 2> Limits{ 0.5, 0.0 };
 /// Scaled Jacobian of a corner whose edges lie in one plane.
 constexpr double Flat = 1e-6;
 /// Places that room is made for, at most.
-constexpr int MostRelaxations = 1000;
+constexpr int MostRelaxations = 300;
+/// Halvings of a node's way to the surface, and sweeps over all nodes: one makes room for the next.
+/// What brings a node nearer by less than this share of its distance is no step.
+constexpr int WayHalvings = 6;
+constexpr int ApproachSweeps = 4;
+constexpr double LeastStep = 0.02;
 
 class Returner : private RelaxedMesh
 {
@@ -61,6 +67,24 @@ public:
     std::vector<int> rest = left;
     this->Limit = this->Least;
     return this->Sweep(rest, &Returner::ReturnRelaxed);
+  }
+
+  /// Takes nodes as near to the surface as they can come.
+  bool Approach(const std::vector<int>& left)
+  {
+    this->Limit = this->Least;
+    bool any = false;
+    bool changed = true;
+    for (int sweep = 0; changed && sweep < ApproachSweeps; ++sweep)
+    {
+      changed = false;
+      for (const int node : left)
+      {
+        changed |= !this->Aborted() && this->ComeNearer(node);
+      }
+      any |= changed;
+    }
+    return any;
   }
 
 private:
@@ -128,6 +152,66 @@ private:
     }
     this->Put(node, found);
     return true;
+  }
+
+  /// Moves a node to the place nearest to the surface that the elements stand; false if that is
+  /// where it was.
+  bool ComeNearer(int node)
+  {
+    const Vec3 from = this->TheMoves.Position[node];
+    std::vector<Place> places = this->PlacesFor(node);
+    Vec3 nearest;
+    if (this->Mover.Constrained(node, this->FreedomOf(node), from, true, nearest))
+    {
+      places.push_back({ nearest, Correction::Relax });
+    }
+    double rest = std::numeric_limits<double>::infinity();
+    for (const Place& place : places)
+    {
+      rest = std::min(rest, (1.0 - LeastStep) * (place.At - from).norm());
+    }
+    Vec3 best = from;
+    for (const Place& place : places)
+    {
+      const Vec3 reached = this->GoTowards(node, place.At);
+      const double distance = (place.At - reached).norm();
+      if (distance < rest)
+      {
+        rest = distance;
+        best = reached;
+      }
+    }
+    this->TheMoves.Position[node] = best;
+    this->TheMoves.Applied[node] = best != from ? Correction::Relax : this->TheMoves.Applied[node];
+    return best != from;
+  }
+
+  /// Where a node comes to on the longest part of a way that the elements stand; it stays.
+  Vec3 GoTowards(int node, const Vec3& goal)
+  {
+    const std::vector<int> elements = this->ElementsAt({ node });
+    const std::vector<double> before = this->QualityOf(elements);
+    const Vec3 from = this->TheMoves.Position[node];
+    Vec3 reached = from;
+    double gone = 0.0, step = 0.5;
+    for (int halving = 0; halving < WayHalvings; ++halving, step *= 0.5)
+    {
+      Vec3 at;
+      if (!this->Mover.Constrained(
+            node, this->FreedomOf(node), from + (gone + step) * (goal - from), false, at))
+      {
+        continue;
+      }
+      this->TheMoves.Position[node] = AsStored(this->TheBand, at);
+      if (this->LowestOf(elements, before) >= 0.0 &&
+        !IsCoincident(this->TheBand, this->TheMoves, this->Users, node))
+      {
+        gone += step;
+        reached = this->TheMoves.Position[node];
+      }
+    }
+    this->TheMoves.Position[node] = from;
+    return reached;
   }
 
   /// The lowest of elements, -1 if one is invalid, or worse than before and below the limit.
@@ -299,6 +383,13 @@ bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double
 {
   Returner returner(given, quality, least, aborted, fixed, onCut, moves);
   return relax ? returner.RunWithRelaxation(left) : returner.Run(left);
+}
+
+bool ApproachSurface(const RelaxationCase& given, const BandQuality& quality, double least,
+  const std::vector<int>& left, const std::function<bool()>& aborted, std::vector<char>& fixed,
+  std::vector<char>& onCut, Moves& moves)
+{
+  return Returner(given, quality, least, aborted, fixed, onCut, moves).Approach(left);
 }
 
 }

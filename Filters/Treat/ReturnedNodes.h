@@ -33,6 +33,12 @@ bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double
   const std::vector<int>& left, bool relax, const std::function<bool()>& aborted,
   std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves);
 
+/// Takes nodes that have to be left as near to the surface as they come with no element below
+/// `least`; parameters as above. False if none came nearer.
+bool ApproachSurface(const RelaxationCase& given, const BandQuality& quality, double least,
+  const std::vector<int>& left, const std::function<bool()>& aborted, std::vector<char>& fixed,
+  std::vector<char>& onCut, Moves& moves);
+
 }
 
 #endif

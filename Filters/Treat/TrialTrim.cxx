@@ -19,6 +19,8 @@ constexpr double PolishedGoal = 0.6;
 /// Below this the nodes on the cut move along it too: then the offcut of another run, with the
 /// side inverted, need not fit node by node.
 constexpr double PolishedOnCutGoal = 0.5;
+/// How often nodes that are left come nearer to the surface and their neighbours make room.
+constexpr int ApproachPasses = 4;
 /// Pillars of pentahedra that are tried without their nodes, at most.
 constexpr int MostDrops = 100;
 
@@ -308,11 +310,55 @@ void TrialTrim::ReturnLeft(
     const std::vector<int> left = this->FindLeft(set, trimmed);
     if (left.empty() || (!changed && !relax))
     {
-      return;
+      break;
     }
     changed = this->Try(
       faults, trimmed, [&] { return this->ReturnNodesLeft(set, left, relax, aborted, trimmed); });
     changed |= this->DropEdgesLeft(set, aborted, faults, trimmed);
+  }
+  this->BringNearer(set, aborted, trimmed);
+}
+
+/// Nodes that have to be left come as near to the surface as the floor lets them, and their
+/// neighbours make room.
+void TrialTrim::BringNearer(
+  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+{
+  const std::vector<int> left = this->FindLeft(set, trimmed);
+  const double least = GoalMargin * this->GoalForLeft();
+  const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
+  const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
+  std::vector<int> round;
+  for (const int n : left)
+  {
+    for (const int e : this->TheBand.ElementsOfNode(n))
+    {
+      if (trimmed.Kept[e])
+      {
+        round.push_back(e);
+      }
+    }
+  }
+  std::sort(round.begin(), round.end());
+  round.erase(std::unique(round.begin(), round.end()), round.end());
+  for (int pass = 0; pass < ApproachPasses && !left.empty() && !aborted(); ++pass)
+  {
+    const Moves before = trimmed.NodeMoves;
+    if (pass > 0)
+    {
+      this->RelaxRound(set, round, this->GoalForLeft(), Brief, trimmed);
+    }
+    Shapes shapes = this->ShapesOf(set, trimmed, true);
+    const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
+      shapes.OnCut };
+    const bool changed = ApproachSurface(
+      given, this->Quality, least, left, aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves);
+    if (!changed || this->Quality.FindInvalid(trimmed).size() > invalid ||
+      this->Quality.FindBelowFloor(trimmed).size() > below)
+    {
+      trimmed.NodeMoves = before;
+      return;
+    }
   }
 }
 

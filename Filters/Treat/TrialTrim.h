@@ -116,6 +116,8 @@ private:
     const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted, Faults& faults,
     TrimmedBand& trimmed) const;
+  void BringNearer(
+    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropAndRelax(
     const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
   /// What a RelaxationCase refers to.

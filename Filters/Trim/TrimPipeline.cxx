@@ -338,23 +338,6 @@ void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
   }
 }
 
-/// Kept part and, if it is asked for, offcut.
-void Decide(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const TrimOptions& options, const Progress& progress)
-{
-  if (!options.ProduceOffcut)
-  {
-    LadderPosition foot;
-    near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
-      surface, precision, options.Ladder, progress, foot);
-    return;
-  }
-  BothParts parts = ClimbForBothParts(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
-    surface, precision, options.Ladder, progress);
-  near.Trimmed = std::move(parts.Kept);
-  near.Rest = std::move(parts.Rest);
-}
-
 void SetFates(const HexMesh& mesh, TrimResult& result)
 {
   result.Kept.resize(mesh.NumberOfCells);
@@ -394,13 +377,12 @@ std::vector<std::pair<Id, Value>> ById(
 }
 
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
-  double precision, bool offcut, TrimResult& result)
+  bool offcut, TrimResult& result)
 {
   result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
   if (result.Near)
   {
     auto& near = *result.Near;
-    near.NodesLeft = FindNodesLeft(near, surface, precision);
     near.Shortfalls = FindShortfalls(near, near.NodesLeft);
     result.Found.DistancesLeft =
       ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
@@ -468,10 +450,11 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
       return result;
     }
     auto& near = *result.Near;
-    Decide(near, surface, precision, options, Part(progress, 0.4, 0.6));
+    DecideBand(
+      near, surface, precision, options.Ladder, options.ProduceOffcut, Part(progress, 0.4, 0.6));
   }
   SetFates(mesh, result);
-  FindAndWarn(mesh, piece, surface, precision, options.ProduceOffcut, result);
+  FindAndWarn(mesh, piece, surface, options.ProduceOffcut, result);
   aborted(0.6);
   return result;
 }

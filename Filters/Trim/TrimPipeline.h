@@ -5,10 +5,7 @@
 #ifndef TrimPipeline_h
 #define TrimPipeline_h
 
-#include "Band.h"
-#include "BothParts.h"
-#include "Columns.h"
-#include "Decision.h"
+#include "BandTrim.h"
 #include "Findings.h"
 #include "MeshBlocks.h"
 #include "NodeClassification.h"
@@ -38,29 +35,6 @@ struct TrimOptions
   Vec3 KeepPoint = Vec3::Zero();
   double Tolerance = 1e-9; ///< of the status "on surface", relative to the diagonal of the grid
   bool ProduceOffcut = false;
-};
-
-/// The band and everything found on it.
-struct TrimBand
-{
-  TrimBand(Band band)
-    : Mesh(std::move(band))
-  {
-  }
-  Band Mesh;
-  Columns Structure;
-  /// Thickness axis of each element as the mesh has it, -1: none; also where the surface leans so
-  /// far that the sheet is treated as a block.
-  std::vector<signed char> SheetAxis;
-  VolumeShares Shares;
-  TrimmedBand Trimmed;
-  std::vector<std::pair<int, Shortfall>> Shortfalls; ///< by ascending element
-  std::vector<std::pair<int, float>> NodesLeft;      ///< by ascending node, see DistancesLeft
-
-  // What follows is empty unless the offcut is asked for.
-  Offcut Rest;
-  std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;
-  std::vector<std::pair<int, bool>> CornersLost; ///< see FindCornersLost
 };
 
 struct TrimResult

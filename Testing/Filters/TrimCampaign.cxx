@@ -30,6 +30,12 @@ struct Draw
   TrimOptions Options;
 };
 
+std::vector<std::string> Joined(std::vector<std::string> a, const std::vector<std::string>& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 // Every trim has a generator of its own, so that it can be repeated alone.
 Draw DrawTrim(unsigned seed, int number, const std::vector<std::string>& names)
 {
@@ -40,7 +46,7 @@ Draw DrawTrim(unsigned seed, int number, const std::vector<std::string>& names)
   { return from[static_cast<std::size_t>(any(random) * from.size())]; };
   Draw draw;
   draw.Mesh = pick(names);
-  draw.Kind = pick(SurfaceKinds());
+  draw.Kind = pick(Joined(SurfaceKinds(), ClosedKinds()));
   draw.At.X = 1.4 * any(random) - 0.7;
   draw.At.Y = 1.4 * any(random) - 0.7;
   draw.At.Angle = 2 * M_PI * any(random);
@@ -88,7 +94,7 @@ int main(int argc, char* argv[])
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
   std::map<std::string, Mesh> meshes;
   const std::vector<std::string> files(argv + std::min(argc, 4), argv + argc);
-  const std::vector<std::string> names = files.empty() ? MeshNames() : files;
+  const std::vector<std::string> names = files.empty() ? Joined(MeshNames(), PartNames()) : files;
   try
   {
     for (const std::string& name : names)

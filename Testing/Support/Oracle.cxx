@@ -42,6 +42,13 @@ double ConeOracle::Signed(const Vec3& p) const
   return r * std::cos(this->HalfAngle) - z * std::sin(this->HalfAngle);
 }
 
+double TorusOracle::Signed(const Vec3& p) const
+{
+  const Vec3 d = p - this->Centre;
+  const double z = d.dot(this->Axis), r = (d - z * this->Axis).norm();
+  return std::hypot(r - this->Ring, z) - this->Tube;
+}
+
 GraphOracle::GraphOracle(const Vec3& origin, const Eigen::Matrix3d& axes,
   const SplineSurface& heights, double halfY, double halfZ)
   : Origin(origin)

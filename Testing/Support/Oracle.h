@@ -55,6 +55,24 @@ private:
   double HalfAngle;
 };
 
+/// Outside of a torus is positive; with a ring of no radius it is a sphere.
+class TorusOracle : public Oracle
+{
+public:
+  TorusOracle(const Vec3& centre, const Vec3& axis, double ring, double tube)
+    : Centre(centre)
+    , Axis(axis)
+    , Ring(ring)
+    , Tube(tube)
+  {
+  }
+  double Signed(const Vec3& p) const override;
+
+private:
+  Vec3 Centre, Axis;
+  double Ring, Tube;
+};
+
 /**
  * The graph x = f(y, z) over a plane, f a B-spline on Greville abscissae, so that the surface's
  * parameters are y and z up to scale. Positive where x > f.

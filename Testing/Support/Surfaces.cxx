@@ -287,6 +287,61 @@ void MakeRoundRectangle(
   surface.MinimumRadius = r;
 }
 
+/// A profile (distance from the axis, height, weight) revolved round the sweep direction.
+SplineSurface Revolve(const Curve& profile, const Local& local)
+{
+  const Curve circle = Arc(Vec2::Zero(), 1, 0, 2 * Pi);
+  SplineSurface s;
+  s.DegreeU = circle.Degree;
+  s.KnotsU = circle.Knots;
+  s.CountU = static_cast<int>(circle.Control.size());
+  s.DegreeV = profile.Degree;
+  s.KnotsV = profile.Knots;
+  s.CountV = static_cast<int>(profile.Control.size());
+  for (const Vec3& c : profile.Control)
+  {
+    for (const Vec3& d : circle.Control)
+    {
+      Eigen::Vector4d p;
+      p << local.Origin + c[0] * (d[0] * local.E1 + d[1] * local.E2) + c[1] * local.Sweep,
+        c[2] * d[2];
+      s.Control.push_back(p);
+    }
+  }
+  return s;
+}
+
+void MakeSphere(
+  Surface& surface, Local local, double size, unsigned seed, std::vector<SplineSurface>& faces)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-0.6, 0.6);
+  local.Origin += any(random) * size * local.Sweep;
+  faces.push_back(Revolve(Arc(Vec2::Zero(), size, -Pi / 2, Pi / 2), local));
+  surface.Truth = std::make_shared<TorusOracle>(local.Origin, local.Sweep, 0, size);
+  surface.MinimumRadius = size;
+}
+
+void MakeTorus(Surface& surface, const Local& local, double size, std::vector<SplineSurface>& faces)
+{
+  const double tube = 0.45 * size;
+  faces.push_back(Revolve(Arc(Vec2(size, 0), tube, 0, 2 * Pi), local));
+  surface.Truth = std::make_shared<TorusOracle>(local.Origin, local.Sweep, size, tube);
+  surface.MinimumRadius = tube;
+}
+
+void MakeRectangle(
+  Surface& surface, const Local& local, double size, std::vector<SplineSurface>& faces)
+{
+  const Vec2 a(-1.3 * size, -size), c = -a, b(c[0], a[1]), d(a[0], c[1]);
+  for (const Curve& side : { Segment(a, b), Segment(b, c), Segment(c, d), Segment(d, a) })
+  {
+    faces.push_back(Extrude(side, local, -local.Reach, local.Reach));
+  }
+  surface.Truth = Swept(local, std::make_shared<RoundedRectangleProfile>(c[0], c[1], 0));
+  surface.MinimumRadius = 0;
+}
+
 void Pack(Surface& surface, std::vector<SplineSurface>& faces, const Placement& at)
 {
   if (at.Reversed)
@@ -315,6 +370,11 @@ std::vector<std::string> SurfaceKinds()
 {
   return { "plane", "wavy", "cylinder", "cone", "arc", "scurve", "contour", "roundrect", "slot",
     "trimmedface" };
+}
+
+std::vector<std::string> ClosedKinds()
+{
+  return { "sphere", "torus", "rectangle" };
 }
 
 Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement& at)
@@ -364,6 +424,18 @@ Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement
   else if (kind == "slot")
   {
     MakeSlot(surface, frame, local, faces);
+  }
+  else if (kind == "sphere")
+  {
+    MakeSphere(surface, local, size, at.Seed, faces);
+  }
+  else if (kind == "torus")
+  {
+    MakeTorus(surface, local, size, faces);
+  }
+  else if (kind == "rectangle")
+  {
+    MakeRectangle(surface, local, size, faces);
   }
   else
   {

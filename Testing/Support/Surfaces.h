@@ -44,12 +44,16 @@ struct Surface
 /**
  * kind: plane, wavy, cylinder, cone, arc, scurve, contour, roundrect (a shell of eight faces,
  * oriented at random), slot (open at one end, crosses the sheet twice), trimmedface (plane with
- * trim loops that lie outside the grid). All part the grid if the placement lets them.
+ * trim loops that lie outside the grid). All part the grid if the placement lets them. Besides
+ * sphere, torus and rectangle (four planes with sharp edges between them).
  */
 Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement& placement);
 
-/// All kinds above.
+/// All kinds above, but for the last three.
 std::vector<std::string> SurfaceKinds();
+
+/// These three.
+std::vector<std::string> ClosedKinds();
 
 /// A plane that ends within the grid; its oracle knows the whole plane.
 Surface EndingPlane(const Frame& frame, const Placement& placement);

@@ -14,7 +14,10 @@ using namespace judge;
 int main()
 {
   int wrong = 0;
-  for (const std::string& name : MeshNames())
+  std::vector<std::string> names = MeshNames();
+  const std::vector<std::string> parts = PartNames();
+  names.insert(names.end(), parts.begin(), parts.end());
+  for (const std::string& name : names)
   {
     const Mesh mesh = MakeMesh(name);
     const Model model(mesh.Grid);

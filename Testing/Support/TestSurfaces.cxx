@@ -153,7 +153,10 @@ int main()
   frame.HalfY = 8;
   frame.HalfZ = 0.4;
   int wrong = 0;
-  for (const std::string& kind : SurfaceKinds())
+  std::vector<std::string> kinds = SurfaceKinds();
+  const std::vector<std::string> closed = ClosedKinds();
+  kinds.insert(kinds.end(), closed.begin(), closed.end());
+  for (const std::string& kind : kinds)
   {
     for (int variant = 0; variant < 4; ++variant)
     {

@@ -1,0 +1,103 @@
+#include "BandTrim.h"
+
+#include "BandQuality.h"
+#include "Shortfalls.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace trim
+{
+namespace
+{
+
+/// A node left farther than this many edges off the surface makes another trim worth the time.
+constexpr double FarthestLeft = 0.5;
+/// Where more are left, the cut runs along the mesh, and no decision would end it.
+constexpr std::size_t MostLeft = 250;
+/// Nodes that are left for the sake of a higher floor are so by any decision.
+constexpr double HighestFloor = 0.5;
+
+void Climb(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const LadderOptions& options, bool produceOffcut, const Progress& progress)
+{
+  if (produceOffcut)
+  {
+    BothParts parts = ClimbForBothParts(near.Mesh, near.Structure, near.Shares,
+      near.Mesh.NodeStatus, surface, precision, options, progress);
+    near.Trimmed = std::move(parts.Kept);
+    near.Rest = std::move(parts.Rest);
+  }
+  else
+  {
+    LadderPosition foot;
+    near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
+      surface, precision, options, progress, foot);
+  }
+  near.NodesLeft = FindNodesLeft(near, surface, precision);
+}
+
+/// What a trim could not do.
+struct Shortcomings
+{
+  std::size_t Elements = 0; ///< invalid or below the floor
+  /// Sum of the squared distances of nodes left off the surface, in edges; an element short of what
+  /// is aimed at counts as a node left by two.
+  double Squares = 0.0;
+  double Farthest = 0.0; ///< of the distances
+  bool operator<(const Shortcomings& other) const
+  {
+    return std::tie(this->Elements, this->Squares) < std::tie(other.Elements, other.Squares);
+  }
+};
+
+Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& options)
+{
+  const Band& band = near.Mesh;
+  Shortcomings sum;
+  sum.Elements = near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() +
+    near.Rest.Invalid.size() + near.Rest.BelowFloor.size();
+  const BandQuality aimed(band, options.Treatment, options.AimedQuality());
+  sum.Squares = 4.0 * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
+  for (const auto& [node, distance] : near.NodesLeft)
+  {
+    double length = 0.0;
+    const auto edges = band.EdgesOfNode(node);
+    for (const int edge : edges)
+    {
+      length += (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm() / edges.size();
+    }
+    sum.Squares += distance * distance / (length * length);
+    sum.Farthest = std::max(sum.Farthest, distance / length);
+  }
+  return sum;
+}
+
+}
+
+/// Whole columns may leave nodes far off, where the cut wanders through a block or along a wall;
+/// then every element is decided for itself, if that comes nearer to the surface.
+void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const LadderOptions& options, bool produceOffcut, const Progress& progress)
+{
+  Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.0, 0.5));
+  const Shortcomings byColumns = MeasureShortcomings(near, options);
+  const auto& axis = near.Structure.Axis;
+  const bool hasColumns =
+    std::any_of(axis.begin(), axis.end(), [](signed char a) { return a >= 0; });
+  if (progress(-1.0) || !hasColumns || byColumns.Farthest < FarthestLeft ||
+    near.NodesLeft.size() > MostLeft || options.QualityFloor > HighestFloor)
+  {
+    return;
+  }
+  BandTrim first = std::move(static_cast<BandTrim&>(near));
+  near.Structure = NoColumns(near.Mesh);
+  near.Shares = { first.Shares.Element, first.Shares.Element };
+  Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.5, 1.0));
+  if (!(MeasureShortcomings(near, options) < byColumns))
+  {
+    static_cast<BandTrim&>(near) = std::move(first);
+  }
+}
+
+}
