@@ -1,5 +1,7 @@
 #include "Band.h"
 
+#include "Runs.h"
+
 #include <vtkSMPTools.h>
 
 #include <Eigen/Geometry>
@@ -203,15 +205,14 @@ void Band::AddFace(Side side, Side twin)
 
 void Band::BuildEdges()
 {
-  constexpr int grain = 1000;
-  std::vector<std::vector<BandEdge>> edges((this->NumberOfNodes() + grain - 1) / grain);
-  vtkSMPTools::For(0, static_cast<Id>(edges.size()), 1,
-    [&](Id begin, Id end)
+  constexpr Id length = 1000;
+  std::vector<std::vector<BandEdge>> edges(NumberOfRuns(this->NumberOfNodes(), length));
+  ForRuns(this->NumberOfNodes(), length,
+    [&](Id run, Id begin, Id end)
     {
-      const int last = std::min(this->NumberOfNodes(), static_cast<int>(end) * grain);
-      for (int n = static_cast<int>(begin) * grain; n < last; ++n)
+      for (Id n = begin; n < end; ++n)
       {
-        this->ListEdges(n, edges[n / grain]);
+        this->ListEdges(static_cast<int>(n), edges[run]);
       }
     });
   for (const auto& list : edges)

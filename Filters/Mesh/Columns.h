@@ -53,6 +53,12 @@ struct Columns
     return this->Pillar[band.Edges[edge].First] == this->Pillar[band.Edges[edge].Second];
   }
   bool HasThickness(int element) const { return this->Axis[element] >= 0; }
+  /// Any element.
+  bool HasColumns() const
+  {
+    return std::any_of(
+      this->Axis.begin(), this->Axis.end(), [](signed char axis) { return axis >= 0; });
+  }
   /// All elements.
   bool HasThickness() const
   {

@@ -1,5 +1,7 @@
 #include "MeshBlocks.h"
 
+#include "Runs.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -331,11 +333,6 @@ void MeasureAndJoin(
   }
 }
 
-Id Divide(Id count, Id size)
-{
-  return (count + size - 1) / size;
-}
-
 }
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
@@ -344,22 +341,22 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
       MeshBlocks::CellsPerPatch % MeshBlocks::CellsPerRun == 0,
     "blocks are filled by several threads, patches by runs");
   MeshBlocks blocks;
-  const Id count = Divide(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
+  const Id count = NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
   blocks.Boxes.resize(count);
-  blocks.RunBoxes.resize(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
+  blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
-  blocks.IsPatch.assign(Divide(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
+  blocks.IsPatch.assign(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
   std::vector<LargestCells> largest(count);
   blocks.RunOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   constexpr Id grain = 256;
   const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
-  std::vector<Joiner> joiners(Divide(count, grain), Joiner(mesh, blocks, alone));
-  vtkSMPTools::For(0, static_cast<Id>(joiners.size()), 1,
-    [&](Id begin, Id end)
+  std::vector<Joiner> joiners(NumberOfRuns(count, grain), Joiner(mesh, blocks, alone));
+  ForRuns(count, grain,
+    [&](Id run, Id begin, Id end)
     {
-      for (Id b = begin * grain; b < std::min(count, end * grain); ++b)
+      for (Id b = begin; b < end; ++b)
       {
-        MeasureAndJoin(mesh, b, blocks, joiners[b / grain], largest[b]);
+        MeasureAndJoin(mesh, b, blocks, joiners[run], largest[b]);
       }
     });
   Id usedNodes = 0;

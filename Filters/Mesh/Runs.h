@@ -14,11 +14,17 @@
 namespace trim
 {
 
+/// The last may be shorter.
+inline Id NumberOfRuns(Id count, Id length)
+{
+  return (count + length - 1) / length;
+}
+
 /// Calls action(run, begin, end) for all runs of so many of the items, by all threads.
 template <typename Action>
 void ForRuns(Id count, Id length, const Action& action)
 {
-  vtkSMPTools::For(0, (count + length - 1) / length, 1,
+  vtkSMPTools::For(0, NumberOfRuns(count, length), 1,
     [&](Id begin, Id end)
     {
       for (Id run = begin; run < end; ++run)

@@ -101,11 +101,6 @@ namespace
 /// Elements or nodes for a thread at a time; the same whatever threads there are.
 constexpr Id Grain = 30000;
 
-Id NumberOfGrains(Id count)
-{
-  return (count + Grain - 1) / Grain;
-}
-
 /// To a sum of directions, whichever way it points.
 void AddAlong(const Vec3& direction, Vec3& sum)
 {
@@ -116,7 +111,7 @@ void AddAlong(const Vec3& direction, Vec3& sum)
 Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, ConcurrentSets& sets)
 {
   const auto count = static_cast<Id>(graph.Offset.size()) - 1;
-  std::vector<Vec3> up(NumberOfGrains(count), Vec3::Zero());
+  std::vector<Vec3> up(NumberOfRuns(count, Grain), Vec3::Zero());
   ForRuns(count, Grain,
     [&](Id grain, Id begin, Id end)
     {
@@ -145,7 +140,7 @@ Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, Concurr
 int NumberSets(int count, ConcurrentSets& sets, PageVector<int>& number)
 {
   const auto isRoot = [&sets](Id n) { return sets.IsRoot(static_cast<int>(n)); };
-  std::vector<int> first(NumberOfGrains(count) + 1, 0);
+  std::vector<int> first(NumberOfRuns(count, Grain) + 1, 0);
   ForRuns(count, Grain,
     [&](Id grain, Id begin, Id end)
     {

@@ -53,6 +53,8 @@ constexpr int MostRounds = 12;
 constexpr std::size_t MostWork = 30000;
 /// A larger patch is divided: one for each element.
 constexpr std::size_t MostNodes = 250;
+/// With fewer for each, threads cost more than they save.
+constexpr Id NodesPerThread = 128;
 
 class Patch : private RelaxedMesh
 {
@@ -484,8 +486,7 @@ private:
   /// Each node settles by itself.
   void SettleEach(const std::vector<int>& nodes, const std::vector<Vec3>& from)
   {
-    // For fewer, threads cost more than they save.
-    vtkSMPTools::For(0, static_cast<Id>(nodes.size()), 128,
+    vtkSMPTools::For(0, static_cast<Id>(nodes.size()), NodesPerThread,
       [&](Id begin, Id end)
       {
         for (Id i = begin; i < end; ++i)

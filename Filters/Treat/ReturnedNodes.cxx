@@ -72,7 +72,7 @@ public:
   /// Takes nodes as near to the surface as they can come.
   bool Approach(const std::vector<int>& left)
   {
-    this->Limit = this->Least;
+    this->Limit = GoalMargin * this->Least;
     bool any = false;
     bool changed = true;
     for (int sweep = 0; changed && sweep < ApproachSweeps; ++sweep)
@@ -170,10 +170,12 @@ private:
     {
       rest = std::min(rest, (1.0 - LeastStep) * (place.At - from).norm());
     }
+    const std::vector<int> elements = this->ElementsAt({ node });
+    const std::vector<double> before = this->QualityOf(elements);
     Vec3 best = from;
     for (const Place& place : places)
     {
-      const Vec3 reached = this->GoTowards(node, place.At);
+      const Vec3 reached = this->GoTowards(node, place.At, elements, before);
       const double distance = (place.At - reached).norm();
       if (distance < rest)
       {
@@ -187,10 +189,10 @@ private:
   }
 
   /// Where a node comes to on the longest part of a way that the elements stand; it stays.
-  Vec3 GoTowards(int node, const Vec3& goal)
+  /// @param elements those at the node, with their quality before.
+  Vec3 GoTowards(
+    int node, const Vec3& goal, const std::vector<int>& elements, const std::vector<double>& before)
   {
-    const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<double> before = this->QualityOf(elements);
     const Vec3 from = this->TheMoves.Position[node];
     Vec3 reached = from;
     double gone = 0.0, step = 0.5;
@@ -378,18 +380,19 @@ private:
 }
 
 bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, bool relax, const std::function<bool()>& aborted,
+  const std::vector<int>& left, ReturnEffort effort, const std::function<bool()>& aborted,
   std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves)
 {
   Returner returner(given, quality, least, aborted, fixed, onCut, moves);
-  return relax ? returner.RunWithRelaxation(left) : returner.Run(left);
-}
-
-bool ApproachSurface(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, const std::function<bool()>& aborted, std::vector<char>& fixed,
-  std::vector<char>& onCut, Moves& moves)
-{
-  return Returner(given, quality, least, aborted, fixed, onCut, moves).Approach(left);
+  switch (effort)
+  {
+    case ReturnEffort::Alone:
+      return returner.Run(left);
+    case ReturnEffort::Relaxed:
+      return returner.RunWithRelaxation(left);
+    default:
+      return returner.Approach(left);
+  }
 }
 
 }

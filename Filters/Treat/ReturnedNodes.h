@@ -18,26 +18,26 @@
 namespace trim
 {
 
+enum class ReturnEffort
+{
+  Alone,   ///< nodes go to the surface, and nothing else moves
+  Relaxed, ///< the nodes round them make room
+  Nearer   ///< nodes come as near to the surface as the elements stand, and stay left
+};
+
 /**
- * Takes nodes to the surface where no element becomes invalid by it.
+ * Takes nodes to the surface, or nearer to it, where no element becomes invalid by it.
  *
  * @param least scaled Jacobian that no element falls below.
  * @param left the nodes, ascending.
- * @param relax whether the nodes round them make room.
  * @param aborted true ends the work; the result is then of no use.
  * @param[in,out] fixed, onCut what `given` refers to: returned nodes are free, and on the cut.
  * @param[in,out] moves returned nodes are left no more.
- * @return false if none returned.
+ * @return false if none returned or came nearer.
  */
 bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, bool relax, const std::function<bool()>& aborted,
+  const std::vector<int>& left, ReturnEffort effort, const std::function<bool()>& aborted,
   std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves);
-
-/// Takes nodes that have to be left as near to the surface as they come with no element below
-/// `least`; parameters as above. False if none came nearer.
-bool ApproachSurface(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, const std::function<bool()>& aborted, std::vector<char>& fixed,
-  std::vector<char>& onCut, Moves& moves);
 
 }
 

@@ -1,7 +1,6 @@
 #include "TrialTrim.h"
 
 #include "JointRelaxation.h"
-#include "ReturnedNodes.h"
 
 #include <algorithm>
 #include <functional>
@@ -303,17 +302,17 @@ void TrialTrim::ReturnLeft(
   bool changed = true;
   double done = 0.0;
   // What makes room for one node may do so for others.
-  for (const bool relax : { false, true, false })
+  for (const auto effort : { ReturnEffort::Alone, ReturnEffort::Relaxed, ReturnEffort::Alone })
   {
     progress(done);
     done += 1.0 / 3.0;
     const std::vector<int> left = this->FindLeft(set, trimmed);
-    if (left.empty() || (!changed && !relax))
+    if (left.empty() || (!changed && effort == ReturnEffort::Alone))
     {
       break;
     }
     changed = this->Try(
-      faults, trimmed, [&] { return this->ReturnNodesLeft(set, left, relax, aborted, trimmed); });
+      faults, trimmed, [&] { return this->ReturnNodesLeft(set, left, effort, aborted, trimmed); });
     changed |= this->DropEdgesLeft(set, aborted, faults, trimmed);
   }
   this->BringNearer(set, aborted, trimmed);
@@ -325,7 +324,10 @@ void TrialTrim::BringNearer(
   const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   const std::vector<int> left = this->FindLeft(set, trimmed);
-  const double least = GoalMargin * this->GoalForLeft();
+  if (left.empty())
+  {
+    return;
+  }
   const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
   const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
   std::vector<int> round;
@@ -341,18 +343,14 @@ void TrialTrim::BringNearer(
   }
   std::sort(round.begin(), round.end());
   round.erase(std::unique(round.begin(), round.end()), round.end());
-  for (int pass = 0; pass < ApproachPasses && !left.empty() && !aborted(); ++pass)
+  for (int pass = 0; pass < ApproachPasses && !aborted(); ++pass)
   {
     const Moves before = trimmed.NodeMoves;
     if (pass > 0)
     {
       this->RelaxRound(set, round, this->GoalForLeft(), Brief, trimmed);
     }
-    Shapes shapes = this->ShapesOf(set, trimmed, true);
-    const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
-      shapes.OnCut };
-    const bool changed = ApproachSurface(
-      given, this->Quality, least, left, aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves);
+    const bool changed = this->ReturnNodesLeft(set, left, ReturnEffort::Nearer, aborted, trimmed);
     if (!changed || this->Quality.FindInvalid(trimmed).size() > invalid ||
       this->Quality.FindBelowFloor(trimmed).size() > below)
     {
@@ -416,13 +414,13 @@ bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) 
   return false;
 }
 
-bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left, bool relax,
-  const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left,
+  ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
   const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
     shapes.OnCut };
-  return ReturnNodes(given, this->Quality, this->GoalForLeft(), left, relax, aborted, shapes.Fixed,
+  return ReturnNodes(given, this->Quality, this->GoalForLeft(), left, effort, aborted, shapes.Fixed,
     shapes.OnCut, trimmed.NodeMoves);
 }
 

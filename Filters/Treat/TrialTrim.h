@@ -9,6 +9,7 @@
 #include "Decision.h"
 #include "Progress.h"
 #include "Relaxation.h"
+#include "ReturnedNodes.h"
 #include "TrimmedBand.h"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ private:
   Faults FaultsOf(const TrimmedBand& trimmed) const;
   template <typename Action>
   bool Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const;
-  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, bool relax,
+  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, ReturnEffort effort,
     const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted, Faults& faults,
     TrimmedBand& trimmed) const;

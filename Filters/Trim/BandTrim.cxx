@@ -81,12 +81,14 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   const LadderOptions& options, bool produceOffcut, const Progress& progress)
 {
   Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.0, 0.5));
+  // Most trims leave nothing, and are not measured again.
+  if (near.NodesLeft.empty() || near.NodesLeft.size() > MostLeft ||
+    options.QualityFloor > HighestFloor || !near.Structure.HasColumns())
+  {
+    return;
+  }
   const Shortcomings byColumns = MeasureShortcomings(near, options);
-  const auto& axis = near.Structure.Axis;
-  const bool hasColumns =
-    std::any_of(axis.begin(), axis.end(), [](signed char a) { return a >= 0; });
-  if (progress(-1.0) || !hasColumns || byColumns.Farthest < FarthestLeft ||
-    near.NodesLeft.size() > MostLeft || options.QualityFloor > HighestFloor)
+  if (progress(-1.0) || byColumns.Farthest < FarthestLeft)
   {
     return;
   }

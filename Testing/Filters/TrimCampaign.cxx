@@ -30,12 +30,6 @@ struct Draw
   TrimOptions Options;
 };
 
-std::vector<std::string> Joined(std::vector<std::string> a, const std::vector<std::string>& b)
-{
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 // Every trim has a generator of its own, so that it can be repeated alone.
 Draw DrawTrim(unsigned seed, int number, const std::vector<std::string>& names)
 {
@@ -46,7 +40,7 @@ Draw DrawTrim(unsigned seed, int number, const std::vector<std::string>& names)
   { return from[static_cast<std::size_t>(any(random) * from.size())]; };
   Draw draw;
   draw.Mesh = pick(names);
-  draw.Kind = pick(Joined(SurfaceKinds(), ClosedKinds()));
+  draw.Kind = pick(AllSurfaceKinds());
   draw.At.X = 1.4 * any(random) - 0.7;
   draw.At.Y = 1.4 * any(random) - 0.7;
   draw.At.Angle = 2 * M_PI * any(random);
@@ -94,7 +88,7 @@ int main(int argc, char* argv[])
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
   std::map<std::string, Mesh> meshes;
   const std::vector<std::string> files(argv + std::min(argc, 4), argv + argc);
-  const std::vector<std::string> names = files.empty() ? Joined(MeshNames(), PartNames()) : files;
+  const std::vector<std::string> names = files.empty() ? AllMeshNames() : files;
   try
   {
     for (const std::string& name : names)

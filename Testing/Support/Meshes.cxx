@@ -376,11 +376,6 @@ std::vector<std::string> MeshNames()
     "stretched", "far", "metres" };
 }
 
-std::vector<std::string> PartNames()
-{
-  return { "tube", "bar", "twist", "ball", "tee", "angle", "tailored", "wave", "patched" };
-}
-
 Mesh MakeMesh(const std::string& name)
 {
   const Vec3 element(1, 1, 0.4);
@@ -476,46 +471,9 @@ Mesh MakeMesh(const std::string& name)
     o.Scale = 1e-3;
     mesh = Sheet(20, 16, 2, element, o);
   }
-  else if (name == "tube")
-  {
-    mesh = Tube(28, 16, 2);
-  }
-  else if (name == "bar")
-  {
-    mesh = Bar(4, 2, 14, 0);
-  }
-  else if (name == "twist")
-  {
-    mesh = Twist(5, 20, 0.25);
-  }
-  else if (name == "ball")
-  {
-    mesh = Ball(10);
-  }
-  else if (name == "tee")
-  {
-    mesh = Tee(14, 2);
-  }
-  else if (name == "angle")
-  {
-    mesh = Angle(12, 3);
-  }
-  else if (name == "tailored")
-  {
-    mesh = Tailored(20, 16, 2);
-  }
-  else if (name == "wave")
-  {
-    mesh = Wave(20, 16, 2);
-  }
-  else if (name == "patched")
-  {
-    mesh = PatchedSheet(20, 16, 2);
-    mesh.Flat = false;
-  }
   else
   {
-    throw std::invalid_argument("no mesh called " + name);
+    mesh = MakePart(name);
   }
   mesh.Name = name;
   return mesh;

@@ -88,23 +88,6 @@ Mesh PatchedSheet(int nx, int ny, int nz, const MeshOptions& options = {});
 /// two sides meet there in a thin edge.
 Mesh Segment(int nr, int nz, double angle, const MeshOptions& options = {});
 
-/// A tube along x, closed round it, of nz layers.
-Mesh Tube(int round, int along, int nz, const MeshOptions& options = {});
-/// A round bar along z, twisted.
-Mesh Bar(int n, int rings, int along, double turns, const MeshOptions& options = {});
-/// A square bar along z, twisted.
-Mesh Twist(int n, int along, double turns, const MeshOptions& options = {});
-/// A block blown up most of the way to a ball.
-Mesh Ball(int n, const MeshOptions& options = {});
-/// A plate of nz layers with a rib on it.
-Mesh Tee(int n, int nz, const MeshOptions& options = {});
-/// Two thick plates at a right angle.
-Mesh Angle(int n, int nz, const MeshOptions& options = {});
-/// A sheet of nz layers thicker at one end.
-Mesh Tailored(int nx, int ny, int nz, const MeshOptions& options = {});
-/// A sheet with hills and valleys, its columns upright.
-Mesh Wave(int nx, int ny, int nz, const MeshOptions& options = {});
-
 /// A mesh of hexahedra and wedges from a file (.vtu), of which nothing is known; its frame is the
 /// box round it, with the shortest side as thickness. Throws std::invalid_argument.
 Mesh ReadMesh(const std::string& path);
@@ -113,8 +96,11 @@ Mesh ReadMesh(const std::string& path);
 Mesh MakeMesh(const std::string& name);
 std::vector<std::string> MeshNames();
 
-/// Others: tubes, bars, ribs, sheets of changing thickness. The matrix does not have them.
-std::vector<std::string> PartNames();
+/// Others by name: tubes, bars, ribs, sheets of changing thickness. The matrix does not have them.
+Mesh MakePart(const std::string& name);
+
+/// These too.
+std::vector<std::string> AllMeshNames();
 
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace judge
 {
@@ -34,9 +35,9 @@ void Close(RawMesh& raw, const std::vector<Id>& to)
   raw.Points = points;
 }
 
-Mesh Solid(const std::string& name, const RawMesh& raw, const MeshOptions& options)
+Mesh Solid(const std::string& name, const RawMesh& raw)
 {
-  Mesh mesh = Finish(name, raw, BoxOf(raw, 1), options);
+  Mesh mesh = Finish(name, raw, BoxOf(raw, 1), MeshOptions());
   mesh.Flat = mesh.Sheet = false;
   return mesh;
 }
@@ -46,9 +47,9 @@ RawMesh Beam(const Plan& plan, int n)
 {
   return Extrude(plan, n, n, [](const Vec2& p, double z) { return Vec3(p[0], -z, p[1]); });
 }
-}
 
-Mesh Tube(int round, int along, int nz, const MeshOptions& options)
+/// A tube along x, closed round it, of nz layers.
+Mesh Tube(int round, int along, int nz)
 {
   const double radius = round / (2 * M_PI);
   const Plan plan = GridPlan(along, round, 1, 1);
@@ -69,22 +70,17 @@ Mesh Tube(int round, int along, int nz, const MeshOptions& options)
     to.push_back(p % layer >= row * round ? p - row * round : p);
   }
   Close(raw, to);
-  return Solid("tube", raw, options);
+  return Solid("tube", raw);
 }
 
-Mesh Bar(int n, int rings, int along, double turns, const MeshOptions& options)
+/// A round bar along z.
+Mesh Bar(int n, int rings, int along)
 {
-  const RawMesh raw = Extrude(BlankPlan(n, rings), along, along,
-    [=](const Vec2& p, double z)
-    {
-      const double a = 2 * M_PI * turns * z / along;
-      return Vec3(
-        std::cos(a) * p[0] - std::sin(a) * p[1], std::sin(a) * p[0] + std::cos(a) * p[1], z);
-    });
-  return Solid("bar", raw, options);
+  return Solid("bar", Extrude(BlankPlan(n, rings), along, along, Flat()));
 }
 
-Mesh Twist(int n, int along, double turns, const MeshOptions& options)
+/// A square bar along z, twisted.
+Mesh Twist(int n, int along, double turns)
 {
   const RawMesh raw = Extrude(GridPlan(n, n, 1, 1), along, along,
     [=](const Vec2& q, double z)
@@ -94,10 +90,11 @@ Mesh Twist(int n, int along, double turns, const MeshOptions& options)
       return Vec3(
         std::cos(a) * p[0] - std::sin(a) * p[1], std::sin(a) * p[0] + std::cos(a) * p[1], z);
     });
-  return Solid("twist", raw, options);
+  return Solid("twist", raw);
 }
 
-Mesh Ball(int n, const MeshOptions& options)
+/// A block blown up most of the way to a ball.
+Mesh Ball(int n)
 {
   RawMesh raw = Extrude(GridPlan(n, n, 1, 1), n, n, Flat());
   for (Vec3& p : raw.Points)
@@ -115,25 +112,28 @@ Mesh Ball(int n, const MeshOptions& options)
       p = Vec3::Zero();
     }
   }
-  return Solid("ball", raw, options);
+  return Solid("ball", raw);
 }
 
-Mesh Tee(int n, int nz, const MeshOptions& options)
+/// A plate of nz layers with a rib on it.
+Mesh Tee(int n, int nz)
 {
   Plan plan = GridPlan(n, n, 1, 0.5);
   plan.Keep(
     [n, nz](const Vec2& c) { return c[1] < 0.5 * nz || std::abs(c[0] - 0.5 * n) < 0.5 * nz; });
-  return Solid("tee", Beam(plan, n), options);
+  return Solid("tee", Beam(plan, n));
 }
 
-Mesh Angle(int n, int nz, const MeshOptions& options)
+/// Two thick plates at a right angle.
+Mesh Angle(int n, int nz)
 {
   Plan plan = GridPlan(n, n, 1, 1);
   plan.Keep([nz](const Vec2& c) { return c.minCoeff() < nz; });
-  return Solid("angle", Beam(plan, n), options);
+  return Solid("angle", Beam(plan, n));
 }
 
-Mesh Tailored(int nx, int ny, int nz, const MeshOptions& options)
+/// A sheet of nz layers thicker at one end.
+Mesh Tailored(int nx, int ny, int nz)
 {
   const RawMesh raw = Extrude(GridPlan(nx, ny, 1, 1), nz, nz,
     [nx](const Vec2& p, double z)
@@ -141,15 +141,58 @@ Mesh Tailored(int nx, int ny, int nz, const MeshOptions& options)
       const double x = p[0] / nx;
       return Vec3(p[0], p[1], z * (x < 0.4 ? 0.2 : x < 0.6 ? 0.2 + 1.5 * (x - 0.4) : 0.5));
     });
-  return Solid("tailored", raw, options);
+  return Solid("tailored", raw);
 }
 
-Mesh Wave(int nx, int ny, int nz, const MeshOptions& options)
+/// A sheet with hills and valleys, its columns upright.
+Mesh Wave(int nx, int ny, int nz)
 {
   const RawMesh raw = Extrude(GridPlan(nx, ny, 1, 1), nz, 0.4 * nz,
     [](const Vec2& p, double z)
     { return Vec3(p[0], p[1], z + 1.2 * std::sin(0.6 * p[0]) * std::cos(0.35 * p[1])); });
-  return Solid("wave", raw, options);
+  return Solid("wave", raw);
+}
+
+Mesh Patched()
+{
+  Mesh mesh = PatchedSheet(20, 16, 2);
+  mesh.Flat = false;
+  return mesh;
+}
+
+struct Part
+{
+  const char* Name;
+  Mesh (*Make)();
+};
+
+const Part Parts[] = { { "tube", [] { return Tube(28, 16, 2); } },
+  { "bar", [] { return Bar(4, 2, 14); } }, { "twist", [] { return Twist(5, 20, 0.25); } },
+  { "ball", [] { return Ball(10); } }, { "tee", [] { return Tee(14, 2); } },
+  { "angle", [] { return Angle(12, 3); } }, { "tailored", [] { return Tailored(20, 16, 2); } },
+  { "wave", [] { return Wave(20, 16, 2); } }, { "patched", Patched } };
+}
+
+Mesh MakePart(const std::string& name)
+{
+  for (const Part& part : Parts)
+  {
+    if (name == part.Name)
+    {
+      return part.Make();
+    }
+  }
+  throw std::invalid_argument("no mesh called " + name);
+}
+
+std::vector<std::string> AllMeshNames()
+{
+  std::vector<std::string> names = MeshNames();
+  for (const Part& part : Parts)
+  {
+    names.emplace_back(part.Name);
+  }
+  return names;
 }
 
 }

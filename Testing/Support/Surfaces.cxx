@@ -372,9 +372,11 @@ std::vector<std::string> SurfaceKinds()
     "trimmedface" };
 }
 
-std::vector<std::string> ClosedKinds()
+std::vector<std::string> AllSurfaceKinds()
 {
-  return { "sphere", "torus", "rectangle" };
+  std::vector<std::string> kinds = SurfaceKinds();
+  kinds.insert(kinds.end(), { "sphere", "torus", "rectangle" });
+  return kinds;
 }
 
 Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement& at)

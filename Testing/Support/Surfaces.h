@@ -52,8 +52,8 @@ Surface MakeSurface(const std::string& kind, const Frame& frame, const Placement
 /// All kinds above, but for the last three.
 std::vector<std::string> SurfaceKinds();
 
-/// These three.
-std::vector<std::string> ClosedKinds();
+/// These three too.
+std::vector<std::string> AllSurfaceKinds();
 
 /// A plane that ends within the grid; its oracle knows the whole plane.
 Surface EndingPlane(const Frame& frame, const Placement& placement);

@@ -14,10 +14,7 @@ using namespace judge;
 int main()
 {
   int wrong = 0;
-  std::vector<std::string> names = MeshNames();
-  const std::vector<std::string> parts = PartNames();
-  names.insert(names.end(), parts.begin(), parts.end());
-  for (const std::string& name : names)
+  for (const std::string& name : AllMeshNames())
   {
     const Mesh mesh = MakeMesh(name);
     const Model model(mesh.Grid);

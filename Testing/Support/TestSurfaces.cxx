@@ -153,10 +153,7 @@ int main()
   frame.HalfY = 8;
   frame.HalfZ = 0.4;
   int wrong = 0;
-  std::vector<std::string> kinds = SurfaceKinds();
-  const std::vector<std::string> closed = ClosedKinds();
-  kinds.insert(kinds.end(), closed.begin(), closed.end());
-  for (const std::string& kind : kinds)
+  for (const std::string& kind : AllSurfaceKinds())
   {
     for (int variant = 0; variant < 4; ++variant)
     {
