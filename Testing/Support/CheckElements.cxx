@@ -485,10 +485,46 @@ bool IsRelaxed(const Evidence& e, Id point)
 }
 }
 
+namespace
+{
+/// Whether some place where a part without the elements that both have hangs together by an edge or
+/// a node only is at an element.
+class Bridges
+{
+public:
+  Bridges(const Evidence& part, const Evidence& other)
+    : In(part.In)
+  {
+    Model without = part.In;
+    without.Elements.clear();
+    for (Id c = 0; c < static_cast<Id>(part.In.Elements.size()); ++c)
+    {
+      if (part.KeptCell[c] && !other.KeptCell[c])
+      {
+        without.Elements.push_back(part.In.Elements[c]);
+      }
+    }
+    this->Defects = FindManifoldDefects(FacetTable(without));
+  }
+
+  bool At(Id element) const
+  {
+    const auto& points = this->In.Elements[element];
+    return std::any_of(points.Node.begin(), points.Node.begin() + points.Size,
+      [this](Id p) { return this->Defects.Points.count(p) > 0; });
+  }
+
+private:
+  const Model& In;
+  ManifoldDefects Defects;
+};
+}
+
 void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
 {
   // An element in neither part went from both for the sake of its shape: its neighbours have to
   // fill its place. In both: the parts overlap.
+  const Bridges inKept(kept, offcut), inOffcut(offcut, kept);
   bool tie = false;
   for (Id c = 0; c < static_cast<Id>(kept.In.Elements.size()); ++c)
   {
@@ -505,6 +541,10 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
       std::abs(kept.Fraction[c] - kept.Case.Options.EliminationFraction) < 1e-6)
     {
       tie = true; // "more than this share" is true of neither side
+    }
+    else if (parts == 2 && (inKept.At(c) || inOffcut.At(c)))
+    {
+      report.Note("elements in both parts that hold one together");
     }
     else if (parts == 2)
     {

@@ -140,6 +140,7 @@ ManifoldDefects FindManifoldDefects(const FacetTable& table)
     if (edge.second.size() != 2)
     {
       ++defects.Edges;
+      defects.Points.insert({ edge.first.first, edge.first.second });
       defects.EdgePoint = defects.EdgePoint < 0 ? edge.first.first : defects.EdgePoint;
     }
   }
@@ -171,6 +172,7 @@ ManifoldDefects FindManifoldDefects(const FacetTable& table)
     if (reached.size() != point.second.size())
     {
       ++defects.Vertices;
+      defects.Points.insert(point.first);
       defects.VertexPoint = defects.VertexPoint < 0 ? point.first : defects.VertexPoint;
     }
   }

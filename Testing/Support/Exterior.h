@@ -9,6 +9,7 @@
 #include "Model.h"
 
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -31,6 +32,7 @@ struct ManifoldDefects
   int Vertices = 0; ///< vertices whose boundary facets form more than one fan
   Id EdgePoint = -1;
   Id VertexPoint = -1;
+  std::set<Id> Points; ///< all of them, and of such edges both ends
 };
 ManifoldDefects FindManifoldDefects(const FacetTable& facets);
 
