@@ -121,6 +121,58 @@ double SmallestWedgeCoefficient(const ElementPoints& p)
   return smallest;
 }
 
+/// Vectors of four edges of a hexahedron at a time.
+struct FourEdges
+{
+  std::array<Eigen::Array4d, 3> Way; ///< by coordinate
+
+  Eigen::Array4d Lengths() const
+  {
+    return (this->Way[0] * this->Way[0] + this->Way[1] * this->Way[1] + this->Way[2] * this->Way[2])
+      .sqrt();
+  }
+};
+
+Eigen::Array4d Determinants(const FourEdges& a, const FourEdges& b, const FourEdges& c)
+{
+  const auto cross = [&](int i, int j) -> Eigen::Array4d
+  { return a.Way[i] * b.Way[j] - a.Way[j] * b.Way[i]; };
+  return cross(1, 2) * c.Way[0] + cross(2, 0) * c.Way[1] + cross(0, 1) * c.Way[2];
+}
+
+/// The smallest determinant of unit vectors over the corners of a hexahedron; the four corners at
+/// either end of its last axis at once.
+double SmallestHexahedronCorner(const ElementPoints& p)
+{
+  std::array<FourEdges, 2> r, s;
+  FourEdges t;
+  for (int c = 0; c < 3; ++c)
+  {
+    const auto way = [&p, c](int from, int to) { return p[to][c] - p[from][c]; };
+    for (int end = 0; end < 2; ++end)
+    {
+      const int o = 4 * end;
+      const double r0 = way(o, o + 1), r1 = way(o + 3, o + 2);
+      const double s0 = way(o, o + 3), s1 = way(o + 1, o + 2);
+      r[end].Way[c] << r0, r0, r1, r1;
+      s[end].Way[c] << s0, s1, s0, s1;
+    }
+    t.Way[c] << way(0, 4), way(1, 5), way(3, 7), way(2, 6);
+  }
+  const Eigen::Array4d last = t.Lengths();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int end = 0; end < 2; ++end)
+  {
+    const Eigen::Array4d lengths = r[end].Lengths() * s[end].Lengths() * last;
+    const Eigen::Array4d determinants = Determinants(r[end], s[end], t);
+    for (int i = 0; i < 4; ++i)
+    {
+      smallest = std::min(smallest, lengths[i] > 0.0 ? determinants[i] / lengths[i] : 0.0);
+    }
+  }
+  return smallest;
+}
+
 /// The three neighbours of each corner, positively oriented.
 constexpr int HexahedronCorners[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
   { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
@@ -133,14 +185,14 @@ double UnitDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
   return lengths > 0.0 ? Determinant(a, b, c) / lengths : 0.0;
 }
 
-template <std::size_t N>
-double SmallestCorner(const ElementPoints& p, const int (&corners)[N][3])
+double SmallestWedgeCorner(const ElementPoints& p)
 {
   double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < N; ++i)
+  for (int i = 0; i < 6; ++i)
   {
-    smallest = std::min(smallest,
-      UnitDeterminant(p[corners[i][0]] - p[i], p[corners[i][1]] - p[i], p[corners[i][2]] - p[i]));
+    const int* corner = WedgeCorners[i];
+    smallest = std::min(
+      smallest, UnitDeterminant(p[corner[0]] - p[i], p[corner[1]] - p[i], p[corner[2]] - p[i]));
   }
   return smallest;
 }
@@ -249,10 +301,10 @@ double ScaledJacobian(const ElementPoints& p, int count)
 {
   if (count == 6)
   {
-    return std::min(1.0, SmallestCorner(p, WedgeCorners) * WedgeScale);
+    return std::min(1.0, SmallestWedgeCorner(p) * WedgeScale);
   }
   const auto [r, s, t] = PrincipalAxes(p);
-  return std::min(SmallestCorner(p, HexahedronCorners), UnitDeterminant(r, s, t));
+  return std::min(SmallestHexahedronCorner(p), UnitDeterminant(r, s, t));
 }
 
 std::vector<ScaledDeterminant> ScaledDeterminants(const ElementPoints& p, int count)

@@ -449,11 +449,12 @@ private:
     Eigen::MatrixXd products = damping * Eigen::MatrixXd::Identity(count, count);
     for (const auto& column : byVariable)
     {
-      for (const auto& [i, g] : column)
+      // Half of them: the matrix is symmetric.
+      for (auto first = column.begin(); first != column.end(); ++first)
       {
-        for (const auto& [j, h] : column)
+        for (auto second = first; second != column.end(); ++second)
         {
-          products(i, j) += g * h;
+          products(second->first, first->first) += second->second * first->second;
         }
       }
     }

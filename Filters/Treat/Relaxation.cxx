@@ -264,9 +264,8 @@ private:
     return quality;
   }
 
-  /// The worst first, so that a search for worse ones ends soon; returns its quality, no more
-  /// than the goal.
-  double SortByQuality(std::vector<int>& elements) const
+  /// The worst first, so that a search for worse ones ends soon; returns the quality of each.
+  std::vector<double> SortByQuality(std::vector<int>& elements) const
   {
     std::vector<std::pair<double, int>> ranked;
     for (const int e : elements)
@@ -274,9 +273,13 @@ private:
       ranked.emplace_back(this->Quality(e), e);
     }
     std::sort(ranked.begin(), ranked.end());
-    std::transform(
-      ranked.begin(), ranked.end(), elements.begin(), [](const auto& r) { return r.second; });
-    return ranked.empty() ? this->Goal : std::min(this->Goal, ranked.front().first);
+    std::vector<double> qualities;
+    for (std::size_t i = 0; i < ranked.size(); ++i)
+    {
+      elements[i] = ranked[i].second;
+      qualities.push_back(ranked[i].first);
+    }
+    return qualities;
   }
 
   bool Reached(const std::vector<int>& active) const
@@ -307,15 +310,16 @@ private:
   bool Improve(const std::vector<int>& nodes)
   {
     std::vector<int> elements = this->ElementsAt(nodes);
-    const double before = this->SortByQuality(elements);
+    const std::vector<double> qualities = this->SortByQuality(elements);
+    const double before = qualities.empty() ? this->Goal : qualities.front();
     if (before >= this->Goal)
     {
       return false;
     }
     // What has reached the floor must not pay for what cannot.
-    std::vector<int> guarded;
-    std::copy_if(elements.begin(), elements.end(), std::back_inserter(guarded),
-      [this](int e) { return this->Quality(e) >= this->Floor; });
+    const auto atFloor = std::lower_bound(qualities.begin(), qualities.end(), this->Floor);
+    const std::vector<int> guarded(
+      elements.begin() + (atFloor - qualities.begin()), elements.end());
     const std::vector<Vec3> from = this->PositionsOf(nodes);
     std::vector<Vec3> to = from;
     double best = before + this->Effort.Gain;
