@@ -86,7 +86,7 @@ public:
           this->StepUp(trimmed, column);
         }
       }
-      trimmed = this->Trial.Make(this->At.Set, this->Quality);
+      trimmed = this->Trial.Make(this->At.Set, this->Quality, &trimmed);
     }
     this->LeaveInvalid(this->Quality, true, trimmed, aborted);
     progress(Climbed);
