@@ -90,58 +90,6 @@ FacetFoot Facet::Project(const Vec3& x) const
   return foot;
 }
 
-FacetBall Facet::Ball() const
-{
-  Vec3 middle = Vec3::Zero();
-  for (int i = 0; i < this->Count; ++i)
-  {
-    middle += this->Corner[i] / this->Count;
-  }
-  double radius = 0.0;
-  for (int i = 0; i < this->Count; ++i)
-  {
-    radius = std::max(radius, (this->Corner[i] - middle).squaredNorm());
-  }
-  return { middle, std::sqrt(radius) };
-}
-
-bool Facet::IsPlaneAndConvex(const Vec3& normal) const
-{
-  for (int i = 0; i < this->Count; ++i)
-  {
-    const Vec3& c = this->Corner[i];
-    const Vec3 to = this->Corner[(i + 1) % this->Count] - c;
-    const Vec3 from = c - this->Corner[(i + this->Count - 1) % this->Count];
-    if (std::abs(normal.dot(to)) > PlaneSlack * to.norm() || !(normal.dot(from.cross(to)) > 0.0))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool Facet::FindInside(const Vec3& x, double slack, Vec3& place) const
-{
-  const auto& c = this->Corner;
-  const Vec3 normal = (c[2] - c[0]).cross(c[this->Count - 1] - c[1]).normalized();
-  if (!this->IsPlaneAndConvex(normal))
-  {
-    const FacetFoot foot = this->Project(x);
-    place = foot.Point;
-    return foot.Outside <= slack;
-  }
-  for (int i = 0; i < this->Count; ++i)
-  {
-    const Vec3 edge = c[(i + 1) % this->Count] - c[i];
-    if (normal.cross(edge).dot(x - c[i]) < -slack * edge.squaredNorm())
-    {
-      return false;
-    }
-  }
-  place = x - normal * normal.dot(x - c[0]);
-  return true;
-}
-
 double Facet::LeadsInto(int corner, const Vec3& direction) const
 {
   const Vec3& at = this->Corner[corner];
@@ -170,6 +118,70 @@ Vec3 Facet::NormalAt(int corner) const
   return (this->Corner[(corner + 1) % this->Count] - at)
     .cross(this->Corner[(corner + this->Count - 1) % this->Count] - at)
     .normalized();
+}
+
+FacetSearch::FacetSearch(const Facet& facet)
+  : Searched(facet)
+  , Middle(Vec3::Zero())
+{
+  const int count = facet.Count;
+  const auto& c = facet.Corner;
+  for (int i = 0; i < count; ++i)
+  {
+    this->Middle += c[i] / count;
+  }
+  double radius = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    radius = std::max(radius, (c[i] - this->Middle).squaredNorm());
+  }
+  this->Radius = std::sqrt(radius);
+  this->Normal = (c[2] - c[0]).cross(c[count - 1] - c[1]).normalized();
+  this->PlaneAndConvex = this->FindPlaneAndConvex();
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3 edge = c[(i + 1) % count] - c[i];
+    this->Inward[i] = this->Normal.cross(edge);
+    this->Squared[i] = edge.squaredNorm();
+  }
+}
+
+bool FacetSearch::FindPlaneAndConvex() const
+{
+  const int count = this->Searched.Count;
+  const auto& corner = this->Searched.Corner;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3& c = corner[i];
+    const Vec3 to = corner[(i + 1) % count] - c;
+    const Vec3 from = c - corner[(i + count - 1) % count];
+    if (std::abs(this->Normal.dot(to)) > PlaneSlack * to.norm() ||
+      !(this->Normal.dot(from.cross(to)) > 0.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool FacetSearch::FindInside(const Vec3& x, double slack, Vec3& place) const
+{
+  if (!this->PlaneAndConvex)
+  {
+    const FacetFoot foot = this->Searched.Project(x);
+    place = foot.Point;
+    return foot.Outside <= slack;
+  }
+  const auto& corner = this->Searched.Corner;
+  for (int i = 0; i < this->Searched.Count; ++i)
+  {
+    if (this->Inward[i].dot(x - corner[i]) < -slack * this->Squared[i])
+    {
+      return false;
+    }
+  }
+  place = x - this->Normal * this->Normal.dot(x - corner[0]);
+  return true;
 }
 
 }

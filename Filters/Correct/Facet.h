@@ -18,34 +18,12 @@ struct FacetFoot
   double Outside = 0; ///< how far beyond the facet's own edges, in its parameters; 0: inside
 };
 
-struct FacetBall
-{
-  Vec3 Middle;
-  double Radius;
-
-  /// True only if every point in it is farther from x than a distance.
-  bool IsFarther(const Vec3& x, double distance) const
-  {
-    const double reach = this->Radius + distance;
-    return (x - this->Middle).squaredNorm() > reach * reach;
-  }
-};
-
 class Facet
 {
 public:
   Facet(const Band& band, const BandFace& face);
 
   FacetFoot Project(const Vec3& x) const;
-
-  /// The ball round the corners' middle that holds them, and with them the facet.
-  FacetBall Ball() const;
-
-  /**
-   * The foot of x, if it is inside the facet. Plane facets, most of all, need no iteration.
-   * @param slack how far beyond the edges, in parameters, still counts as inside.
-   */
-  bool FindInside(const Vec3& x, double slack, Vec3& place) const;
 
   /**
    * How well a direction leads from a corner node into the facet: the smaller of its two
@@ -60,10 +38,41 @@ public:
   Vec3 NormalAt(int corner) const;
 
 private:
-  bool IsPlaneAndConvex(const Vec3& normal) const;
+  friend class FacetSearch;
 
   int Count;
   std::array<Vec3, 4> Corner;
+};
+
+/// A facet that many points are looked for in. Plane facets, most of all, need no iteration.
+class FacetSearch
+{
+public:
+  explicit FacetSearch(const Facet& facet);
+
+  /// True only if every point of the facet is farther from x than a distance.
+  bool IsFarther(const Vec3& x, double distance) const
+  {
+    const double reach = this->Radius + distance;
+    return (x - this->Middle).squaredNorm() > reach * reach;
+  }
+
+  /**
+   * The foot of x, if it is inside the facet.
+   * @param slack how far beyond the edges, in parameters, still counts as inside.
+   */
+  bool FindInside(const Vec3& x, double slack, Vec3& place) const;
+
+private:
+  bool FindPlaneAndConvex() const;
+
+  Facet Searched;
+  Vec3 Middle; ///< of the corners; the ball round it holds them, and with them the facet
+  double Radius = 0.0;
+  Vec3 Normal;
+  bool PlaneAndConvex;
+  std::array<Vec3, 4> Inward;    ///< from each edge, as long as the edge
+  std::array<double, 4> Squared; ///< length of each edge
 };
 
 }

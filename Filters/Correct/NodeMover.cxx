@@ -338,7 +338,7 @@ const SkinRing& NodeMover::RingOf(NodeFreedom& freedom, std::size_t ring) const
     next.Faces = this->FacesAround(rings.empty() ? freedom.Constraint.Faces : rings.back().Faces);
     for (const int f : next.Faces)
     {
-      next.Balls.push_back(Facet(this->TheBand, this->TheBand.Faces[f]).Ball());
+      next.Facets.emplace_back(Facet(this->TheBand, this->TheBand.Faces[f]));
     }
     rings.push_back(std::move(next));
   }
@@ -354,9 +354,9 @@ int NodeMover::NearestFace(
   {
     const int f = ring.Faces[i];
     Vec3 on;
-    if (ring.Balls[i].IsFarther(x, nearest) ||
+    if (ring.Facets[i].IsFarther(x, nearest) ||
       std::find(without.begin(), without.end(), f) != without.end() ||
-      !Facet(this->TheBand, this->TheBand.Faces[f]).FindInside(x, InsideSlack, on))
+      !ring.Facets[i].FindInside(x, InsideSlack, on))
     {
       continue;
     }

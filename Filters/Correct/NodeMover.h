@@ -39,7 +39,7 @@ struct NodeMove
 struct SkinRing
 {
   std::vector<int> Faces; ///< those of the ring before among them
-  std::vector<FacetBall> Balls;
+  std::vector<FacetSearch> Facets;
 };
 
 /// Where a node may be while it is relaxed: what NodeMover finds out once for many places.

@@ -142,7 +142,7 @@ Eigen::Array4d Determinants(const FourEdges& a, const FourEdges& b, const FourEd
 
 /// The smallest determinant of unit vectors over the corners of a hexahedron; the four corners at
 /// either end of its last axis at once.
-double SmallestHexahedronCorner(const ElementPoints& p)
+double SmallestHexahedronCorner(const ElementPoints& p, double limit)
 {
   std::array<FourEdges, 2> r, s;
   FourEdges t;
@@ -161,7 +161,7 @@ double SmallestHexahedronCorner(const ElementPoints& p)
   }
   const Eigen::Array4d last = t.Lengths();
   double smallest = std::numeric_limits<double>::infinity();
-  for (int end = 0; end < 2; ++end)
+  for (int end = 0; end < 2 && smallest >= limit; ++end)
   {
     const Eigen::Array4d lengths = r[end].Lengths() * s[end].Lengths() * last;
     const Eigen::Array4d determinants = Determinants(r[end], s[end], t);
@@ -297,14 +297,19 @@ double VolumeOf(const ElementPoints& p, int count)
   return 0.5 * sum / samples;
 }
 
-double ScaledJacobian(const ElementPoints& p, int count)
+double ScaledJacobian(const ElementPoints& p, int count, double limit)
 {
   if (count == 6)
   {
     return std::min(1.0, SmallestWedgeCorner(p) * WedgeScale);
   }
+  const double smallest = SmallestHexahedronCorner(p, limit);
+  if (smallest < limit)
+  {
+    return smallest;
+  }
   const auto [r, s, t] = PrincipalAxes(p);
-  return std::min(SmallestHexahedronCorner(p), UnitDeterminant(r, s, t));
+  return std::min(smallest, UnitDeterminant(r, s, t));
 }
 
 std::vector<ScaledDeterminant> ScaledDeterminants(const ElementPoints& p, int count)

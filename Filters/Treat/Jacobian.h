@@ -14,6 +14,7 @@
 #include "NurbsSurface.h"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace trim
@@ -54,8 +55,11 @@ EIGEN_ALWAYS_INLINE auto HexahedronVolume(const Points& p, const Determinant& de
 /**
  * Verdict's scaled Jacobian: the smallest determinant of unit edge vectors over the corners,
  * for hexahedra also over the centre's; for wedges scaled so that the ideal one has 1.
+ *
+ * @param limit what is below need not be exact, but below.
  */
-double ScaledJacobian(const ElementPoints& points, int count);
+double ScaledJacobian(
+  const ElementPoints& points, int count, double limit = -std::numeric_limits<double>::infinity());
 
 /// One of the determinants that the scaled Jacobian is the smallest of, and how it changes with
 /// the element's nodes.

@@ -259,7 +259,7 @@ private:
     double quality = this->Goal;
     for (std::size_t i = 0; i < elements.size() && quality >= limit; ++i)
     {
-      quality = std::min(quality, this->Quality(elements[i]));
+      quality = std::min(quality, this->Quality(elements[i], limit));
     }
     return quality;
   }

@@ -22,9 +22,9 @@ ElementPoints RelaxedMesh::PointsOf(int element) const
   return points;
 }
 
-double RelaxedMesh::Quality(int element) const
+double RelaxedMesh::Quality(int element, double limit) const
 {
-  return ScaledJacobian(this->PointsOf(element), this->Elements[element].Count);
+  return ScaledJacobian(this->PointsOf(element), this->Elements[element].Count, limit);
 }
 
 double RelaxedMesh::ShortestEdgeShare(int element) const

@@ -10,6 +10,7 @@
 #include "Moves.h"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -62,7 +63,8 @@ public:
   ElementPoints PointsOf(int element) const;
 
   /// Scaled Jacobian of an element.
-  double Quality(int element) const;
+  /// @param limit what is below need not be exact, but below.
+  double Quality(int element, double limit = -std::numeric_limits<double>::infinity()) const;
 
   /// How much of its length that edge of an element has left which lost most.
   double ShortestEdgeShare(int element) const;
