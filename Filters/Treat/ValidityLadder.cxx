@@ -70,7 +70,8 @@ public:
   {
     const auto aborted = [&progress] { return progress(-1.0); };
     TrimmedBand trimmed = this->Trial.Make(this->At.Set, this->Quality);
-    for (int climb = 0; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
+    int climb = 0;
+    for (; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
     {
       trimmed.Invalid = this->Quality.FindInvalid(trimmed);
       const std::vector<int> bad = this->FindBadColumns(trimmed);
@@ -88,6 +89,10 @@ public:
       }
       trimmed = this->Trial.Make(this->At.Set, this->Quality, &trimmed);
     }
+    if (climb > 0)
+    {
+      this->RelaxAnew(trimmed);
+    }
     this->LeaveInvalid(this->Quality, true, trimmed, aborted);
     progress(Climbed);
     this->RaiseToFloor(trimmed, aborted);
@@ -102,6 +107,17 @@ public:
   }
 
 private:
+  /// Places that were relaxed for other choices may be no good ones for those that it ended with.
+  void RelaxAnew(TrimmedBand& trimmed) const
+  {
+    TrimmedBand anew = this->Trial.Make(this->At.Set, this->Quality);
+    anew.Invalid = this->Quality.FindInvalid(anew);
+    if (anew.Invalid.size() <= trimmed.Invalid.size())
+    {
+      trimmed = std::move(anew);
+    }
+  }
+
   /// The first rung: pillars of columns and round them that are behind the cut stay there; false if
   /// there are no others.
   bool TakeInside(const TrimmedBand& trimmed, const std::vector<int>& columns)
