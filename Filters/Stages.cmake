@@ -24,6 +24,8 @@ add_library(NURBSTrimStages STATIC
   Treat/BandQuality.cxx
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
+  Treat/ColumnChoices.cxx
+  Treat/FloorClimb.cxx
   Treat/Jacobian.cxx
   Treat/JointRelaxation.cxx
   Treat/Offcut.cxx

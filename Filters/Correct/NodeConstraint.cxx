@@ -1,5 +1,6 @@
 #include "NodeConstraint.h"
 
+#include "AddUnique.h"
 #include "Status.h"
 
 #include <Eigen/Geometry>
@@ -43,14 +44,6 @@ std::array<int, 2> EdgesAt(const Band& band, const BandFace& face, int node)
   }
   return { band.FindEdge(node, face.Node[(at + 1) % face.Count]),
     band.FindEdge(node, face.Node[(at + face.Count - 1) % face.Count]) };
-}
-
-void AddUnique(std::vector<int>& list, int value)
-{
-  if (std::find(list.begin(), list.end(), value) == list.end())
-  {
-    list.push_back(value);
-  }
 }
 
 /// Faces of a set that share an edge at the node under more than the ridge angle.

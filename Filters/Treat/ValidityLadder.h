@@ -7,31 +7,21 @@
  * that does not do: nodes beyond the surface that are not at the cut stay behind it; the other
  * pentahedral treatment, the other correction, the column's other fate, and at last nodes left off
  * the surface: where they were for elements that are invalid, a part of their way for elements
- * below the floor. Nodes whose border ends at a corner of the model right beside the surface may end
- * there. What came below the floor is held to 0.2, or exempt if it came below that, too.
- * Then nodes that were left return to the surface, as many as can. At the end everything is relaxed
- * once more, to a higher goal that binds nobody.
+ * below the floor. Nodes whose border ends at a corner of the model right beside the surface may
+ * end there. What came below the floor is held to 0.2, or exempt if it came below that, too. Then
+ * nodes that were left return to the surface, as many as can. At the end everything is relaxed once
+ * more, to a higher goal that binds nobody.
  */
 #ifndef ValidityLadder_h
 #define ValidityLadder_h
 
+#include "ColumnChoices.h"
 #include "Progress.h"
-#include "TrialTrim.h"
 
-#include <map>
 #include <vector>
 
 namespace trim
 {
-
-/// Where a climb came to. Another one, with other demands, may go on from there.
-struct LadderPosition
-{
-  Choices Set;                 ///< empty: at the foot
-  std::vector<Rung> Rungs;     ///< by column
-  std::vector<char> Disturbed; ///< by column: the fate of one next to it was changed before its own
-  std::map<int, std::vector<int>> KeptFor; ///< columns that are kept for the sake of another one
-};
 
 /**
  * @param precision absolute distance up to which a node is on the surface.

@@ -1,0 +1,247 @@
+#include "ColumnChoices.h"
+
+#include "AddUnique.h"
+
+#include <algorithm>
+
+namespace trim
+{
+
+ColumnChoices::ColumnChoices(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double precision, const LadderOptions& options, LadderPosition& position)
+  : TheBand(band)
+  , TheColumns(columns)
+  , Shares(shares)
+  , Options(options)
+  , Quality(band, options.Treatment, options.QualityFloor)
+  , Aimed(band, options.Treatment, options.AimedQuality())
+  , Trial(band, columns, shares, nodeStatus, surface, precision, options)
+  , Members(columns.Elements())
+  , At(position)
+{
+  if (!this->At.Rungs.empty())
+  {
+    return;
+  }
+  this->At.Rungs.assign(band.NumberOfElements(), Rung::None);
+  this->At.Disturbed.assign(band.NumberOfElements(), 0);
+  this->At.Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
+  this->At.Set.Corrections.assign(band.NumberOfNodes(), PillarChoice());
+  this->At.Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
+}
+
+bool ColumnChoices::TakeInside(const TrimmedBand& trimmed, const std::vector<int>& columns)
+{
+  const std::vector<char> behind = this->Trial.FindPillarsBehind(trimmed);
+  bool changed = false;
+  const auto take = [&](int e)
+  {
+    const auto& element = this->TheBand.Elements[e];
+    for (int i = 0; i < element.Count; ++i)
+    {
+      const int pillar = this->TheColumns.Pillar[element.Node[i]];
+      auto& set = this->At.Set.Corrections[pillar];
+      if (behind[pillar] && set.Correction < CorrectionChoice::Leave)
+      {
+        set = { CorrectionChoice::Inside, 0.0 };
+        changed = true;
+      }
+    }
+  };
+  for (const int column : columns)
+  {
+    const auto& element = this->TheBand.Elements[column];
+    for (int i = 0; i < element.Count; ++i)
+    {
+      for (const int e : this->TheBand.ElementsOfNode(element.Node[i]))
+      {
+        take(e);
+      }
+    }
+  }
+  return changed;
+}
+
+bool ColumnChoices::IsLeft(const TrimmedBand& trimmed, int node) const
+{
+  return trimmed.NodeMoves.Left[node] &&
+    this->At.Set.Corrections[this->TheColumns.Pillar[node]].Correction != CorrectionChoice::Inside;
+}
+
+int ColumnChoices::CountLeft(const TrimmedBand& trimmed) const
+{
+  int left = 0;
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    left += this->IsLeft(trimmed, n);
+  }
+  return left;
+}
+
+std::vector<int> ColumnChoices::PillarsToLeave(const TrimmedBand& trimmed, int column)
+{
+  std::vector<int> pillars;
+  this->ForMovingPillars(trimmed, column,
+    [&](int pillar)
+    {
+      const auto& set = this->At.Set.Corrections[pillar];
+      if (set.Correction != CorrectionChoice::Leave || set.Way > 0.0)
+      {
+        AddUnique(pillars, pillar);
+      }
+    });
+  return pillars;
+}
+
+bool ColumnChoices::LeaveBest(
+  const TrimmedBand& trimmed, int column, const std::vector<int>& pillars, double least)
+{
+  std::vector<std::vector<int>> choices;
+  for (const int pillar : pillars)
+  {
+    choices.push_back({ pillar });
+  }
+  for (const auto& together : { choices, { pillars } })
+  {
+    for (const double way : { 0.75, 0.5, 0.25, 0.0 })
+    {
+      const std::vector<int>* best = nullptr;
+      double quality = least;
+      for (const auto& choice : together)
+      {
+        const double found =
+          this->Quality.LowestIfLeft(trimmed, this->TheColumns, column, choice, way);
+        if (found >= quality)
+        {
+          quality = found;
+          best = &choice;
+        }
+      }
+      if (best)
+      {
+        this->LeaveOnWay(*best, way);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void ColumnChoices::LeaveOnWay(const std::vector<int>& pillars, double way)
+{
+  for (const int pillar : pillars)
+  {
+    auto& set = this->At.Set.Corrections[pillar];
+    const double gone = set.Correction == CorrectionChoice::Leave ? set.Way : 1.0;
+    set = { CorrectionChoice::Leave, gone * way };
+  }
+}
+
+bool ColumnChoices::LeaveCorners(int e)
+{
+  bool changed = false;
+  const auto& element = this->TheBand.Elements[e];
+  for (int i = 0; i < element.Count; ++i)
+  {
+    auto& treatment = this->At.Set.Treatments[this->TheColumns.Pillar[element.Node[i]]];
+    changed |= treatment != TreatmentChoice::LeaveCorner;
+    treatment = TreatmentChoice::LeaveCorner;
+  }
+  return changed;
+}
+
+bool ColumnChoices::LeaveWhole(int e)
+{
+  this->At.Rungs[this->TheColumns.Column[e]] = Rung::Left;
+  bool changed = this->LeaveCorners(e);
+  const auto& element = this->TheBand.Elements[e];
+  for (int i = 0; i < element.Count; ++i)
+  {
+    auto& set = this->At.Set.Corrections[this->TheColumns.Pillar[element.Node[i]]];
+    changed |= set.Correction != CorrectionChoice::Leave || set.Way > 0.0;
+    set = { CorrectionChoice::Leave, 0.0 };
+  }
+  return changed;
+}
+
+void ColumnChoices::LeaveInvalid(
+  const BandQuality& goal, bool anew, TrimmedBand& trimmed, const std::function<bool()>& aborted)
+{
+  while (!aborted())
+  {
+    trimmed.Invalid = this->Quality.FindInvalid(trimmed);
+    bool changed = false;
+    for (const int e : trimmed.Invalid)
+    {
+      changed |= this->LeaveWhole(e);
+    }
+    if (!changed)
+    {
+      return;
+    }
+    trimmed = this->Trial.Make(this->At.Set, goal, anew ? nullptr : &trimmed);
+  }
+}
+
+std::vector<int> ColumnChoices::ColumnsOf(const std::vector<int>& elements) const
+{
+  std::vector<int> columns;
+  for (const int e : elements)
+  {
+    columns.push_back(this->TheColumns.Column[e]);
+  }
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  return columns;
+}
+
+bool ColumnChoices::KeepAround(const TrimmedBand& trimmed, int column, bool failedOnly)
+{
+  auto& kept = this->At.KeptFor[column];
+  const std::size_t before = kept.size();
+  this->ForNodes(column,
+    [&](int node)
+    {
+      if (failedOnly && !trimmed.NodeMoves.Failed[node])
+      {
+        return;
+      }
+      for (const int other : this->TheBand.ElementsOfNode(node))
+      {
+        const int around = this->TheColumns.Column[other];
+        if (!trimmed.Kept[other] && this->At.Set.Fates[around] == Fate::ByVolume &&
+          this->Shares.Column[around] <= 1.0 - SmallestShare)
+        {
+          this->At.Set.Fates[around] = Fate::Keep;
+          this->DisturbAround(around);
+          kept.push_back(around);
+        }
+      }
+    });
+  return kept.size() > before;
+}
+
+void ColumnChoices::GiveBack(int column)
+{
+  for (const int around : this->At.KeptFor[column])
+  {
+    this->At.Set.Fates[around] = Fate::ByVolume;
+  }
+  this->At.KeptFor[column].clear();
+}
+
+void ColumnChoices::DisturbAround(int changed)
+{
+  this->ForNodes(changed,
+    [this](int node)
+    {
+      for (const int other : this->TheBand.ElementsOfNode(node))
+      {
+        const int next = this->TheColumns.Column[other];
+        this->At.Disturbed[next] |= this->At.Rungs[next] == Rung::None;
+      }
+    });
+}
+
+}
