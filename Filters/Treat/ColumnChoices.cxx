@@ -211,7 +211,7 @@ bool ColumnChoices::KeepAround(const TrimmedBand& trimmed, int column, bool fail
       {
         const int around = this->TheColumns.Column[other];
         if (!trimmed.Kept[other] && this->At.Set.Fates[around] == Fate::ByVolume &&
-          this->Shares.Column[around] <= 1.0 - SmallestShare)
+          this->Shares.Column[around] <= 1.0 - (failedOnly ? SmallestCornerShare : SmallestShare))
         {
           this->At.Set.Fates[around] = Fate::Keep;
           this->DisturbAround(around);

@@ -26,6 +26,8 @@ struct LadderPosition
 /// Columns with less than this share beyond the surface are never eliminated by the ladder, nor
 /// are those with more than the complement kept: the trim would wander off.
 constexpr double SmallestShare = 0.15;
+/// The same for what is kept so that a corner of the model need not move.
+constexpr double SmallestCornerShare = 0.01;
 
 /// What it is given must outlive it.
 class ColumnChoices
