@@ -199,6 +199,8 @@ std::vector<int> ColumnChoices::ColumnsOf(const std::vector<int>& elements) cons
 bool ColumnChoices::KeepAround(const TrimmedBand& trimmed, int column, bool failedOnly)
 {
   auto& kept = this->At.KeptFor[column];
+  const double least =
+    failedOnly && this->Options.KeepsCorners ? SmallestCornerShare : SmallestShare;
   const std::size_t before = kept.size();
   this->ForNodes(column,
     [&](int node)
@@ -211,7 +213,7 @@ bool ColumnChoices::KeepAround(const TrimmedBand& trimmed, int column, bool fail
       {
         const int around = this->TheColumns.Column[other];
         if (!trimmed.Kept[other] && this->At.Set.Fates[around] == Fate::ByVolume &&
-          this->Shares.Column[around] <= 1.0 - (failedOnly ? SmallestCornerShare : SmallestShare))
+          this->Shares.Column[around] <= 1.0 - least)
         {
           this->At.Set.Fates[around] = Fate::Keep;
           this->DisturbAround(around);

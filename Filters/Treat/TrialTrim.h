@@ -36,6 +36,9 @@ struct LadderOptions
   double EliminationFraction = 0.5;
   /// Scaled Jacobian that touched elements have to reach, but for straight corners; 0: none.
   double QualityFloor = 0.2;
+  /// Whether what is nearly all beyond the surface may be kept so that a corner of the model need
+  /// not move.
+  bool KeepsCorners = true;
   Demands ForOffcut;
 
   /// Scaled Jacobian that touched elements are to reach short of leaving nodes off; 0: none.

@@ -1,6 +1,7 @@
 #include "BandTrim.h"
 
 #include "BandQuality.h"
+#include "ColumnChoices.h"
 #include "Shortfalls.h"
 
 #include <algorithm>
@@ -73,32 +74,58 @@ Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& opti
   return sum;
 }
 
+/// Whether something is kept that is nearly all beyond the surface.
+bool KeepsCorners(const TrimBand& near)
+{
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  {
+    if (near.Trimmed.Kept[e] && near.Shares.Column[e] > 1.0 - SmallestShare)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
-/// Whole columns may leave nodes far off, where the cut wanders through a block or along a wall;
-/// then every element is decided for itself, if that comes nearer to the surface.
+}
+
+/// What is kept for a corner of the model may leave nodes farther off than the corner would be, and
+/// whole columns do where the cut wanders through a block or along a wall; then it is decided again
+/// without, every element for itself, and what comes nearest to the surface is taken.
 void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const LadderOptions& options, bool produceOffcut, const Progress& progress)
 {
   Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.0, 0.5));
   // Most trims leave nothing, and are not measured again.
   if (near.NodesLeft.empty() || near.NodesLeft.size() > MostLeft ||
-    options.QualityFloor > HighestFloor || !near.Structure.HasColumns())
+    options.QualityFloor > HighestFloor)
   {
     return;
   }
-  const Shortcomings byColumns = MeasureShortcomings(near, options);
-  if (progress(-1.0) || byColumns.Farthest < FarthestLeft)
+  Shortcomings least = MeasureShortcomings(near, options);
+  const auto tryAgain = [&](const LadderOptions& with, bool columns, double begin, double end)
   {
-    return;
+    BandTrim best = std::move(static_cast<BandTrim&>(near));
+    near.Structure = columns ? best.Structure : NoColumns(near.Mesh);
+    near.Shares = columns ? best.Shares : VolumeShares{ best.Shares.Element, best.Shares.Element };
+    Climb(near, surface, precision, with, produceOffcut, Part(progress, begin, end));
+    const Shortcomings now = MeasureShortcomings(near, options);
+    if (now < least)
+    {
+      least = now;
+      return;
+    }
+    static_cast<BandTrim&>(near) = std::move(best);
+  };
+  if (!progress(-1.0) && least.Farthest >= FarthestLeft && KeepsCorners(near))
+  {
+    LadderOptions without = options;
+    without.KeepsCorners = false;
+    tryAgain(without, true, 0.5, 0.75);
   }
-  BandTrim first = std::move(static_cast<BandTrim&>(near));
-  near.Structure = NoColumns(near.Mesh);
-  near.Shares = { first.Shares.Element, first.Shares.Element };
-  Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.5, 1.0));
-  if (!(MeasureShortcomings(near, options) < byColumns))
+  if (!progress(-1.0) && least.Farthest >= FarthestLeft && near.Structure.HasColumns())
   {
-    static_cast<BandTrim&>(near) = std::move(first);
+    tryAgain(options, false, 0.75, 1.0);
   }
 }
 
