@@ -277,14 +277,14 @@ void TestShortfalls()
   Expect(leftOff > 20, "a floor of 0.99 leaves nothing off the surface");
 }
 
-// A slot along a hole of the model: nodes with no place to go.
+// A cone past the corners of a hole of the model: nodes with no place to go.
 void TestLeft()
 {
   const Mesh mesh = MakeMesh("hole");
   Placement at;
   at.Seed = 3;
   at.Size = 0.45;
-  const Surface surface = MakeSurface("roundrect", mesh.Box, at);
+  const Surface surface = MakeSurface("cone", mesh.Box, at);
   const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
   ExpectWarned("left", outcome);
   Expect(CountWarned(outcome, LeftPhrase) > 0, "left: no node is");
