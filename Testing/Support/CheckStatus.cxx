@@ -203,8 +203,33 @@ void CheckStatuses(const Evidence& e, Report& report)
 
 namespace
 {
+// The largest cross-section of an element by planes across a direction, over its volume: one over
+// its width if it stands along the direction, more if it is aslant to it.
+double LargestSection(
+  const std::array<Vec3, 8>& corners, int size, const Vec3& direction, double low, double high)
+{
+  constexpr int slices = 10, samples = 12;
+  std::array<double, slices> slice{};
+  double all = 0;
+  for (int i = 0; i < samples * samples * samples; ++i)
+  {
+    const Vec3 at =
+      (Vec3(i % samples, (i / samples) % samples, i / (samples * samples)) + Vec3::Constant(0.5)) /
+      samples;
+    if (size == 6 && at[0] + at[1] > 1)
+    {
+      continue;
+    }
+    const double share = (direction.dot(PositionAt(corners, size, at)) - low) / (high - low);
+    const double weight = std::abs(JacobianAt(corners, size, at));
+    slice[std::clamp(static_cast<int>(slices * share), 0, slices - 1)] += weight;
+    all += weight;
+  }
+  return *std::max_element(slice.begin(), slice.end()) / all * slices / (high - low);
+}
+
 // The estimate takes the surface as plane within a tetrahedron; its error is the sagitta over
-// the element against the element's width across the surface.
+// the element times the element's section along the surface.
 double ChordError(const Evidence& e, const std::array<Vec3, 8>& corners, int size)
 {
   const Vec3 middle = PositionAt(corners, size, Vec3(1.0 / 3, 1.0 / 3, 0.5));
@@ -227,7 +252,9 @@ double ChordError(const Evidence& e, const std::array<Vec3, 8>& corners, int siz
   {
     return 1;
   }
-  return half * half / (radius + std::sqrt(radius * radius - half * half)) / (high - low);
+  const double middleAt = gradient.dot(middle);
+  return half * half / (radius + std::sqrt(radius * radius - half * half)) *
+    LargestSection(corners, size, gradient, low + middleAt, high + middleAt);
 }
 
 // The estimate takes the faces of its tetrahedra for those of the element. Between a twisted face
