@@ -2,6 +2,7 @@
 
 #include "ElementTopology.h"
 #include "PieceSides.h"
+#include "Runs.h"
 #include "SideSets.h"
 
 #include <vtkSMPTools.h>
@@ -206,11 +207,11 @@ std::vector<Id> AssignSidesOfPatches(
 {
   constexpr Id grain = 50000;
   constexpr unsigned char unknown = NodeUnknown;
-  std::vector<std::vector<Id>> left((mesh.NumberOfPoints + grain - 1) / grain);
-  vtkSMPTools::For(0, static_cast<Id>(left.size()), 1,
-    [&](Id begin, Id end)
+  std::vector<std::vector<Id>> left(NumberOfRuns(mesh.NumberOfPoints, grain));
+  ForRuns(mesh.NumberOfPoints, grain,
+    [&](Id part, Id begin, Id end)
     {
-      for (Id i = begin * grain; i < std::min(mesh.NumberOfPoints, end * grain); ++i)
+      for (Id i = begin; i < end; ++i)
       {
         if (result.Status[i] != NodeUnknown)
         {
@@ -220,7 +221,7 @@ std::vector<Id> AssignSidesOfPatches(
         result.Status[i] = run == MeshBlocks::NoRun ? unknown : result.PatchSide[run];
         if (result.Status[i] == NodeUnknown)
         {
-          left[i / grain].push_back(i);
+          left[part].push_back(i);
         }
       }
     });

@@ -72,7 +72,7 @@ private:
   Vec3 Normal;
   bool PlaneAndConvex;
   std::array<Vec3, 4> Inward;    ///< from each edge, as long as the edge
-  std::array<double, 4> Squared; ///< length of each edge
+  std::array<double, 4> Squared; ///< length of each edge, squared
 };
 
 }

@@ -1,5 +1,7 @@
 #include "ArrayRanges.h"
 
+#include "Runs.h"
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
@@ -60,17 +62,14 @@ struct Range
 template <typename Value, typename Action>
 std::vector<Range<Value>> Join(vtkIdType tuples, std::size_t count, const Action& add)
 {
-  const vtkIdType pieces = (tuples + Grain - 1) / Grain;
+  const vtkIdType pieces = NumberOfRuns(tuples, Grain);
   std::vector<Range<Value>> found(pieces * count);
-  vtkSMPTools::For(0, pieces, 1,
-    [&](vtkIdType first, vtkIdType last)
+  ForRuns(tuples, Grain,
+    [&](vtkIdType piece, vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType piece = first; piece < last; ++piece)
-      {
-        std::vector<Range<Value>> ranges(count);
-        add(ranges.data(), piece * Grain, std::min(tuples, (piece + 1) * Grain));
-        std::copy(ranges.begin(), ranges.end(), found.begin() + piece * count);
-      }
+      std::vector<Range<Value>> ranges(count);
+      add(ranges.data(), begin, end);
+      std::copy(ranges.begin(), ranges.end(), found.begin() + piece * count);
     });
   std::vector<Range<Value>> joined(count);
   for (std::size_t i = 0; i < found.size(); ++i)

@@ -94,7 +94,7 @@ void NumberFlagged(const PointFlags& flags, GridPart& part)
 {
   const auto count = static_cast<Id>(flags.size());
   const auto isSet = [&flags](Id p) { return flags[p].load(std::memory_order_relaxed) != 0; };
-  const Id runs = (count + PartGrain - 1) / PartGrain;
+  const Id runs = NumberOfRuns(count, PartGrain);
   std::vector<Id> first(runs + 1, 0);
   ForRuns(count,
     [&](Id run, Id begin, Id end)

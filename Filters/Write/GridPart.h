@@ -76,7 +76,7 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
   NodeStatus side, GridPart& part, const IsInBand& isInBand, const NodesOf& nodesOf)
 {
   const Id count = part.Cells.size();
-  part.Offset.assign((count + PartGrain - 1) / PartGrain + 1, 0);
+  part.Offset.assign(NumberOfRuns(count, PartGrain) + 1, 0);
   PointFlags used = FlagSideOffBand(mesh, blocks, result, side);
   ForRuns(count,
     [&](Id run, Id begin, Id end)

@@ -30,7 +30,7 @@ template <typename Term>
 double OrderlessSum(Id count, const Term& term, const Ranks& ranks)
 {
   constexpr Id grain = 30000;
-  const Id runs = (count + grain - 1) / grain;
+  const Id runs = NumberOfRuns(count, grain);
   const auto forRuns = [&](const auto& action)
   {
     vtkSMPTools::For(0, runs, 1,

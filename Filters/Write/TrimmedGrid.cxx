@@ -88,7 +88,7 @@ void ForAll(int count, const Action& action)
 
 void CollectCells(const HexMesh& mesh, const TrimResult& result, KeptMesh& kept)
 {
-  const Id runs = (mesh.NumberOfCells + PartGrain - 1) / PartGrain;
+  const Id runs = NumberOfRuns(mesh.NumberOfCells, PartGrain);
   std::vector<Id> first(runs + 1, 0);
   ForRuns(mesh.NumberOfCells,
     [&](Id run, Id begin, Id end) {

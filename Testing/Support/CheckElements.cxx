@@ -518,13 +518,35 @@ private:
   const Model& In;
   ManifoldDefects Defects;
 };
+
+/// Elements that both parts have must hold one of them together.
+void CheckInBoth(
+  const Evidence& kept, const Evidence& offcut, const std::vector<Id>& inBoth, Report& report)
+{
+  if (inBoth.empty())
+  {
+    return;
+  }
+  const Bridges inKept(kept, offcut), inOffcut(offcut, kept);
+  for (const Id c : inBoth)
+  {
+    if (inKept.At(c) || inOffcut.At(c))
+    {
+      report.Note("elements in both parts that hold one together");
+    }
+    else
+    {
+      report.Fail("kept part or offcut", "input " + Cell(c) + " is in that many", 2, 1);
+    }
+  }
+}
 }
 
 void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
 {
   // An element in neither part went from both for the sake of its shape: its neighbours have to
   // fill its place. In both: the parts overlap.
-  const Bridges inKept(kept, offcut), inOffcut(offcut, kept);
+  std::vector<Id> inBoth;
   bool tie = false;
   for (Id c = 0; c < static_cast<Id>(kept.In.Elements.size()); ++c)
   {
@@ -542,15 +564,12 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
     {
       tie = true; // "more than this share" is true of neither side
     }
-    else if (parts == 2 && (inKept.At(c) || inOffcut.At(c)))
-    {
-      report.Note("elements in both parts that hold one together");
-    }
     else if (parts == 2)
     {
-      report.Fail("kept part or offcut", "input " + Cell(c) + " is in that many", parts, 1);
+      inBoth.push_back(c);
     }
   }
+  CheckInBoth(kept, offcut, inBoth, report);
   if (kept.Case.Options.CorrectionType == 1 || HasNodesLeft(kept) || HasNodesLeft(offcut))
   {
     return;
