@@ -4,8 +4,6 @@
 
 #include <vtkSMPTools.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <limits>
 
@@ -39,7 +37,6 @@ Band::Band(BandCells cells, int rings, bool singlePrecision)
 {
   SortByPlace(cells);
   this->TakeElements(cells);
-  this->OrientWedges();
   this->ElementLists = BuildLists(this->NumberOfNodes(),
     [this](auto&& add)
     {
@@ -80,26 +77,6 @@ void Band::TakeElements(const BandCells& cells)
     this->ElementStatus.push_back(cell.Status);
   }
   std::sort(this->ElementByCell.begin(), this->ElementByCell.end());
-}
-
-void Band::OrientWedges()
-{
-  for (auto& element : this->Elements)
-  {
-    if (element.Count != 6)
-    {
-      continue;
-    }
-    const auto& n = element.Node;
-    const Vec3 normal =
-      (this->Point[n[1]] - this->Point[n[0]]).cross(this->Point[n[2]] - this->Point[n[0]]);
-    const Vec3 up = this->Point[n[3]] + this->Point[n[4]] + this->Point[n[5]] - this->Point[n[0]] -
-      this->Point[n[1]] - this->Point[n[2]];
-    if (normal.dot(up) < 0.0)
-    {
-      std::swap_ranges(element.Node.begin(), element.Node.begin() + 3, element.Node.begin() + 3);
-    }
-  }
 }
 
 std::vector<Band::Side> Band::FindTwins() const

@@ -102,7 +102,6 @@ public:
 
 private:
   void TakeElements(const BandCells& cells);
-  void OrientWedges();
   /// A face as one of its elements has it; element -1: none.
   struct Side
   {

@@ -11,6 +11,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <type_traits>
@@ -193,6 +196,18 @@ std::string Describe(CellDefect defect, Id c, int type)
   }
 }
 
+}
+
+void HexMesh::OrientWedge(std::array<Id, 8>& nodes) const
+{
+  std::array<Vec3, 6> p;
+  std::transform(
+    nodes.begin(), nodes.begin() + 6, p.begin(), [this](Id node) { return this->Point(node); });
+  const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+  if (normal.dot(p[3] + p[4] + p[5] - p[0] - p[1] - p[2]) < 0.0)
+  {
+    std::swap_ranges(nodes.begin(), nodes.begin() + 3, nodes.begin() + 3);
+  }
 }
 
 bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)

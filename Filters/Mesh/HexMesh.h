@@ -49,11 +49,17 @@ struct HexMesh
     return Vec3(p[0], p[1], p[2]);
   }
 
-  /// Node ids of cell c; returns their number, 8 or 6.
+  /// Node ids of cell c, those of a wedge in the order of ElementTopology.h even if the grid has
+  /// them in the other one; returns their number, 8 or 6.
   int Cell(Id c, std::array<Id, 8>& nodes) const
   {
-    return this->Offsets64 ? Gather(this->Connectivity64, this->Offsets64, c, nodes)
-                           : Gather(this->Connectivity32, this->Offsets32, c, nodes);
+    const int count = this->Offsets64 ? Gather(this->Connectivity64, this->Offsets64, c, nodes)
+                                      : Gather(this->Connectivity32, this->Offsets32, c, nodes);
+    if (count == 6)
+    {
+      this->OrientWedge(nodes);
+    }
+    return count;
   }
 
   /// 8 or 6.
@@ -70,6 +76,8 @@ struct HexMesh
   }
 
 private:
+  void OrientWedge(std::array<Id, 8>& nodes) const;
+
   template <typename T>
   static int Gather(const T* connectivity, const T* offsets, Id c, std::array<Id, 8>& nodes)
   {

@@ -48,9 +48,10 @@
  * are left out of both outputs. Nodes are renumbered within the piece and vtkOriginal...Ids are
  * those of the piece; the summary is that of the whole grid, on every rank.
  *
- * @warning Wedges that the trim makes have their nodes 0-1-2 oriented so that their normal
- * points to nodes 3-4-5: the Jacobian of vtkWedge's shape functions is positive, as
- * vtkMeshQuality and the solver codes expect; vtkCellSizeFilter reports a negative volume.
+ * @warning Wedges of ports 0 and 2 have their nodes 0-1-2 oriented so that their normal points to
+ * nodes 3-4-5: the Jacobian of vtkWedge's shape functions is positive, as vtkMeshQuality and the
+ * solver codes expect; vtkCellSizeFilter reports a negative volume. Those of the input that have
+ * the other order are turned.
  *
  * @sa vtkCADSurfaceReader vtkNURBSSurfaceSource
  */

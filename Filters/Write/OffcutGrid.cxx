@@ -81,12 +81,7 @@ int NodesOf(
   {
     return mesh.Cell(cell, nodes);
   }
-  // Wedges of the input keep the order they came in; the band may have turned them.
   const auto& part = result.Near->Rest.Elements[bandPart];
-  if (part.Count == result.Near->Mesh.Elements[part.Element].Count)
-  {
-    return mesh.Cell(cell, nodes);
-  }
   for (int i = 0; i < part.Count; ++i)
   {
     nodes[i] = result.Near->Mesh.GlobalNode[part.Node[i]];
@@ -104,12 +99,7 @@ ElementPoints PointsOfCell(
     return PointsOf(result.Near->Rest, part);
   }
   ElementPoints points;
-  std::array<Id, 8> nodes;
-  count = mesh.Cell(cell, nodes);
-  for (int i = 0; i < count; ++i)
-  {
-    points[i] = mesh.Point(nodes[i]);
-  }
+  count = trim::PointsOfCell(mesh, cell, points);
   return points;
 }
 

@@ -8,8 +8,10 @@
 #include "RunTrim.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
@@ -262,6 +264,37 @@ void TestKeepPoint()
   }
 }
 
+// Wedges of the input may have the node order of vtkWedge's documentation; those of the outputs
+// have the other one, as if the input had it.
+void TestWedgeOrder()
+{
+  const Mesh mesh = MakeMesh("wedges");
+  Mesh turned = mesh;
+  turned.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  turned.Grid->DeepCopy(mesh.Grid);
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType c = 0; c < mesh.Grid->GetNumberOfCells(); ++c)
+  {
+    mesh.Grid->GetCellPoints(c, nodes);
+    if (nodes->GetNumberOfIds() == 6 && c % 3 != 0)
+    {
+      const vtkIdType* n = nodes->GetPointer(0);
+      const vtkIdType other[] = { n[3], n[4], n[5], n[0], n[1], n[2] };
+      turned.Grid->GetCells()->ReplaceCellAtId(c, 6, other);
+    }
+  }
+  const Surface surface = MakeSurface("contour", mesh.Box, Placement());
+  TrimOptions options;
+  options.ProduceOffcut = true;
+  const Outcome as = RunTrim(mesh, surface, options);
+  Report report("wedges in the other order");
+  const Outcome other = RunAndJudge(turned, surface, options, report);
+  Wrong += report.Failures();
+  Expect(FirstDifference(turned.Grid, mesh.Grid) != "", "no wedge was turned");
+  Expect(FirstDifference(other.Case.Trimmed, as.Case.Trimmed).empty(), "turned wedges: port 0");
+  Expect(FirstDifference(other.Offcut, as.Offcut).empty(), "turned wedges: port 2");
+}
+
 // Aborted at the first progress event: an empty output or a whole one, no crash, and the
 // filter works afterwards.
 void TestAbort()
@@ -334,6 +367,7 @@ int main()
   TestPatch();
   TestCrossingAtKnot();
   TestKeepPoint();
+  TestWedgeOrder();
   TestAbort();
   TestProgress();
   std::printf("%d wrong\n", Wrong);

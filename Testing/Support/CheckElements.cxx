@@ -125,6 +125,12 @@ void CheckElements(const Evidence& e, Report& report)
     const bool touched = e.Touched(c) || element.Size != input.Size;
     if (!touched)
     {
+      const auto isSame = [&](Id own, Id node) { return e.PointOf[own] == node; };
+      if (!std::equal(element.Node.begin(), element.Node.begin() + element.Size,
+            input.Node.begin(), isSame))
+      {
+        report.Fail("nodes of an untouched element", Cell(c) + " are in another order");
+      }
       continue;
     }
     const auto corners = e.Out.Corners(c);

@@ -33,11 +33,25 @@ std::vector<T> Values(
   }
   return values;
 }
+
+/// Wedges of an input may have the order of their nodes that those of an output must not have.
+Model WithWedgesTurned(Model model)
+{
+  for (Id e = 0; e < static_cast<Id>(model.Elements.size()); ++e)
+  {
+    Element& element = model.Elements[e];
+    if (element.Size == 6 && VolumeOf(model.Corners(e), 6) < 0)
+    {
+      std::swap_ranges(element.Node.begin(), element.Node.begin() + 3, element.Node.begin() + 3);
+    }
+  }
+  return model;
+}
 }
 
 Evidence::Evidence(const Trial& trial, Report& report)
   : Case(trial)
-  , In(trial.Input->Grid)
+  , In(WithWedgesTurned(Model(trial.Input->Grid)))
   , Out(trial.Trimmed)
   , Border(In)
   , Diagonal(In.Diagonal())
