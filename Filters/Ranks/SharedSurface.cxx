@@ -73,40 +73,26 @@ nurbs::NurbsSurface Unpack(const Packed& packed)
 }
 
 std::vector<nurbs::NurbsSurface> ShareFaces(
-  const Ranks& ranks, std::vector<nurbs::NurbsSurface> own)
+  const Ranks& ranks, const std::vector<nurbs::NurbsSurface>& own)
 {
-  if (ranks.Alone())
-  {
-    return own;
-  }
   Packed mine;
   for (const auto& face : own)
   {
     const Packed packed = Pack(face);
     mine.insert(mine.end(), packed.begin(), packed.end());
   }
-  std::vector<std::size_t> ends;
-  const Packed all = ranks.Gather(mine, ends);
+  const Packed all = ranks.Gather(mine);
   std::vector<nurbs::NurbsSurface> faces;
-  std::set<Packed> ofEarlierRanks;
-  std::size_t at = 0;
-  for (const std::size_t end : ends)
+  std::set<Packed> seen;
+  for (auto first = all.begin(); first != all.end();)
   {
-    std::vector<Packed> ofRank;
-    while (at < end)
+    const auto last = first + static_cast<std::ptrdiff_t>(*first);
+    const auto [packed, isNew] = seen.emplace(first, last);
+    if (isNew)
     {
-      const auto first = all.begin() + static_cast<std::ptrdiff_t>(at);
-      ofRank.emplace_back(first, first + static_cast<std::ptrdiff_t>(all[at]));
-      at += ofRank.back().size();
+      faces.push_back(Unpack(*packed));
     }
-    for (const Packed& packed : ofRank)
-    {
-      if (ofEarlierRanks.count(packed) == 0)
-      {
-        faces.push_back(Unpack(packed));
-      }
-    }
-    ofEarlierRanks.insert(ofRank.begin(), ofRank.end());
+    first = last;
   }
   return faces;
 }

@@ -1,6 +1,6 @@
 /**
  * @file SharedSurface.h
- * @brief The whole trimming surface on every rank, wherever its faces are.
+ * @brief The whole trimming surface on every rank, wherever its faces are and how often.
  */
 #ifndef SharedSurface_h
 #define SharedSurface_h
@@ -14,12 +14,12 @@ namespace trim
 {
 
 /**
- * The faces of all ranks, rank by rank; collective. A source gives the whole surface to each rank
- * or to the first alone, and a file of many blocks is spread over the ranks: a face that an
- * earlier rank has too is taken once.
+ * The faces of all ranks, rank by rank, each once; collective. A source gives the whole surface to
+ * each rank or to the first alone, a file of many blocks is spread over the ranks, and CAD programs
+ * write a body as a solid and once more as its shells.
  */
 std::vector<nurbs::NurbsSurface> ShareFaces(
-  const Ranks& ranks, std::vector<nurbs::NurbsSurface> own);
+  const Ranks& ranks, const std::vector<nurbs::NurbsSurface>& own);
 
 }
 

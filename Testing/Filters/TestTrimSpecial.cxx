@@ -12,6 +12,7 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
@@ -264,6 +265,29 @@ void TestKeepPoint()
   }
 }
 
+// CAD programs write a body as a solid and its shells beside it: faces that are there more than
+// once trim as one.
+void TestRepeatedFaces()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  for (const char* kind : { "plane", "roundrect" })
+  {
+    const Surface once = MakeSurface(kind, mesh.Box, Placement());
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      blocks->SetBlock(i, once.Data);
+    }
+    Surface often = once;
+    often.Data = blocks;
+    const Outcome a = RunTrim(mesh, once, TrimOptions()), b = RunTrim(mesh, often, TrimOptions());
+    Expect(a.Clean() && b.Clean() && a.Warnings.size() == b.Warnings.size(),
+      "repeated faces: messages");
+    Expect(FirstDifference(a.Case.Trimmed, b.Case.Trimmed).empty(),
+      std::string("repeated faces: ") + kind);
+  }
+}
+
 // Wedges of the input may have the node order of vtkWedge's documentation; those of the outputs
 // have the other one, as if the input had it.
 void TestWedgeOrder()
@@ -367,6 +391,7 @@ int main()
   TestPatch();
   TestCrossingAtKnot();
   TestKeepPoint();
+  TestRepeatedFaces();
   TestWedgeOrder();
   TestAbort();
   TestProgress();
