@@ -49,10 +49,10 @@ const char* const Colors = R"json({
       "IndexedLookup" : 1,
       "AutomaticRescaleRangeMode" : -1,
       "Annotations" : [ "0", "none", "1", "below the quality floor", "2", "left off the surface",
-        "3", "invalid" ],
+        "3", "invalid", "4", "invalid as it came" ],
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.99, 0.72, 0.26,  0.89, 0.40, 0.10,
-        0.84, 0.19, 0.15 ],
-      "IndexedOpacities" : [ 1, 1, 1, 1 ] } },
+        0.84, 0.19, 0.15,  0.60, 0.31, 0.64 ],
+      "IndexedOpacities" : [ 1, 1, 1, 1, 1 ] } },
     "CornerLost" : { "PVLookupTable" : {
       "IndexedLookup" : 1,
       "AutomaticRescaleRangeMode" : -1,

@@ -38,6 +38,17 @@ double ShortestDistance(const ElementPoints& p, int count)
   return std::sqrt(shortest);
 }
 
+ElementPoints ShapeBefore(const Band& band, int e)
+{
+  const auto& element = band.Elements[e];
+  ElementPoints before;
+  for (int i = 0; i < element.Count; ++i)
+  {
+    before[i] = band.Point[element.Node[i]];
+  }
+  return before;
+}
+
 bool IsValid(const ElementPoints& points, int count, Optimization treatment)
 {
   const JacobianRange range = treatment == Optimization::None
@@ -56,6 +67,12 @@ bool IsValid(const ElementPoints& points, int count, Optimization treatment)
     default:
       return true;
   }
+}
+
+/// What came inside out or without volume is not held to anything.
+bool WasInvalid(const Band& band, int e)
+{
+  return !IsValid(ShapeBefore(band, e), band.Elements[e].Count, Optimization::None);
 }
 
 /// The elements that pass a test, ascending, asked by all threads.
@@ -85,15 +102,19 @@ std::vector<int> FindElements(const Band& band, const Test& test)
 
 }
 
-ElementPoints BandQuality::ShapeBefore(int e) const
+bool StaysInvalid(const Band& band, int e, const ElementPoints& points, int count)
 {
-  const auto& element = this->TheBand.Elements[e];
-  ElementPoints before;
-  for (int i = 0; i < element.Count; ++i)
-  {
-    before[i] = this->TheBand.Point[element.Node[i]];
-  }
-  return before;
+  return WasInvalid(band, e) && !(MeasureJacobian(points, count).Bezier > 0.0);
+}
+
+std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed)
+{
+  return FindElements(band,
+    [&](int e)
+    {
+      const FinalElement final = FinalShape(band, trimmed, e);
+      return trimmed.Kept[e] && final.Touched && StaysInvalid(band, e, final.Points, final.Count);
+    });
 }
 
 /// The straight corners that the treatment asked for makes.
@@ -129,12 +150,12 @@ bool BandQuality::IsSpoiled(
 
 bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 {
-  const auto& element = this->TheBand.Elements[e];
-  const ElementPoints before = this->ShapeBefore(e);
-  if (!IsValid(before, element.Count, Optimization::None))
+  if (WasInvalid(this->TheBand, e))
   {
-    return false; // it came like this
+    return false;
   }
+  const auto& element = this->TheBand.Elements[e];
+  const ElementPoints before = ShapeBefore(this->TheBand, e);
   return VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before, element.Count) ||
     !IsValid(points, count, this->Treatment) ||
     ShortestDistance(points, count) <
@@ -144,7 +165,7 @@ bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 /// A higher floor must not let go what a lower one would hold.
 double BandQuality::FloorOf(int e) const
 {
-  const double before = ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count);
+  const double before = ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count);
   if (before >= this->Floor)
   {
     return this->Floor;
@@ -159,7 +180,7 @@ bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count)
     return false;
   }
   const double quality = ScaledJacobian(points, count);
-  return quality < this->Floor && quality < this->FloorOf(e);
+  return quality < this->Floor && quality < this->FloorOf(e) && !WasInvalid(this->TheBand, e);
 }
 
 template <typename Test>
@@ -190,8 +211,9 @@ std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double sca
     [this, scaledJacobian](int e, const FinalElement& final)
     {
       const double now = ScaledJacobian(final.Points, final.Count);
-      return now < scaledJacobian &&
-        now < SameQuality * ScaledJacobian(this->ShapeBefore(e), this->TheBand.Elements[e].Count);
+      const auto before = [&]
+      { return ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count); };
+      return now < scaledJacobian && now < SameQuality * before() && !WasInvalid(this->TheBand, e);
     });
 }
 

@@ -12,6 +12,12 @@
 namespace trim
 {
 
+/// Whether an element of the input that is inside out or without volume is so in a shape, too.
+bool StaysInvalid(const Band& band, int element, const ElementPoints& points, int count);
+
+/// The touched elements that are invalid as they came, ascending.
+std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed);
+
 class BandQuality
 {
 public:
@@ -60,7 +66,6 @@ public:
   bool FallsBelowFloor(int element, const ElementPoints& points, int count) const;
 
 private:
-  ElementPoints ShapeBefore(int element) const;
   double FloorOf(int element) const;
   bool IsExempt(const TrimmedBand& trimmed, int element) const;
   /// Touched kept elements that are not exempt and pass a test.

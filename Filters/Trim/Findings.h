@@ -31,7 +31,8 @@ enum class Shortfall : unsigned char
   None = 0,
   BelowFloor = 1, ///< valid, but below MinimumScaledJacobian
   LeftOff = 2,    ///< has a node that was left off the surface
-  Invalid = 3     ///< distorted beyond repair
+  Invalid = 3,    ///< distorted beyond repair
+  CameInvalid = 4 ///< inside out or without volume, as it was before the trim
 };
 
 /// Lists by ascending id in the input; whoever is not listed has the value zero.

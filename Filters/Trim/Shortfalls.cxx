@@ -1,5 +1,6 @@
 #include "Shortfalls.h"
 
+#include "BandQuality.h"
 #include "NodeConstraint.h"
 #include "Status.h"
 
@@ -20,14 +21,21 @@ double StoredPrecision(const Band& band, int node, double precision)
   return std::max(precision, 2.0 * spacing);
 }
 
+/// Elements of one part of the mesh that are not as asked.
+struct FaultyElements
+{
+  const std::vector<int>& BelowFloor;
+  const std::vector<int>& Invalid;
+  std::vector<int> CameInvalid;
+};
+
 /// @param isIn whether an element of the band belongs to the part.
 template <typename IsIn>
-std::vector<std::pair<int, Shortfall>> Gather(const TrimBand& near,
-  const std::vector<int>& belowFloor, const std::vector<std::pair<int, float>>& left,
-  const std::vector<int>& invalid, const IsIn& isIn)
+std::vector<std::pair<int, Shortfall>> Gather(const TrimBand& near, const FaultyElements& faulty,
+  const std::vector<std::pair<int, float>>& left, const IsIn& isIn)
 {
   std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
-  for (const int e : belowFloor)
+  for (const int e : faulty.BelowFloor)
   {
     values[e] = Shortfall::BelowFloor;
   }
@@ -38,9 +46,13 @@ std::vector<std::pair<int, Shortfall>> Gather(const TrimBand& near,
       values[e] = isIn(e) ? Shortfall::LeftOff : values[e];
     }
   }
-  for (const int e : invalid)
+  for (const int e : faulty.Invalid)
   {
     values[e] = Shortfall::Invalid;
+  }
+  for (const int e : faulty.CameInvalid)
+  {
+    values[e] = Shortfall::CameInvalid;
   }
   std::vector<std::pair<int, Shortfall>> found;
   for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
@@ -81,20 +93,26 @@ std::vector<std::pair<int, float>> FindNodesLeft(
 std::vector<std::pair<int, Shortfall>> FindShortfalls(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left)
 {
-  return Gather(near, near.Trimmed.BelowFloor, left, near.Trimmed.Invalid,
-    [&near](int e) { return near.Trimmed.Kept[e] != 0; });
+  const FaultyElements faulty{ near.Trimmed.BelowFloor, near.Trimmed.Invalid,
+    FindStillInvalid(near.Mesh, near.Trimmed) };
+  return Gather(near, faulty, left, [&near](int e) { return near.Trimmed.Kept[e] != 0; });
 }
 
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left)
 {
+  FaultyElements faulty{ near.Rest.BelowFloor, near.Rest.Invalid, {} };
   std::vector<char> inOffcut(near.Mesh.NumberOfElements(), 0);
   for (const auto& element : near.Rest.Elements)
   {
     inOffcut[element.Element] = 1;
+    if (IsTouched(near.Mesh, near.Rest, element) &&
+      StaysInvalid(near.Mesh, element.Element, PointsOf(near.Rest, element), element.Count))
+    {
+      faulty.CameInvalid.push_back(element.Element);
+    }
   }
-  return Gather(near, near.Rest.BelowFloor, left, near.Rest.Invalid,
-    [&inOffcut](int e) { return inOffcut[e] != 0; });
+  return Gather(near, faulty, left, [&inOffcut](int e) { return inOffcut[e] != 0; });
 }
 
 std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)

@@ -41,6 +41,9 @@ struct ShortfallText
 };
 
 constexpr ShortfallText ShortfallTexts[] = {
+  { Shortfall::CameInvalid,
+    " elements at the cut were inside out or without volume before the trim, and still are: repair "
+    "the mesh there. One that was mirrored by Transform is so everywhere: take Reflect instead." },
   { Shortfall::Invalid,
     " elements at the cut are distorted beyond repair: refine the mesh there, or try the other "
     "correction type." },
@@ -50,6 +53,9 @@ constexpr ShortfallText ShortfallTexts[] = {
 };
 
 constexpr ShortfallText OffcutTexts[] = {
+  { Shortfall::CameInvalid,
+    " elements of the offcut were inside out or without volume before the trim, and still are: "
+    "repair the mesh there." },
   { Shortfall::Invalid,
     " elements of the offcut are distorted beyond repair: refine the mesh there, or try the other "
     "correction type." },

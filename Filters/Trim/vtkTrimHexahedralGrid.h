@@ -28,7 +28,7 @@
  *   nowhere, 1 sharp bend, 2 inclined to the skin, 3 narrow hole, 4 edge crossed twice, 5 cut-out
  *   not opened (see Findings.h);
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
- *   surface, 3 invalid;
+ *   surface, 3 invalid, 4 invalid as it came;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
  * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a node of the model's border
  *   moved for port 0 alone, so that the parts do not add up to the whole; 0 elsewhere.

@@ -32,7 +32,7 @@ enum Feasibility
 const char* const FeasibilityPhrases[] = { "", "bends with a radius", "less than 45 degrees",
   "narrower than three", "crosses more than once", "not opened" };
 const char* const ShortfallPhrases[] = { "", "below MinimumScaledJacobian", "",
-  "distorted beyond repair" };
+  "distorted beyond repair", "elements at the cut were inside out" };
 const char* const LeftPhrase = "left off the surface";
 const char* const CornerPhrase = "moved for the trimmed grid alone";
 
@@ -91,7 +91,7 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
       name + ": Feasibility " + std::to_string(value) + " in " +
         std::to_string(feasibility[value]) + " elements, warned of " + std::to_string(warned));
   }
-  for (const int value : { 1, 3 })
+  for (const int value : { 1, 3, 4 })
   {
     Expect(CountWarned(outcome, ShortfallPhrases[value]) == shortfall[value],
       name + ": Shortfall " + std::to_string(value));
@@ -277,6 +277,29 @@ void TestShortfalls()
   Expect(leftOff > 20, "a floor of 0.99 leaves nothing off the surface");
 }
 
+// In a mirrored mesh every element is inside out, which the trim does not mend, but tells.
+void TestMirrored()
+{
+  Mesh mesh = MakeMesh("sheet2");
+  vtkPoints* points = mesh.Grid->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1], -p[2]);
+  }
+  TrimOptions options;
+  options.ProduceOffcut = true;
+  const Outcome outcome = RunTrim(mesh, MakeSurface("plane", mesh.Box, Placement()), options);
+  ExpectWarned("mirrored", outcome);
+  const auto number = [&](const char* name)
+  { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  Expect(number("TouchedElements") > 20 && number("CertifiedElements") == 0 &&
+      CountWarned(outcome, ShortfallPhrases[4]) == number("TouchedElements"),
+    "mirrored: touched elements");
+  Expect(CountWarned(outcome, "elements of the offcut were inside out") > 20, "mirrored: offcut");
+}
+
 // A cone past the corners of a hole of the model: nodes with no place to go.
 void TestLeft()
 {
@@ -342,6 +365,7 @@ int main()
   TestSlots();
   TestStretched();
   TestShortfalls();
+  TestMirrored();
   TestLeft();
   TestCornerLost();
   std::printf("%d wrong\n", Wrong);

@@ -125,7 +125,7 @@ void CheckWarnings(const Outcome& outcome, Report& report)
     elements[static_cast<int>(shortfall->GetComponent(i, 0))].insert(ids->GetComponent(i, 0));
   }
   const std::map<int, const char*> phrases = { { 1, "of the offcut stay below" },
-    { 3, "of the offcut are distorted" } };
+    { 3, "of the offcut are distorted" }, { 4, "of the offcut were inside out" } };
   for (const auto& phrase : phrases)
   {
     const int warned = CountWarned(outcome, phrase.second);

@@ -13,7 +13,7 @@ NAMES = {
     "Feasibility": ["0", "as assumed", "1", "sharp bend or edge", "2", "inclined",
                     "3", "narrow hole", "4", "edge crossed twice", "5", "cut-out not opened"],
     "Shortfall": ["0", "none", "1", "below the quality floor", "2", "left off the surface",
-                  "3", "invalid"],
+                  "3", "invalid", "4", "invalid as it came"],
     "CornerLost": ["0", "none", "1", "corner lost"],
 }
 
