@@ -338,6 +338,41 @@ void BuildGroups(const Band& band, Columns& columns)
   }
 }
 
+/// Whether an edge of an element across its thickness joins two nodes of one pillar.
+bool HasBranchingPillar(const Band& band, const Columns& columns, int e)
+{
+  const auto& element = band.Elements[e];
+  const auto& topology = TopologyOf(element.Count);
+  return std::any_of(topology.Edges.begin(), topology.Edges.begin() + topology.NumberOfEdges,
+    [&](const EdgeNodes& edge)
+    {
+      return edge.Axis != columns.Axis[e] &&
+        columns.Pillar[element.Node[edge.First]] == columns.Pillar[element.Node[edge.Second]];
+    });
+}
+
+/// Parts that have nodes in common, but no faces, may have different axes. Pillars that go on along
+/// another axis there are none, so the parts where they do have to make do without.
+void BuildPlainGroups(
+  const Band& band, const std::vector<std::vector<int>>& parts, Columns& columns)
+{
+  for (bool changed = true; changed;)
+  {
+    BuildGroups(band, columns);
+    changed = false;
+    for (const auto& part : parts)
+    {
+      if (columns.HasThickness(part.front()) &&
+        std::any_of(part.begin(), part.end(),
+          [&](int e) { return HasBranchingPillar(band, columns, e); }))
+      {
+        std::for_each(part.begin(), part.end(), [&](int e) { columns.Axis[e] = -1; });
+        changed = true;
+      }
+    }
+  }
+}
+
 }
 
 Band::Lists Columns::Elements() const
@@ -385,7 +420,7 @@ Columns FindColumns(const Band& band)
       MeasureCandidates(band, part, {}, classes.Axes), static_cast<int>(part.size()));
     classes.SetAxis(band, part, root, columns);
   }
-  BuildGroups(band, columns);
+  BuildPlainGroups(band, classes.Parts, columns);
   return columns;
 }
 
@@ -401,7 +436,7 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
       columns.ChosenByCut |= root >= 0;
     }
   }
-  BuildGroups(band, columns);
+  BuildPlainGroups(band, classes.Parts, columns);
 }
 
 Columns NoColumns(const Band& band)
