@@ -317,7 +317,8 @@ std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
             candidate.Exterior == face.Exterior
           : candidate.Exterior;
         // Not round a ridge: that would be another side of the model.
-        if (sameKind && std::find(around.begin(), around.end(), other) == around.end() &&
+        if (sameKind && this->TheColumns.InSamePart(face.Element[0], candidate.Element[0]) &&
+          std::find(around.begin(), around.end(), other) == around.end() &&
           TurnCosine(face, normal, candidate, Facet(this->TheBand, candidate).NormalAt(0)) >
             SameSideCosine)
         {

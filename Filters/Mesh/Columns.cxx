@@ -298,6 +298,20 @@ struct AxisClasses
     }
   }
 
+  std::vector<int> PartOfElements() const
+  {
+    std::vector<int> part;
+    for (std::size_t i = 0; this->Parts.size() > 1 && i < this->Parts.size(); ++i)
+    {
+      for (const int e : this->Parts[i])
+      {
+        part.resize(std::max<std::size_t>(part.size(), e + 1));
+        part[e] = static_cast<int>(i);
+      }
+    }
+    return part;
+  }
+
   DisjointSets<int> Axes;
   std::vector<std::vector<int>> Parts;
 };
@@ -363,8 +377,8 @@ void BuildPlainGroups(
     for (const auto& part : parts)
     {
       if (columns.HasThickness(part.front()) &&
-        std::any_of(part.begin(), part.end(),
-          [&](int e) { return HasBranchingPillar(band, columns, e); }))
+        std::any_of(
+          part.begin(), part.end(), [&](int e) { return HasBranchingPillar(band, columns, e); }))
       {
         std::for_each(part.begin(), part.end(), [&](int e) { columns.Axis[e] = -1; });
         changed = true;
@@ -414,6 +428,7 @@ Columns FindColumns(const Band& band)
   AxisClasses classes(band);
   Columns columns;
   columns.Axis.assign(band.NumberOfElements(), -1);
+  columns.Part = classes.PartOfElements();
   for (const auto& part : classes.Parts)
   {
     const int root = ChooseThickness(
@@ -442,6 +457,7 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
 Columns NoColumns(const Band& band)
 {
   Columns columns;
+  columns.Part = AxisClasses(band).PartOfElements();
   columns.Axis.assign(band.NumberOfElements(), -1);
   BuildGroups(band, columns);
   return columns;

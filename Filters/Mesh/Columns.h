@@ -25,7 +25,8 @@ struct Columns
   std::vector<signed char> Axis; ///< thickness axis of each element, -1: none
   std::vector<int> Column;       ///< of each element: the smallest element of its column
   std::vector<int> Pillar;       ///< of each node: the smallest node of its pillar
-  bool ChosenByCut = false;      ///< some by ChooseColumns
+  std::vector<int> Part;    ///< of each element: those that faces join; empty: there is one alone
+  bool ChosenByCut = false; ///< some by ChooseColumns
 
   /// Of each column, ascending.
   Band::Lists Elements() const;
@@ -51,6 +52,11 @@ struct Columns
   bool IsThicknessEdge(const Band& band, int edge) const
   {
     return this->Pillar[band.Edges[edge].First] == this->Pillar[band.Edges[edge].Second];
+  }
+  /// False for elements that have nodes in common at most, as at the end of a slit.
+  bool InSamePart(int a, int b) const
+  {
+    return this->Part.empty() || this->Part[a] == this->Part[b];
   }
   bool HasThickness(int element) const { return this->Axis[element] >= 0; }
   /// Any element.

@@ -165,7 +165,8 @@ bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 /// A higher floor must not let go what a lower one would hold.
 double BandQuality::FloorOf(int e) const
 {
-  const double before = ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count);
+  const double before =
+    ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count);
   if (before >= this->Floor)
   {
     return this->Floor;

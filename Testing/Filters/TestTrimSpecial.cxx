@@ -265,6 +265,34 @@ void TestKeepPoint()
   }
 }
 
+// Parts that are one another's neighbours at a line only may have columns along different axes, and
+// no node of one goes on to the skin of another.
+void TestBlocksJoinedAtEdges()
+{
+  const Mesh mesh = BlocksJoinedAtEdges(4);
+  struct Cut
+  {
+    const char* Kind;
+    double X, Y, Angle, Lean, Size;
+    int Type;
+  };
+  for (const Cut& cut : { Cut{ "torus", -0.354, -0.215, 6.073, 0.261, 0.586, 2 },
+         Cut{ "contour", 0.084, 0.08, 5.149, 0.641, 0.452, 3 } })
+  {
+    Placement at;
+    at.X = cut.X;
+    at.Y = cut.Y;
+    at.Angle = cut.Angle;
+    at.Lean = cut.Lean;
+    at.Size = cut.Size;
+    TrimOptions options;
+    options.CorrectionType = cut.Type;
+    Report report(std::string("blocks joined at edges ") + cut.Kind);
+    RunAndJudge(mesh, MakeSurface(cut.Kind, mesh.Box, at), options, report);
+    Wrong += report.Failures();
+  }
+}
+
 // CAD programs write a body as a solid and its shells beside it: faces that are there more than
 // once trim as one.
 void TestRepeatedFaces()
@@ -281,8 +309,8 @@ void TestRepeatedFaces()
     Surface often = once;
     often.Data = blocks;
     const Outcome a = RunTrim(mesh, once, TrimOptions()), b = RunTrim(mesh, often, TrimOptions());
-    Expect(a.Clean() && b.Clean() && a.Warnings.size() == b.Warnings.size(),
-      "repeated faces: messages");
+    Expect(
+      a.Clean() && b.Clean() && a.Warnings.size() == b.Warnings.size(), "repeated faces: messages");
     Expect(FirstDifference(a.Case.Trimmed, b.Case.Trimmed).empty(),
       std::string("repeated faces: ") + kind);
   }
@@ -391,6 +419,7 @@ int main()
   TestPatch();
   TestCrossingAtKnot();
   TestKeepPoint();
+  TestBlocksJoinedAtEdges();
   TestRepeatedFaces();
   TestWedgeOrder();
   TestAbort();

@@ -69,6 +69,8 @@ void AddData(vtkUnstructuredGrid* grid, unsigned seed);
 
 Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& options = {});
 Mesh Block(int nx, int ny, int nz, const MeshOptions& options = {});
+/// Eight blocks of n^3 elements that have nodes in common at their edges alone, not on their faces.
+Mesh BlocksJoinedAtEdges(int n);
 Mesh LShape(int n, int nz, const MeshOptions& options = {});
 Mesh PlateWithHole(int n, int nz, const MeshOptions& options = {});
 Mesh Islands(int n, int nz, const MeshOptions& options = {});

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace judge
@@ -160,6 +161,42 @@ Mesh Patched()
   return mesh;
 }
 
+}
+
+Mesh BlocksJoinedAtEdges(int n)
+{
+  RawMesh raw = Extrude(GridPlan(2 * n, 2 * n, 1, 1), 2 * n, 2 * n,
+    [n](const Vec2& p, double z) { return Vec3(p[0] - n, p[1] - n, z); });
+  // Where two planes that bound blocks meet there is one node, elsewhere one for each block.
+  std::map<std::pair<Id, int>, Id> nodes;
+  std::vector<Vec3> points;
+  for (Element& element : raw.Elements)
+  {
+    Vec3 centre = Vec3::Zero();
+    for (int i = 0; i < element.Size; ++i)
+    {
+      centre += raw.Points[element.Node[i]] / element.Size;
+    }
+    const int block = (centre[0] > 0) + 2 * (centre[1] > 0) + 4 * (centre[2] > 0);
+    for (int i = 0; i < element.Size; ++i)
+    {
+      const Vec3& p = raw.Points[element.Node[i]];
+      const auto planes = (p.array() == 0 || p.array().abs() == n).count();
+      const auto [node, isNew] = nodes.emplace(
+        std::make_pair(element.Node[i], planes < 2 ? block : -1), static_cast<Id>(points.size()));
+      if (isNew)
+      {
+        points.push_back(p);
+      }
+      element.Node[i] = node->second;
+    }
+  }
+  raw.Points = points;
+  return Solid("blocks joined at edges", raw);
+}
+
+namespace
+{
 struct Part
 {
   const char* Name;
