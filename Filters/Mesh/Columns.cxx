@@ -298,18 +298,22 @@ struct AxisClasses
     }
   }
 
-  std::vector<int> PartOfElements() const
+  /// See Columns::Part.
+  std::vector<int> PartOfElements(const Band& band) const
   {
-    std::vector<int> part;
-    for (std::size_t i = 0; this->Parts.size() > 1 && i < this->Parts.size(); ++i)
+    if (this->Parts.size() < 2)
+    {
+      return {};
+    }
+    std::vector<int> partOf(band.NumberOfElements());
+    for (std::size_t i = 0; i < this->Parts.size(); ++i)
     {
       for (const int e : this->Parts[i])
       {
-        part.resize(std::max<std::size_t>(part.size(), e + 1));
-        part[e] = static_cast<int>(i);
+        partOf[e] = static_cast<int>(i);
       }
     }
-    return part;
+    return partOf;
   }
 
   DisjointSets<int> Axes;
@@ -365,8 +369,8 @@ bool HasBranchingPillar(const Band& band, const Columns& columns, int e)
     });
 }
 
-/// Parts that have nodes in common, but no faces, may have different axes. Pillars that go on along
-/// another axis there are none, so the parts where they do have to make do without.
+/// Parts that have nodes in common, but no faces, may have different axes. Where pillars of one
+/// would go on along the axis of another it has to do without columns.
 void BuildPlainGroups(
   const Band& band, const std::vector<std::vector<int>>& parts, Columns& columns)
 {
@@ -428,7 +432,7 @@ Columns FindColumns(const Band& band)
   AxisClasses classes(band);
   Columns columns;
   columns.Axis.assign(band.NumberOfElements(), -1);
-  columns.Part = classes.PartOfElements();
+  columns.Part = classes.PartOfElements(band);
   for (const auto& part : classes.Parts)
   {
     const int root = ChooseThickness(
@@ -457,7 +461,7 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
 Columns NoColumns(const Band& band)
 {
   Columns columns;
-  columns.Part = AxisClasses(band).PartOfElements();
+  columns.Part = AxisClasses(band).PartOfElements(band);
   columns.Axis.assign(band.NumberOfElements(), -1);
   BuildGroups(band, columns);
   return columns;
