@@ -279,9 +279,10 @@ void CheckBoundary(const Evidence& e, Report& report)
     CheckPlaces(e, report);
   }
   const FacetTable table(e.Out);
-  if (table.OverUsed > 0)
+  const int came = e.Border.Facets().OverUsed;
+  if (table.OverUsed > came)
   {
-    report.Fail("manifold", "facets shared by more than two elements", table.OverUsed, 0);
+    report.Fail("manifold", "facets shared by more than two elements", table.OverUsed, came);
   }
   const ManifoldDefects before = FindManifoldDefects(e.Border.Facets());
   const ManifoldDefects after = FindManifoldDefects(table);
