@@ -36,7 +36,7 @@ NearMesh TakeNearMesh(const HexMesh& mesh, const std::vector<Id>& near)
   std::array<Id, 8> nodes;
   for (std::size_t c = 0; c < near.size(); ++c)
   {
-    taken.Counts[c] = mesh.Cell(near[c], nodes);
+    taken.Counts[c] = mesh.OrientedCell(near[c], nodes);
     for (int i = 0; i < taken.Counts[c]; ++i)
     {
       int& number = taken.Number[nodes[i]];

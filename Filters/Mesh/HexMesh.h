@@ -49,12 +49,18 @@ struct HexMesh
     return Vec3(p[0], p[1], p[2]);
   }
 
-  /// Node ids of cell c, those of a wedge in the order of ElementTopology.h even if the grid has
-  /// them in the other one; returns their number, 8 or 6.
+  /// Node ids of cell c in the order of the grid; returns their number, 8 or 6.
   int Cell(Id c, std::array<Id, 8>& nodes) const
   {
-    const int count = this->Offsets64 ? Gather(this->Connectivity64, this->Offsets64, c, nodes)
-                                      : Gather(this->Connectivity32, this->Offsets32, c, nodes);
+    return this->Offsets64 ? Gather(this->Connectivity64, this->Offsets64, c, nodes)
+                           : Gather(this->Connectivity32, this->Offsets32, c, nodes);
+  }
+
+  /// The same with those of a wedge in the order of ElementTopology.h even if the grid has them in
+  /// the other one.
+  int OrientedCell(Id c, std::array<Id, 8>& nodes) const
+  {
+    const int count = this->Cell(c, nodes);
     if (count == 6)
     {
       this->OrientWedge(nodes);

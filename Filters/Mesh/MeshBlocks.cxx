@@ -42,7 +42,7 @@ Box3 CellBox(const HexMesh& mesh, Id cell)
 int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points)
 {
   std::array<Id, 8> nodes;
-  const int count = mesh.Cell(cell, nodes);
+  const int count = mesh.OrientedCell(cell, nodes);
   for (int i = 0; i < count; ++i)
   {
     points[i] = mesh.Point(nodes[i]);

@@ -112,8 +112,12 @@ std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed)
   return FindElements(band,
     [&](int e)
     {
+      if (!trimmed.Kept[e])
+      {
+        return false;
+      }
       const FinalElement final = FinalShape(band, trimmed, e);
-      return trimmed.Kept[e] && final.Touched && StaysInvalid(band, e, final.Points, final.Count);
+      return final.Touched && StaysInvalid(band, e, final.Points, final.Count);
     });
 }
 

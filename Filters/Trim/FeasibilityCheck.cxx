@@ -129,7 +129,7 @@ private:
   {
     const auto& near = this->Result.Nodes.Near;
     probe.Cell = cell;
-    probe.Count = this->Mesh.Cell(cell, probe.Node);
+    probe.Count = this->Mesh.OrientedCell(cell, probe.Node);
     for (int i = 0; i < probe.Count; ++i)
     {
       probe.Point[i] = this->Mesh.Point(probe.Node[i]);
@@ -397,7 +397,7 @@ private:
       {
         continue;
       }
-      const auto& topology = TopologyOf(this->Mesh.Cell(c, nodes));
+      const auto& topology = TopologyOf(this->Mesh.OrientedCell(c, nodes));
       std::array<double, 8> distance;
       for (int i = 0; i < topology.NumberOfNodes; ++i)
       {

@@ -79,7 +79,7 @@ int NodesOf(
 {
   if (bandPart < 0)
   {
-    return mesh.Cell(cell, nodes);
+    return mesh.OrientedCell(cell, nodes);
   }
   const auto& part = result.Near->Rest.Elements[bandPart];
   for (int i = 0; i < part.Count; ++i)

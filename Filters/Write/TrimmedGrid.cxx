@@ -44,7 +44,7 @@ int NodesAtCut(
     }
     return 6;
   }
-  return mesh.Cell(cell, nodes);
+  return mesh.OrientedCell(cell, nodes);
 }
 
 /// The kept cells from begin to end; `place`: where the first of them is listed.
@@ -261,7 +261,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
   {
     const int element = kept.BandElement[i];
-    return element < 0 ? mesh.Cell(kept.Cells[i], nodes)
+    return element < 0 ? mesh.OrientedCell(kept.Cells[i], nodes)
                        : NodesAtCut(mesh, result, kept.Cells[i], element, nodes);
   };
   const auto isInBand = [&kept](Id i) { return kept.BandElement[i] >= 0; };

@@ -335,6 +335,30 @@ private:
   std::vector<vtkIdType> Points;
   std::set<vtkIdType> CellsSeen, PointsSeen;
 };
+
+/// Whether ids name the items of a piece that those of a result came from, by their ids in the
+/// whole.
+bool NameOrigins(vtkDataSetAttributes* piece, vtkDataSetAttributes* result, const char* original,
+  const char* inWhole)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(result->GetAbstractArray(original));
+  auto* found = vtkIdTypeArray::SafeDownCast(result->GetAbstractArray(inWhole));
+  auto* expected = vtkIdTypeArray::SafeDownCast(piece->GetAbstractArray(inWhole));
+  if (!ids || !found || !expected)
+  {
+    return !found || found->GetNumberOfValues() == 0;
+  }
+  for (vtkIdType i = 0; i < found->GetNumberOfValues(); ++i)
+  {
+    const vtkIdType id = ids->GetValue(i);
+    if (id < 0 || id >= expected->GetNumberOfValues() ||
+      expected->GetValue(id) != found->GetValue(i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> WithWholeIds(vtkUnstructuredGrid* grid)
@@ -435,6 +459,22 @@ std::string DifferenceFromWhole(
     }
   }
   return comparison.CompareCounts();
+}
+
+std::string DifferenceOfOriginalIds(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces,
+  const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& results)
+{
+  for (std::size_t rank = 0; rank < pieces.size(); ++rank)
+  {
+    vtkUnstructuredGrid* from = pieces[rank];
+    vtkUnstructuredGrid* to = results[rank];
+    if (!NameOrigins(from->GetPointData(), to->GetPointData(), "vtkOriginalPointIds", WholePoint) ||
+      !NameOrigins(from->GetCellData(), to->GetCellData(), "vtkOriginalCellIds", WholeCell))
+    {
+      return "rank " + std::to_string(rank) + ": original ids of other nodes or cells";
+    }
+  }
+  return {};
 }
 
 std::string DifferenceOfSummaries(vtkUnstructuredGrid* input, vtkUnstructuredGrid* whole,

@@ -59,7 +59,12 @@ PiecesOutcome TrimPieces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>
 std::string DifferenceFromWhole(
   vtkUnstructuredGrid* whole, const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces);
 
-/// The same for the summary, but for NodeBandwidth, on every rank, the empty ones too.
+/// Whether vtkOriginalPointIds and vtkOriginalCellIds are the ids in the piece that each result was
+/// made of. Empty: they are.
+std::string DifferenceOfOriginalIds(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces,
+  const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& results);
+
+/// DifferenceFromWhole for the summary, but for NodeBandwidth, on every rank, the empty ones too.
 std::string DifferenceOfSummaries(vtkUnstructuredGrid* input, vtkUnstructuredGrid* whole,
   const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces);
 }

@@ -87,7 +87,9 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   const std::string statuses = DifferenceFromWhole(whole.Case.Whole, parts.Statuses);
   const std::string summary = DifferenceOfSummaries(mesh.Grid, whole.Case.Trimmed, parts.Trimmed);
   const std::string offcut = DifferenceOfOffcuts(mesh, whole, parts);
-  for (const auto& difference : { trimmed, statuses, summary, offcut })
+  const std::string ids =
+    DifferenceOfOriginalIds(pieces, parts.Trimmed) + DifferenceOfOriginalIds(pieces, parts.Offcuts);
+  for (const auto& difference : { trimmed, statuses, summary, offcut, ids })
   {
     if (!difference.empty())
     {
