@@ -62,6 +62,20 @@ Surface Swept(const Mesh& mesh, const std::vector<Vec3>& polygon)
   return surface;
 }
 
+/// A wall through the sheet, and a second one beyond its end, which turns its other side to it.
+Surface TwoWalls(const Mesh& mesh, double end)
+{
+  const auto wall = [&mesh](double x) {
+    return Swept(mesh, { Vec3(x, -1.3, 0), Vec3(x, 1.3, 0) });
+  };
+  vtkNew<vtkMultiBlockDataSet> walls;
+  walls->SetBlock(0, wall(-0.61 * end).Data);
+  walls->SetBlock(1, wall(1.3 * end).Data);
+  Surface surface;
+  surface.Data = walls;
+  return surface;
+}
+
 void Compare(const std::string& what, const Mesh& mesh, const Surface& surface)
 {
   Mesh marked = mesh;
@@ -118,15 +132,10 @@ int main()
   MeshOptions plain;
   plain.Data = false;
   const Mesh mesh = Sheet(30, 10, 2, Vec3(1, 1, 0.4), plain);
-  // Through the sheet; and a second wall beyond the sheet's end, which turns its other side to it.
-  const Surface through = Swept(mesh, { Vec3(-0.61, -1.3, 0), Vec3(-0.61, 1.3, 0) });
-  const Surface beyond = Swept(mesh, { Vec3(1.3, -1.3, 0), Vec3(1.3, 1.3, 0) });
-  vtkNew<vtkMultiBlockDataSet> walls;
-  walls->SetBlock(0, through.Data);
-  walls->SetBlock(1, beyond.Data);
-  Surface both;
-  both.Data = walls;
-  Compare("two walls", mesh, both);
+  // Towards either end: of the nodes that a piece may ask by itself the first is the wrong one
+  // once.
+  Compare("two walls", mesh, TwoWalls(mesh, 1.0));
+  Compare("two walls, mirrored", mesh, TwoWalls(mesh, -1.0));
   // Beside the sheet: its two ends lie on different sides of the plane, but nothing parts them.
   Compare("aside", mesh, Swept(mesh, { Vec3(0.05, 1.2, 0), Vec3(0.05, 3.0, 0) }));
   TestVotes();
