@@ -25,6 +25,10 @@ constexpr double PlaneSlack = 1e-12;
 /// Step of an iteration, in edges, that rounding still allows.
 constexpr double ConvergedStep = 1e-13;
 
+/// A place that is so far beyond the edges does not come back inside after such a step.
+constexpr double SurelyOutside = 0.05;
+constexpr double SmallStep = 1e-3;
+
 /// How far along the facet from the closest point, in edges, still counts as that point.
 constexpr double SlackOfFoot = 1e-6;
 
@@ -44,7 +48,7 @@ Facet::Facet(const Band& band, const BandFace& face)
   }
 }
 
-FacetFoot Facet::Project(const Vec3& x) const
+FacetFoot Facet::Project(const Vec3& x, FootSought sought) const
 {
   const auto& c = this->Corner;
   FacetFoot foot;
@@ -70,7 +74,10 @@ FacetFoot Facet::Project(const Vec3& x) const
       LeastSquares(u + st[1] * w, v + st[0] * w, x - p).cwiseMax(-1.0).cwiseMin(1.0);
     st += step;
     st = st.cwiseMax(-2.0).cwiseMin(3.0);
-    if (step.squaredNorm() < ConvergedStep * ConvergedStep)
+    const bool surelyOutside = sought == FootSought::Inside &&
+      std::max(OutsideUnit(st[0]), OutsideUnit(st[1])) > SurelyOutside;
+    const double least = surelyOutside ? SmallStep : ConvergedStep;
+    if (step.squaredNorm() < least * least)
     {
       break;
     }
@@ -168,7 +175,7 @@ bool FacetSearch::FindInside(const Vec3& x, double slack, Vec3& place) const
 {
   if (!this->PlaneAndConvex)
   {
-    const FacetFoot foot = this->Searched.Project(x);
+    const FacetFoot foot = this->Searched.Project(x, FootSought::Inside);
     place = foot.Point;
     return foot.Outside <= slack;
   }

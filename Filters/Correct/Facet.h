@@ -18,12 +18,19 @@ struct FacetFoot
   double Outside = 0; ///< how far beyond the facet's own edges, in its parameters; 0: inside
 };
 
+enum class FootSought
+{
+  Any,
+  Inside ///< the facet's own edges
+};
+
 class Facet
 {
 public:
   Facet(const Band& band, const BandFace& face);
 
-  FacetFoot Project(const Vec3& x) const;
+  /// @param sought what is surely not so need not be found out to the last digit.
+  FacetFoot Project(const Vec3& x, FootSought sought = FootSought::Any) const;
 
   /**
    * How well a direction leads from a corner node into the facet: the smaller of its two
@@ -56,6 +63,8 @@ public:
     const double reach = this->Radius + distance;
     return (x - this->Middle).squaredNorm() > reach * reach;
   }
+
+  double SquaredToMiddle(const Vec3& x) const { return (x - this->Middle).squaredNorm(); }
 
   /**
    * The foot of x, if it is inside the facet.

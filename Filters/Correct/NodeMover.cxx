@@ -349,15 +349,36 @@ const SkinRing& NodeMover::RingOf(NodeFreedom& freedom, std::size_t ring) const
 int NodeMover::NearestFace(
   const SkinRing& ring, const Vec3& x, const std::vector<int>& without, Vec3& place) const
 {
+  const auto isLeftOut = [&without](int f)
+  { return std::find(without.begin(), without.end(), f) != without.end(); };
+  // As a rule the facet with the nearest middle holds the place, and others are too far away to be
+  // searched.
+  std::size_t likely = ring.Faces.size();
+  double toMiddle = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.Faces.size(); ++i)
+  {
+    const double squared = ring.Facets[i].SquaredToMiddle(x);
+    if (squared < toMiddle && !isLeftOut(ring.Faces[i]))
+    {
+      toMiddle = squared;
+      likely = i;
+    }
+  }
+  Vec3 onLikely;
+  const bool holds =
+    likely < ring.Faces.size() && ring.Facets[likely].FindInside(x, InsideSlack, onLikely);
+  const double atMost = holds ? (onLikely - x).norm() : std::numeric_limits<double>::infinity();
+
   int face = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.Faces.size(); ++i)
   {
     const int f = ring.Faces[i];
-    Vec3 on;
-    if (ring.Facets[i].IsFarther(x, nearest) ||
-      std::find(without.begin(), without.end(), f) != without.end() ||
-      !ring.Facets[i].FindInside(x, InsideSlack, on))
+    Vec3 on = onLikely;
+    const bool inside = i == likely ? holds
+                                    : !ring.Facets[i].IsFarther(x, std::min(nearest, atMost)) &&
+        !isLeftOut(f) && ring.Facets[i].FindInside(x, InsideSlack, on);
+    if (!inside)
     {
       continue;
     }
