@@ -1,5 +1,6 @@
 #include "GridPart.h"
 
+#include "FindingArrays.h"
 #include "GatherAttributes.h"
 
 #include <vtkCellArray.h>
@@ -198,6 +199,16 @@ void ColourByStatus(vtkUnstructuredGrid* grid)
   {
     grid->GetCellData()->SetActiveScalars("ElementStatus");
   }
+}
+
+void AddStatusesAndFindings(const TrimResult& result, const GridPart& part, const MovedNodes& moved,
+  const Findings& findings, vtkUnstructuredGrid* output)
+{
+  AddPointStatuses(result, moved, part.PointIds(), output->GetPointData());
+  AddCellStatuses(result, part.CellIds(), output->GetCellData());
+  AddPointFindings(findings, part.PointIds(), output->GetPointData());
+  AddCellFindings(findings, part.CellIds(), output->GetCellData());
+  ColourByStatus(output);
 }
 
 }

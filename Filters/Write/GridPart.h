@@ -204,6 +204,10 @@ Id WriteElements(
 /// What ParaView colours by at first, unless the input has active scalars of its own.
 void ColourByStatus(vtkUnstructuredGrid* grid);
 
+/// The statuses and findings of the part's points and cells.
+void AddStatusesAndFindings(const TrimResult& result, const GridPart& part, const MovedNodes& moved,
+  const Findings& findings, vtkUnstructuredGrid* output);
+
 }
 
 #endif

@@ -1,6 +1,5 @@
 #include "OffcutGrid.h"
 
-#include "FindingArrays.h"
 #include "GridPart.h"
 #include "OrderlessSum.h"
 
@@ -8,7 +7,6 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -180,13 +178,9 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   Summary summary;
   summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, part, nodesOf, output));
   WritePoints(input, mesh, part, moved, output);
-  AddPointStatuses(result, moved, part.PointIds(), output->GetPointData());
-  AddCellStatuses(result, part.CellIds(), output->GetCellData());
   Findings found = result.Found;
   found.Shortfalls = result.Found.ShortfallsOfOffcut;
-  AddPointFindings(found, part.PointIds(), output->GetPointData());
-  AddCellFindings(found, part.CellIds(), output->GetCellData());
-  ColourByStatus(output);
+  AddStatusesAndFindings(result, part, moved, found, output);
   const auto volume = AddQuality(mesh, result, part, options.QualityOfAllElements, output);
   summary.Volume = OrderlessSum(
     part.Cells.size(), [&volume](Id i) { return volume[i]; }, ranks);

@@ -278,11 +278,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   Summary summary;
   summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, kept, nodesOf, output));
   WritePoints(input, mesh, kept, moved, output);
-  AddPointStatuses(result, moved, kept.PointIds(), output->GetPointData());
-  AddCellStatuses(result, kept.CellIds(), output->GetCellData());
-  AddPointFindings(result.Found, kept.PointIds(), output->GetPointData());
-  AddCellFindings(result.Found, kept.CellIds(), output->GetCellData());
-  ColourByStatus(output);
+  AddStatusesAndFindings(result, kept, moved, result.Found, output);
   AddRescues(result, kept.CellIds(), output->GetCellData());
   AddQuality(mesh, blocks, ranks, result, kept, options.QualityOfAllElements, summary, output);
   Summarise(ranks, result, kept, surface, summary);

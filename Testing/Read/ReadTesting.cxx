@@ -8,6 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 
 #include <Eigen/Geometry>
 
@@ -32,6 +33,24 @@ void ErrorCapture::Execute(vtkObject*, unsigned long event, void* data)
 {
   (event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings)
     .emplace_back(static_cast<const char*>(data));
+}
+
+//------------------------------------------------------------------------------
+void CheckRefusal(
+  vtkPolyDataAlgorithm* source, const std::string& part, const std::function<void()>& spoil)
+{
+  source->Update();
+  CHECK(source->GetOutput()->GetNumberOfPoints() > 0, part << ": not valid at first");
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(source);
+  capture->Watch(source->GetExecutive());
+  spoil();
+  source->Update();
+  CHECK(capture->Errors.size() == 1, part << ": " << capture->Errors.size() << " errors");
+  CHECK(source->GetOutput()->GetNumberOfPoints() == 0, part << ": points");
+  CHECK(!nurbs::HasNURBSFieldData(source->GetOutput()->GetFieldData()), part << ": field data");
+  CHECK(capture->Errors.empty() || capture->Errors[0].find(part) != std::string::npos,
+    "no \"" << part << "\" in " << capture->Errors[0]);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 class vtkMultiBlockDataSet;
 class vtkObject;
 class vtkPolyData;
+class vtkPolyDataAlgorithm;
 
 /// Checks that have failed so far; the exit status of a test.
 extern int Failures;
@@ -44,6 +46,14 @@ public:
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
 };
+
+/**
+ * Checks that a source, valid at first, gives one error and nothing else once it is spoiled.
+ *
+ * @param part what the error has to say.
+ */
+void CheckRefusal(
+  vtkPolyDataAlgorithm* source, const std::string& part, const std::function<void()>& spoil);
 
 /// What vtkCADSurfaceReader makes of a file.
 struct ReadResult
