@@ -6,7 +6,6 @@
 #include "ReadTesting.h"
 #include "vtkNURBSSurfaceSource.h"
 
-#include "vtkExecutive.h"
 #include "vtkPolyData.h"
 
 #include <Eigen/Geometry>

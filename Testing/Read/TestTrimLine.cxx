@@ -8,7 +8,6 @@
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkParametricSpline.h"
 #include "vtkPoints.h"
