@@ -29,8 +29,9 @@ namespace
 constexpr double RowGap = 1e-6;
 /// Cuthill-McKee is applied to its own result up to this often.
 constexpr int MostRounds = 6;
-/// From here on the search runs on pillars.
+/// From here on the search runs on pillars, or from there on where each node is one by itself.
 constexpr int ManyNodes = 20000;
+constexpr int ManyWithoutPillars = 200000;
 
 PageVector<int> Identity(int count)
 {
@@ -406,7 +407,11 @@ PageVector<int> OrderNodes(
   }
   if (count >= ManyNodes)
   {
-    return OrderByPillars(graph, position, aborted);
+    const Pillars pillars = FindPillars(graph, position);
+    if (pillars.Count < count || count >= ManyWithoutPillars)
+    {
+      return OrderByPillars(graph, pillars, position, aborted);
+    }
   }
   best.Bandwidth = graph.Bandwidth;
 

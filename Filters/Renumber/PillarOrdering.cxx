@@ -222,10 +222,9 @@ private:
 
 }
 
-PageVector<int> OrderByPillars(
-  const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted)
+PageVector<int> OrderByPillars(const NodeGraph& graph, const Pillars& pillars,
+  const NodePlaces& position, const std::function<bool()>& aborted)
 {
-  const Pillars pillars = FindPillars(graph, position);
   PillarColumns columns;
   std::optional<PillarPlaces> places;
   vtkSMPTools::For(0, 2, 1,

@@ -5,14 +5,14 @@
 #ifndef PillarOrdering_h
 #define PillarOrdering_h
 
-#include "NodeOrdering.h"
+#include "Pillars.h"
 
 namespace trim
 {
 
 /// New number of each node; the numbers as they came where nothing found is better.
-PageVector<int> OrderByPillars(
-  const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted);
+PageVector<int> OrderByPillars(const NodeGraph& graph, const Pillars& pillars,
+  const NodePlaces& position, const std::function<bool()>& aborted);
 
 }
 

@@ -76,6 +76,18 @@ int main()
       Wrong += report.Failures("numbering");
     }
   }
+  // A solid of many nodes, without pillars, cut aslant.
+  MeshOptions plain;
+  plain.Data = false;
+  const Mesh block = Block(34, 32, 30, plain);
+  Placement aslant;
+  aslant.Lean = 0.6;
+  aslant.Angle = 0.5;
+  TrimOptions stepped;
+  stepped.CorrectionType = 1;
+  Report solid("renumber block");
+  RunAndJudge(block, MakeSurface("cylinder", block.Box, aslant), stepped, solid);
+  Wrong += solid.Failures("numbering");
   // A thin ring: Cuthill-McKee wins over any sort.
   Placement ring;
   ring.X = ring.Y = 0;
