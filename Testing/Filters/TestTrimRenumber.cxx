@@ -85,6 +85,7 @@ int main()
   aslant.Angle = 0.5;
   TrimOptions stepped;
   stepped.CorrectionType = 1;
+  stepped.InvertSide = true;
   Report solid("renumber block");
   RunAndJudge(block, MakeSurface("cylinder", block.Box, aslant), stepped, solid);
   Wrong += solid.Failures("numbering");
