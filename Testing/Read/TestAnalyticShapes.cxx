@@ -5,6 +5,7 @@
  */
 #include "CADFaceConversion.h"
 #include "ReadTesting.h"
+#include "TrimmingSurface.h"
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -28,9 +29,11 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2d_Line.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Hyperbola.hxx>
 #include <Geom_Parabola.hxx>
 #include <Geom_TrimmedCurve.hxx>
@@ -52,6 +55,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 
 using nurbs::NurbsSurface;
@@ -352,12 +356,62 @@ void CheckOpenApex()
     }
   }
   builder.Add(face, wire);
-  NurbsSurface surface;
-  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surface);
-  CHECK(reason.empty(), reason);
+  std::vector<NurbsSurface> surfaces;
+  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
+  CHECK(reason.empty() && surfaces.size() == 1, reason);
+  const NurbsSurface& surface = surfaces.at(0);
   const double expected = 0.5 * M_PI * 12 * 12 / std::sin(angle);
   CHECK(std::abs(Area(surface) - expected) < 1e-3 * expected,
     "half a cone has area " << Area(surface) << ", not " << expected);
+}
+
+/// A band that winds round a cylinder, as a thread does: one surface for each turn, without gaps.
+void CheckWinding()
+{
+  constexpr double radius = 5.0, pitch = 2.0, width = 1.0, turns = 3.4, first = 0.7;
+  const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(Leaning()), radius);
+  const double last = first + turns * 2.0 * M_PI, rise = turns * pitch;
+  const std::array<gp_Pnt2d, 4> corners = { gp_Pnt2d(first, 0), gp_Pnt2d(last, rise),
+    gp_Pnt2d(last, rise + width), gp_Pnt2d(first, width) };
+  BRepBuilderAPI_MakeWire wire;
+  for (size_t i = 0; i < 4; ++i)
+  {
+    const gp_Pnt2d& a = corners[i];
+    const gp_Pnt2d& b = corners[(i + 1) % 4];
+    const Handle(Geom2d_Curve) line = new Geom2d_Line(a, gp_Dir2d(gp_Vec2d(a, b)));
+    wire.Add(BRepBuilderAPI_MakeEdge(line, cylinder, 0.0, a.Distance(b)));
+  }
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, wire);
+  std::vector<NurbsSurface> surfaces;
+  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
+  CHECK(reason.empty() && surfaces.size() == 4, reason << surfaces.size() << " turns");
+  double area = 0.0;
+  for (const NurbsSurface& surface : surfaces)
+  {
+    area += Area(surface);
+  }
+  const double expected = turns * 2.0 * M_PI * radius * width;
+  CHECK(std::abs(area - expected) < 5e-3 * expected, "area " << area << ", not " << expected);
+
+  const nurbs::TrimmingSurface trimming(surfaces, 1e-6);
+  double onBand = 0.0, between = 1.0;
+  int onBorder = 0;
+  for (int i = 1; i < 340; ++i)
+  {
+    const double share = i / 340.0;
+    const auto footAt = [&](double height)
+    {
+      const gp_Pnt p = cylinder->Value(first + share * (last - first), share * rise + height);
+      return trimming.ClosestPoint(Vec3(p.X(), p.Y(), p.Z()));
+    };
+    const nurbs::Foot foot = footAt(0.5 * width);
+    onBand = std::max(onBand, foot.Distance);
+    onBorder += foot.Kind != nurbs::FootKind::Interior;
+    between = std::min(between, footAt(-0.5).Distance);
+  }
+  CHECK(onBand < 1e-9, "a place on the band is " << onBand << " from it");
+  CHECK(between > 0.4, "a place between the turns is " << between << " from the band");
+  CHECK(onBorder == 0, onBorder << " places of the band lie on a border");
 }
 }
 
@@ -369,6 +423,7 @@ int main(int argc, char* argv[])
   {
     CheckUnits();
     CheckOpenApex();
+    CheckWinding();
   }
   for (const Case& one : Cases())
   {

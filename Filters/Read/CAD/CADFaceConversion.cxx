@@ -1,23 +1,13 @@
 #include "CADFaceConversion.h"
 
-#include "CADSurfaceConversion.h"
+#include "CADWires.h"
 #include "NURBSFieldData.h"
 #include "TrimmedParameterGrid.h"
 
-#include <BRepTools.hxx>
-#include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2dAdaptor_Curve.hxx>
-#include <Geom2d_Curve.hxx>
-#include <Geom_Surface.hxx>
 #include <Precision.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_Wire.hxx>
 
 #include <Eigen/Geometry>
 
@@ -30,193 +20,6 @@ namespace
 {
 /// Chords of trim loops deviate by at most this share of the face's size.
 constexpr double ChordTolerance = 1e-6;
-
-/// A stretch of a wire in the parameters of the face's surface, run in the wire's direction.
-struct BoundaryCurve
-{
-  Handle(Geom2d_Curve) Curve;
-  double First, Last;        ///< First > Last where the wire runs against the curve
-  Vec2 Shift = Vec2::Zero(); ///< whole periods that join it to the stretch before
-
-  Vec2 operator()(double t) const
-  {
-    const gp_Pnt2d p = this->Curve->Value(t);
-    return Vec2(p.X(), p.Y()) + this->Shift;
-  }
-};
-using BoundaryWire = std::vector<BoundaryCurve>;
-
-/// Parameters between which the curve is smooth, in the direction of the wire.
-std::vector<double> SmoothPieces(const BoundaryCurve& boundary)
-{
-  const double low = std::min(boundary.First, boundary.Last);
-  const double high = std::max(boundary.First, boundary.Last);
-  const Geom2dAdaptor_Curve adaptor(boundary.Curve, low, high);
-  std::vector<double> ends;
-  if (adaptor.GetType() == GeomAbs_Line)
-  {
-    ends = { low, high };
-  }
-  else
-  {
-    TColStd_Array1OfReal intervals(1, adaptor.NbIntervals(GeomAbs_C2) + 1);
-    adaptor.Intervals(intervals, GeomAbs_C2);
-    for (int i = intervals.Lower(); i < intervals.Upper(); ++i)
-    {
-      // Several to begin with: a symmetric curve can look straight at its middle.
-      for (int k = 0; k < 4; ++k)
-      {
-        ends.push_back(intervals(i) + 0.25 * k * (intervals(i + 1) - intervals(i)));
-      }
-    }
-    ends.push_back(intervals(intervals.Upper()));
-    ends.front() = low;
-    ends.back() = high;
-  }
-  if (boundary.First > boundary.Last)
-  {
-    std::reverse(ends.begin(), ends.end());
-  }
-  return ends;
-}
-
-/// The edges of a wire in the order they follow each other.
-std::vector<TopoDS_Edge> OrderedEdges(const TopoDS_Wire& wire, const TopoDS_Face& face)
-{
-  std::vector<TopoDS_Edge> ordered;
-  for (BRepTools_WireExplorer explorer(wire, face); explorer.More(); explorer.Next())
-  {
-    ordered.push_back(explorer.Current());
-  }
-  std::vector<TopoDS_Edge> stored;
-  for (TopoDS_Iterator it(wire); it.More(); it.Next())
-  {
-    if (it.Value().Orientation() == TopAbs_FORWARD || it.Value().Orientation() == TopAbs_REVERSED)
-    {
-      stored.push_back(TopoDS::Edge(it.Value()));
-    }
-  }
-  // The explorer stops where a wire does not close; the file's order is better then.
-  return ordered.size() == stored.size() ? ordered : stored;
-}
-
-/// Whole periods that bring `to` closest to `from`.
-Vec2 JoiningShift(const Handle(Geom_Surface) & surface, const Vec2& from, const Vec2& to)
-{
-  Vec2 shift = Vec2::Zero();
-  if (surface->IsUPeriodic())
-  {
-    shift.x() = surface->UPeriod() * std::round((from.x() - to.x()) / surface->UPeriod());
-  }
-  if (surface->IsVPeriodic())
-  {
-    shift.y() = surface->VPeriod() * std::round((from.y() - to.y()) / surface->VPeriod());
-  }
-  return shift;
-}
-
-/// The wires of a face, which has to be oriented forward.
-std::vector<BoundaryWire> CollectWires(
-  const TopoDS_Face& face, const Handle(Geom_Surface) & surface)
-{
-  std::vector<BoundaryWire> wires;
-  for (TopExp_Explorer explorer(face, TopAbs_WIRE); explorer.More(); explorer.Next())
-  {
-    BoundaryWire wire;
-    for (const TopoDS_Edge& edge : OrderedEdges(TopoDS::Wire(explorer.Current()), face))
-    {
-      BoundaryCurve boundary;
-      boundary.Curve = BRep_Tool::CurveOnSurface(edge, face, boundary.First, boundary.Last);
-      if (boundary.Curve.IsNull())
-      {
-        continue;
-      }
-      if (edge.Orientation() == TopAbs_REVERSED)
-      {
-        std::swap(boundary.First, boundary.Last);
-      }
-      if (!wire.empty())
-      {
-        boundary.Shift =
-          JoiningShift(surface, wire.back()(wire.back().Last), boundary(boundary.First));
-      }
-      wire.push_back(boundary);
-    }
-    if (!wire.empty())
-    {
-      wires.push_back(wire);
-    }
-  }
-  return wires;
-}
-
-/**
- * The range of parameters that the wires enclose. Exact where its ends are corners of the
- * wires or straight stretches; where a curved stretch bounds it a little is added, which the
- * trim loops take away again.
- */
-ParameterRange EnclosedRange(
-  const std::vector<BoundaryWire>& wires, const Handle(Geom_Surface) & surface)
-{
-  const Vec2 all = Vec2::Constant(std::numeric_limits<double>::infinity());
-  ParameterRange corners{ all, -all };
-  ParameterRange curves{ all, -all };
-  for (const BoundaryWire& wire : wires)
-  {
-    for (const BoundaryCurve& boundary : wire)
-    {
-      const std::vector<double> ends = SmoothPieces(boundary);
-      for (double end : { ends.front(), ends.back() })
-      {
-        corners.First = corners.First.cwiseMin(boundary(end));
-        corners.Last = corners.Last.cwiseMax(boundary(end));
-      }
-      for (size_t i = 0; ends.size() > 2 && i + 1 < ends.size(); ++i)
-      {
-        for (int k = 0; k < 16; ++k)
-        {
-          const Vec2 uv = boundary(ends[i] + k / 16.0 * (ends[i + 1] - ends[i]));
-          curves.First = curves.First.cwiseMin(uv);
-          curves.Last = curves.Last.cwiseMax(uv);
-        }
-      }
-    }
-  }
-  double bounds[4];
-  surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
-  ParameterRange range = corners;
-  for (int axis : { 0, 1 })
-  {
-    const double size = std::max(corners.Last[axis], curves.Last[axis]) -
-      std::min(corners.First[axis], curves.First[axis]);
-    if (curves.First[axis] < corners.First[axis] - 1e-7 * size)
-    {
-      range.First[axis] = curves.First[axis] - 0.01 * size;
-    }
-    if (curves.Last[axis] > corners.Last[axis] + 1e-7 * size)
-    {
-      range.Last[axis] = curves.Last[axis] + 0.01 * size;
-    }
-    const bool periodic = axis == 0 ? surface->IsUPeriodic() : surface->IsVPeriodic();
-    const double slack = 1e-7 * size;
-    if (!periodic)
-    {
-      const double low = bounds[2 * axis];
-      const double high = bounds[2 * axis + 1];
-      range.First[axis] = range.First[axis] < low + slack ? low : range.First[axis];
-      range.Last[axis] = range.Last[axis] > high - slack ? high : range.Last[axis];
-    }
-    else
-    {
-      const double period = axis == 0 ? surface->UPeriod() : surface->VPeriod();
-      if (range.Last[axis] - range.First[axis] > period - slack)
-      {
-        range.Last[axis] = range.First[axis] + period;
-      }
-    }
-  }
-  return range;
-}
 
 /// Divides stretches of wires until their chords lie close enough to the surface's own curve.
 class LoopSampler
@@ -408,6 +211,41 @@ std::vector<std::vector<Vec2>> SampleLoops(
   return loops;
 }
 
+/// What wires leave of a turn where they only pass: ways along its border and back.
+void RemoveSpurs(const NurbsSurface& surface, std::vector<Vec2>& loop)
+{
+  const auto onBorder = [&](const Vec2& a, const Vec2& b, const Vec2& c)
+  {
+    return a.x() == b.x() && b.x() == c.x()
+      ? b.x() == surface.FirstU() || b.x() == surface.LastU()
+      : a.y() == b.y() && b.y() == c.y() && (b.y() == surface.FirstV() || b.y() == surface.LastV());
+  };
+  for (size_t i = 0; loop.size() > 2 && i < loop.size();)
+  {
+    const size_t count = loop.size();
+    const bool spur = onBorder(loop[(i + count - 1) % count], loop[i], loop[(i + 1) % count]);
+    i =
+      spur ? (loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i)), i > 0 ? i - 1 : 0) : i + 1;
+  }
+}
+
+/// The part of a winding face in one turn; false if there is none.
+bool KeepTurn(NurbsSurface& surface)
+{
+  auto& loops = surface.TrimLoops;
+  const bool whole = loops.empty();
+  for (auto& loop : loops)
+  {
+    RemoveSpurs(surface, loop);
+  }
+  const double least =
+    ChordTolerance * (surface.LastU() - surface.FirstU()) * (surface.LastV() - surface.FirstV());
+  loops.erase(std::remove_if(loops.begin(), loops.end(),
+                [&](const auto& loop) { return std::abs(SignedArea(loop)) < least; }),
+    loops.end());
+  return whole || !loops.empty();
+}
+
 void Scale(NurbsSurface& surface, double scale)
 {
   for (Vec4& point : surface.ControlPoints)
@@ -418,8 +256,8 @@ void Scale(NurbsSurface& surface, double scale)
 }
 
 //------------------------------------------------------------------------------
-std::string ConvertFace(
-  const TopoDS_Face& face, const std::vector<double>& limits, double scale, NurbsSurface& surface)
+std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limits, double scale,
+  std::vector<NurbsSurface>& surfaces)
 {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   const Handle(Geom_Surface) basis = BRep_Tool::Surface(forward);
@@ -454,15 +292,29 @@ std::string ConvertFace(
     return "its parameter range is empty";
   }
 
-  const CADSurface converted = ConvertSurface(basis, range);
-  surface = converted.Converted.Surface;
-  surface.TrimLoops = SampleLoops(wires, converted);
-  if (face.Orientation() == TopAbs_REVERSED)
+  const std::vector<ParameterRange> turns = Turns(range, basis);
+  for (const ParameterRange& turn : turns)
   {
-    surface = ReverseU(surface);
+    const CADSurface converted = ConvertSurface(basis, turn);
+    NurbsSurface surface = converted.Converted.Surface;
+    surface.TrimLoops = SampleLoops(wires, converted);
+    if (turns.size() > 1 && !KeepTurn(surface))
+    {
+      continue;
+    }
+    if (face.Orientation() == TopAbs_REVERSED)
+    {
+      surface = ReverseU(surface);
+    }
+    Scale(surface, scale);
+    const std::string defect = FindDefect(surface);
+    const std::string loopDefect = defect.empty() ? FindTrimLoopDefect(surface) : defect;
+    if (!loopDefect.empty())
+    {
+      return loopDefect;
+    }
+    surfaces.push_back(std::move(surface));
   }
-  Scale(surface, scale);
-  const std::string defect = FindDefect(surface);
-  return defect.empty() ? FindTrimLoopDefect(surface) : defect;
+  return {};
 }
 }

@@ -19,12 +19,12 @@ namespace nurbs
  *
  * @param limits u, u, v, v: part of the surface's parameters beyond which the face does not
  *               reach, whatever its wires say; empty: none.
-
+ * @param[out] surfaces one, or one for each turn of a face that winds round its surface.
  * @return empty, or in a few words why the face has no NURBS surface. OpenCASCADE's exceptions
  * pass through.
  */
-std::string ConvertFace(
-  const TopoDS_Face& face, const std::vector<double>& limits, double scale, NurbsSurface& surface);
+std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limits, double scale,
+  std::vector<NurbsSurface>& surfaces);
 }
 
 #endif

@@ -106,21 +106,19 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
     {
       return false;
     }
-    NamedSurface named;
-    named.Name = names[i];
+    std::vector<NurbsSurface> turns;
     const std::string reason = CatchReason(
-      [&]
-      {
-        return ConvertFace(
-          TopoDS::Face(model.Faces[i].Shape), model.Faces[i].Range, scale, named.Surface);
+      [&] {
+        return ConvertFace(TopoDS::Face(model.Faces[i].Shape), model.Faces[i].Range, scale, turns);
       });
-    if (reason.empty())
-    {
-      surfaces.push_back(std::move(named));
-    }
-    else
+    if (!reason.empty())
     {
       omissions.push_back("\"" + names[i] + "\" (" + reason + ")");
+      continue;
+    }
+    for (NurbsSurface& surface : turns)
+    {
+      surfaces.push_back({ names[i], std::move(surface) });
     }
   }
   error = DescribeOmissions(path, model.Faces.size(), omissions, model.Untransferred);
