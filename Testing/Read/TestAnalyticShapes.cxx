@@ -365,12 +365,11 @@ void CheckOpenApex()
     "half a cone has area " << Area(surface) << ", not " << expected);
 }
 
-/// A band that winds round a cylinder, as a thread does: one surface for each turn, without gaps.
-void CheckWinding()
+/// A parallelogram in the parameters of a surface, from (first, 0) to (last, rise) and as wide in
+/// v.
+TopoDS_Face Band(
+  const Handle(Geom_Surface) & surface, double first, double last, double rise, double width)
 {
-  constexpr double radius = 5.0, pitch = 2.0, width = 1.0, turns = 3.4, first = 0.7;
-  const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(Leaning()), radius);
-  const double last = first + turns * 2.0 * M_PI, rise = turns * pitch;
   const std::array<gp_Pnt2d, 4> corners = { gp_Pnt2d(first, 0), gp_Pnt2d(last, rise),
     gp_Pnt2d(last, rise + width), gp_Pnt2d(first, width) };
   BRepBuilderAPI_MakeWire wire;
@@ -379,11 +378,20 @@ void CheckWinding()
     const gp_Pnt2d& a = corners[i];
     const gp_Pnt2d& b = corners[(i + 1) % 4];
     const Handle(Geom2d_Curve) line = new Geom2d_Line(a, gp_Dir2d(gp_Vec2d(a, b)));
-    wire.Add(BRepBuilderAPI_MakeEdge(line, cylinder, 0.0, a.Distance(b)));
+    wire.Add(BRepBuilderAPI_MakeEdge(line, surface, 0.0, a.Distance(b)));
   }
-  const TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, wire);
+  return BRepBuilderAPI_MakeFace(surface, wire);
+}
+
+/// A band that winds round a cylinder, as a thread does: one surface for each turn, without gaps.
+void CheckWinding()
+{
+  constexpr double radius = 5.0, pitch = 2.0, width = 1.0, turns = 3.4, first = 0.7;
+  const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(Leaning()), radius);
+  const double last = first + turns * 2.0 * M_PI, rise = turns * pitch;
   std::vector<NurbsSurface> surfaces;
-  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
+  const std::string reason =
+    nurbs::ConvertFace(Band(cylinder, first, last, rise, width), {}, 1.0, surfaces);
   CHECK(reason.empty() && surfaces.size() == 4, reason << surfaces.size() << " turns");
   double area = 0.0;
   for (const NurbsSurface& surface : surfaces)
@@ -412,6 +420,11 @@ void CheckWinding()
   CHECK(onBand < 1e-9, "a place on the band is " << onBand << " from it");
   CHECK(between > 0.4, "a place between the turns is " << between << " from the band");
   CHECK(onBorder == 0, onBorder << " places of the band lie on a border");
+
+  std::vector<NurbsSurface> none;
+  const std::string refusal = nurbs::ConvertFace(Band(cylinder, 0, 1e6, 1, 1), {}, 1.0, none);
+  CHECK(refusal.find("too many times") != std::string::npos && none.empty(),
+    "150 000 turns: \"" << refusal << "\", " << none.size() << " surfaces");
 }
 }
 

@@ -186,7 +186,7 @@ void RemoveRepeated(std::vector<Vec2>& loop)
   }
 }
 
-/// The loops of the wires on the converted surface; none where they are just its border.
+/// The loops of the wires on the converted surface.
 std::vector<std::vector<Vec2>> SampleLoops(
   const std::vector<BoundaryWire>& wires, const CADSurface& surface)
 {
@@ -203,12 +203,17 @@ std::vector<std::vector<Vec2>> SampleLoops(
     }
   }
   // Corners on straight stretches say nothing.
-  loops = ThinLoops(loops, Vec2(form.LastU() - form.FirstU(), form.LastV() - form.FirstV()), 1e-10);
-  if (loops.size() == 1 && IsRectangle(loops[0], form))
+  return ThinLoops(loops, Vec2(form.LastU() - form.FirstU(), form.LastV() - form.FirstV()), 1e-10);
+}
+
+/// No loops where they are just the border of the surface.
+void DropBorderLoop(NurbsSurface& surface)
+{
+  auto& loops = surface.TrimLoops;
+  if (loops.size() == 1 && IsRectangle(loops[0], surface))
   {
     loops.clear();
   }
-  return loops;
 }
 
 /// What wires leave of a turn where they only pass: ways along its border and back.
@@ -223,9 +228,15 @@ void RemoveSpurs(const NurbsSurface& surface, std::vector<Vec2>& loop)
   for (size_t i = 0; loop.size() > 2 && i < loop.size();)
   {
     const size_t count = loop.size();
-    const bool spur = onBorder(loop[(i + count - 1) % count], loop[i], loop[(i + 1) % count]);
-    i =
-      spur ? (loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i)), i > 0 ? i - 1 : 0) : i + 1;
+    if (onBorder(loop[(i + count - 1) % count], loop[i], loop[(i + 1) % count]))
+    {
+      loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+      i = i > 0 ? i - 1 : 0;
+    }
+    else
+    {
+      ++i;
+    }
   }
 }
 
@@ -233,7 +244,6 @@ void RemoveSpurs(const NurbsSurface& surface, std::vector<Vec2>& loop)
 bool KeepTurn(NurbsSurface& surface)
 {
   auto& loops = surface.TrimLoops;
-  const bool whole = loops.empty();
   for (auto& loop : loops)
   {
     RemoveSpurs(surface, loop);
@@ -243,7 +253,7 @@ bool KeepTurn(NurbsSurface& surface)
   loops.erase(std::remove_if(loops.begin(), loops.end(),
                 [&](const auto& loop) { return std::abs(SignedArea(loop)) < least; }),
     loops.end());
-  return whole || !loops.empty();
+  return !loops.empty();
 }
 
 void Scale(NurbsSurface& surface, double scale)
@@ -293,6 +303,10 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
   }
 
   const std::vector<ParameterRange> turns = Turns(range, basis);
+  if (turns.empty())
+  {
+    return "it winds round its surface too many times";
+  }
   for (const ParameterRange& turn : turns)
   {
     const CADSurface converted = ConvertSurface(basis, turn);
@@ -302,6 +316,7 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
     {
       continue;
     }
+    DropBorderLoop(surface);
     if (face.Orientation() == TopAbs_REVERSED)
     {
       surface = ReverseU(surface);

@@ -19,6 +19,8 @@ namespace nurbs
 {
 namespace
 {
+/// More turns than any thread has.
+constexpr double MostTurns = 1000;
 /// A wire that is longer than so many periods winds on.
 constexpr double WindingShare = 1.0 + 1e-6;
 
@@ -238,8 +240,12 @@ std::vector<ParameterRange> Turns(const ParameterRange& whole, const Handle(Geom
   {
     const double period = PeriodOf(surface, axis);
     const double length = whole.Last[axis] - whole.First[axis];
-    const int count =
-      period > 0.0 ? std::max(1, static_cast<int>(std::ceil(length / period - 1e-7))) : 1;
+    const double periods = period > 0.0 ? std::ceil(length / period - 1e-7) : 1.0;
+    if (!(periods * static_cast<double>(turns.size()) <= MostTurns))
+    {
+      return {};
+    }
+    const int count = std::max(1, static_cast<int>(periods));
     std::vector<ParameterRange> parts;
     for (const ParameterRange& turn : turns)
     {

@@ -47,7 +47,7 @@ std::vector<BoundaryWire> CollectWires(
 ParameterRange EnclosedRange(
   const std::vector<BoundaryWire>& wires, const Handle(Geom_Surface) & surface);
 
-/// A range of more than a period as one range for each turn.
+/// A range of more than a period as one range for each turn; none if there are absurdly many.
 std::vector<ParameterRange> Turns(
   const ParameterRange& whole, const Handle(Geom_Surface) & surface);
 }
