@@ -330,6 +330,6 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
     }
     surfaces.push_back(std::move(surface));
   }
-  return {};
+  return surfaces.empty() ? "its wires enclose nothing" : std::string();
 }
 }
