@@ -256,6 +256,33 @@ bool KeepTurn(NurbsSurface& surface)
   return !loops.empty();
 }
 
+/// The range of parameters of a face; returns why it has none, or nothing.
+std::string FindRange(const std::vector<BoundaryWire>& wires, const Handle(Geom_Surface) & surface,
+  const std::vector<double>& limits, ParameterRange& range)
+{
+  if (wires.empty())
+  {
+    surface->Bounds(range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
+  }
+  else
+  {
+    range = EnclosedRange(wires, surface);
+  }
+  if (limits.size() == 4)
+  {
+    range.First = range.First.cwiseMax(Vec2(limits[0], limits[2]));
+    range.Last = range.Last.cwiseMin(Vec2(limits[1], limits[3]));
+  }
+  for (double bound : { range.First.x(), range.First.y(), range.Last.x(), range.Last.y() })
+  {
+    if (!std::isfinite(bound) || Precision::IsInfinite(bound))
+    {
+      return "it has no bounds";
+    }
+  }
+  return (range.Last - range.First).minCoeff() > 0.0 ? "" : "its parameter range is empty";
+}
+
 void Scale(NurbsSurface& surface, double scale)
 {
   for (Vec4& point : surface.ControlPoints)
@@ -277,31 +304,11 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
   }
   const std::vector<BoundaryWire> wires = CollectWires(forward, basis);
   ParameterRange range;
-  if (wires.empty())
+  const std::string reason = FindRange(wires, basis, limits, range);
+  if (!reason.empty())
   {
-    basis->Bounds(range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
+    return reason;
   }
-  else
-  {
-    range = EnclosedRange(wires, basis);
-  }
-  if (limits.size() == 4)
-  {
-    range.First = range.First.cwiseMax(Vec2(limits[0], limits[2]));
-    range.Last = range.Last.cwiseMin(Vec2(limits[1], limits[3]));
-  }
-  for (double bound : { range.First.x(), range.First.y(), range.Last.x(), range.Last.y() })
-  {
-    if (!std::isfinite(bound) || Precision::IsInfinite(bound))
-    {
-      return "it has no bounds";
-    }
-  }
-  if (!((range.Last - range.First).minCoeff() > 0.0))
-  {
-    return "its parameter range is empty";
-  }
-
   const std::vector<ParameterRange> turns = Turns(range, basis);
   if (turns.empty())
   {

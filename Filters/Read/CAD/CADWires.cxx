@@ -21,7 +21,7 @@ namespace
 {
 /// More turns than any thread has.
 constexpr double MostTurns = 1000;
-/// A wire that is longer than so many periods winds on.
+/// A wire that is longer than so many periods winds on, as a thread's does.
 constexpr double WindingShare = 1.0 + 1e-6;
 
 /// The edges of a wire in the order they follow each other.
@@ -78,12 +78,19 @@ void Extend(ParameterRange& range, const Vec2& uv)
   range.Last = range.Last.cwiseMax(uv);
 }
 
+ParameterRange Joined(const ParameterRange& a, const ParameterRange& b)
+{
+  return { a.First.cwiseMin(b.First), a.Last.cwiseMax(b.Last) };
+}
+
 /// How far wires reach with the ends of their stretches, and with the curved stretches.
 struct WireExtent
 {
   ParameterRange Corners = NoRange(), Curves = NoRange();
 
-  void Add(const BoundaryWire& wire)
+  WireExtent() = default;
+
+  explicit WireExtent(const BoundaryWire& wire)
   {
     for (const BoundaryCurve& boundary : wire)
     {
@@ -102,24 +109,18 @@ struct WireExtent
     }
   }
 
+  void Add(const WireExtent& other)
+  {
+    this->Corners = Joined(this->Corners, other.Corners);
+    this->Curves = Joined(this->Curves, other.Curves);
+  }
+
   double Length(int axis) const
   {
     return std::max(this->Corners.Last[axis], this->Curves.Last[axis]) -
       std::min(this->Corners.First[axis], this->Curves.First[axis]);
   }
 };
-
-/// Whether one of the wires winds round the surface more than once, as a thread's does.
-bool WindsOn(const std::vector<BoundaryWire>& wires, int axis, double period)
-{
-  return std::any_of(wires.begin(), wires.end(),
-    [&](const BoundaryWire& wire)
-    {
-      WireExtent extent;
-      extent.Add(wire);
-      return extent.Length(axis) > WindingShare * period;
-    });
-}
 }
 
 //------------------------------------------------------------------------------
@@ -196,9 +197,12 @@ ParameterRange EnclosedRange(
   const std::vector<BoundaryWire>& wires, const Handle(Geom_Surface) & surface)
 {
   WireExtent extent;
+  Vec2 longest = Vec2::Zero(); // of a single wire
   for (const BoundaryWire& wire : wires)
   {
-    extent.Add(wire);
+    const WireExtent own(wire);
+    longest = longest.cwiseMax(Vec2(own.Length(0), own.Length(1)));
+    extent.Add(own);
   }
   const auto& [corners, curves] = extent;
   double bounds[4];
@@ -224,7 +228,8 @@ ParameterRange EnclosedRange(
       range.First[axis] = range.First[axis] < low + slack ? low : range.First[axis];
       range.Last[axis] = range.Last[axis] > high - slack ? high : range.Last[axis];
     }
-    else if (range.Last[axis] - range.First[axis] > period - slack && !WindsOn(wires, axis, period))
+    else if (range.Last[axis] - range.First[axis] > period - slack &&
+      !(longest[axis] > WindingShare * period))
     {
       range.Last[axis] = range.First[axis] + period;
     }
