@@ -22,143 +22,155 @@ constexpr double CollapsedShare = 0.2;
 /// Sweeps of mending; in the later half elements are only eliminated, so that it ends.
 constexpr int MendingSweeps = 20;
 
-/// The working state of one decision.
-class Mender
+/// A node with more elements has no pattern.
+constexpr std::size_t MostInPattern = 64;
+
+}
+
+Decision::Decision(const Band& band, const Columns& columns, const VolumeShares& shares,
+  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+  double threshold, bool movesNodes)
+  : TheBand(band)
+  , TheColumns(columns)
+  , Shares(shares)
+  , NodeStatus(nodeStatus)
+  , Surface(surface)
+  , Threshold(threshold)
+  , MovesNodes(movesNodes)
+  , Members(columns.Elements())
+  , Whole(band.NumberOfElements(), 1)
+  , Collapsing(band.NumberOfElements(), Unknown)
 {
-public:
-  Mender(const Band& band, const Columns& columns, const VolumeShares& shares,
-    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-    double threshold, const std::vector<Fate>& fate, bool movesNodes, std::vector<char>& kept)
-    : TheBand(band)
-    , TheColumns(columns)
-    , Shares(shares)
-    , NodeStatus(nodeStatus)
-    , Surface(surface)
-    , Threshold(threshold)
-    , Fates(fate)
-    , MovesNodes(movesNodes)
-    , Kept(kept)
-    , Members(columns.Elements())
-    , Whole(band.NumberOfElements(), 1)
-  {
-    this->FindInnerNodes();
-  }
+  this->FindInnerNodes();
+}
 
-  void Run()
+std::vector<char> Decision::Take(const std::vector<Fate>& fate)
+{
+  std::vector<char> kept(this->TheBand.NumberOfElements());
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
-    if (this->MovesNodes)
+    const int column = this->TheColumns.Column[e];
+    // Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep).
+    kept[e] = fate[column] == Fate::ByVolume ? this->Shares.Column[e] <= this->Threshold + 1e-9
+                                             : fate[column] == Fate::Keep;
+  }
+  if (this->MovesNodes)
+  {
+    this->EliminateLostBorders(fate, kept);
+  }
+  for (int sweep = 0; sweep < MendingSweeps; ++sweep)
+  {
+    const bool onlyEliminate = sweep >= MendingSweeps / 2;
+    const bool collapsed = this->MovesNodes && this->EliminateCollapsing(fate, kept);
+    const bool pinched = this->MendPinches(onlyEliminate, kept);
+    if (!collapsed && !pinched)
     {
-      this->EliminateLostBorders();
-    }
-    for (int sweep = 0; sweep < MendingSweeps; ++sweep)
-    {
-      const bool onlyEliminate = sweep >= MendingSweeps / 2;
-      const bool collapsed = this->MovesNodes && this->EliminateCollapsing();
-      const bool pinched = this->MendPinches(onlyEliminate);
-      if (!collapsed && !pinched)
-      {
-        return;
-      }
+      break;
     }
   }
+  return kept;
+}
 
-private:
-  /// Nodes near the cut whose elements are all in the band.
-  void FindInnerNodes()
+/// Nodes near the cut whose elements are all in the band.
+void Decision::FindInnerNodes()
+{
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
-    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    const auto elements = this->TheBand.ElementsOfNode(n);
+    const bool inner = std::none_of(
+      elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); });
+    bool mixed = false;
+    for (const int e : elements)
     {
-      const auto elements = this->TheBand.ElementsOfNode(n);
-      const bool inner = std::none_of(
-        elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); });
-      bool mixed = false;
-      for (const int e : elements)
-      {
-        mixed |= this->TheBand.Elements[e].Ring <= 2;
-      }
-      if (inner && mixed)
-      {
-        this->InnerNodes.push_back(n);
-      }
+      mixed |= this->TheBand.Elements[e].Ring <= 2;
+    }
+    if (inner && mixed)
+    {
+      this->InnerNodes.push_back(n);
     }
   }
+  this->NotPinched.assign(this->InnerNodes.size(), 0);
+}
 
-  void SetColumn(int column, char kept)
+void Decision::SetColumn(int column, char to, std::vector<char>& kept) const
+{
+  for (auto* e = this->Members.begin(column); e != this->Members.end(column); ++e)
   {
-    for (auto* e = this->Members.begin(column); e != this->Members.end(column); ++e)
+    kept[*e] = to;
+  }
+}
+
+/// Kept columns that lose a whole side on the border of the mesh: their nodes there could reach
+/// the surface only by leaving the border.
+void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<char>& kept) const
+{
+  // By column and the two pillars (in a block: nodes) that bound the side.
+  std::map<std::array<int, 3>, bool> lostSides;
+  for (std::size_t f = 0; f < this->TheBand.Faces.size(); ++f)
+  {
+    const auto& face = this->TheBand.Faces[f];
+    const int e = face.Element[0];
+    if (!face.Exterior || !kept[e] ||
+      this->TheColumns.IsLayerFace(this->TheBand, static_cast<int>(f)))
     {
-      this->Kept[*e] = kept;
+      continue;
+    }
+    std::array<int, 3> side{ this->TheColumns.Column[e], std::numeric_limits<int>::max(), -1 };
+    bool keeps = false;
+    bool eliminates = false;
+    for (int i = 0; i < face.Count; ++i)
+    {
+      const int pillar = this->TheColumns.Pillar[face.Node[i]];
+      side[1] = std::min(side[1], pillar);
+      side[2] = std::max(side[2], pillar);
+      keeps |= this->NodeStatus[face.Node[i]] == NodeKeep;
+      eliminates |= this->NodeStatus[face.Node[i]] == NodeEliminate;
+    }
+    const bool lost = !keeps && eliminates;
+    const auto known = lostSides.emplace(side, lost);
+    known.first->second = known.first->second && lost;
+  }
+  for (const auto& side : lostSides)
+  {
+    if (side.second && fate[side.first[0]] != Fate::Keep)
+    {
+      this->SetColumn(side.first[0], 0, kept);
     }
   }
+}
 
-  /// Kept columns that lose a whole side on the border of the mesh: their nodes there could reach
-  /// the surface only by leaving the border.
-  void EliminateLostBorders()
+/// Kept columns whose nodes all go to the surface and leave nothing between them.
+bool Decision::EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept)
+{
+  const auto moving = FindMovingNodes(this->TheBand, kept, this->NodeStatus);
+  bool changed = false;
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
-    // By column and the two pillars (in a block: nodes) that bound the side.
-    std::map<std::array<int, 3>, bool> lostSides;
-    for (std::size_t f = 0; f < this->TheBand.Faces.size(); ++f)
+    const auto& element = this->TheBand.Elements[e];
+    const int column = this->TheColumns.Column[e];
+    if (!kept[e] || fate[column] == Fate::Keep)
     {
-      const auto& face = this->TheBand.Faces[f];
-      const int e = face.Element[0];
-      if (!face.Exterior || !this->Kept[e] ||
-        this->TheColumns.IsLayerFace(this->TheBand, static_cast<int>(f)))
-      {
-        continue;
-      }
-      std::array<int, 3> side{ this->TheColumns.Column[e], std::numeric_limits<int>::max(), -1 };
-      bool keeps = false;
-      bool eliminates = false;
-      for (int i = 0; i < face.Count; ++i)
-      {
-        const int pillar = this->TheColumns.Pillar[face.Node[i]];
-        side[1] = std::min(side[1], pillar);
-        side[2] = std::max(side[2], pillar);
-        keeps |= this->NodeStatus[face.Node[i]] == NodeKeep;
-        eliminates |= this->NodeStatus[face.Node[i]] == NodeEliminate;
-      }
-      const bool lost = !keeps && eliminates;
-      const auto known = lostSides.emplace(side, lost);
-      known.first->second = known.first->second && lost;
+      continue;
     }
-    for (const auto& side : lostSides)
+    bool all = true;
+    for (int i = 0; i < element.Count && all; ++i)
     {
-      if (side.second && this->Fates[side.first[0]] != Fate::Keep)
-      {
-        this->SetColumn(side.first[0], 0);
-      }
+      all = moving[element.Node[i]] || this->NodeStatus[element.Node[i]] == NodeOnSurface;
+    }
+    if (all && this->Collapses(e))
+    {
+      this->SetColumn(column, 0, kept);
+      changed = true;
     }
   }
+  return changed;
+}
 
-  /// Kept columns whose nodes all go to the surface and leave nothing between them.
-  bool EliminateCollapsing()
+bool Decision::Collapses(int e)
+{
+  if (this->Collapsing[e] == Unknown)
   {
-    const auto moving = FindMovingNodes(this->TheBand, this->Kept, this->NodeStatus);
-    bool changed = false;
-    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
-    {
-      const auto& element = this->TheBand.Elements[e];
-      const int column = this->TheColumns.Column[e];
-      if (!this->Kept[e] || this->Fates[column] == Fate::Keep)
-      {
-        continue;
-      }
-      bool all = true;
-      for (int i = 0; i < element.Count && all; ++i)
-      {
-        all = moving[element.Node[i]] || this->NodeStatus[element.Node[i]] == NodeOnSurface;
-      }
-      if (all && this->Collapses(element))
-      {
-        this->SetColumn(column, 0);
-        changed = true;
-      }
-    }
-    return changed;
-  }
-
-  bool Collapses(const BandElement& element) const
-  {
+    const auto& element = this->TheBand.Elements[e];
     ElementPoints before;
     ElementPoints after;
     for (int i = 0; i < element.Count; ++i)
@@ -166,83 +178,87 @@ private:
       before[i] = this->TheBand.Point[element.Node[i]];
       after[i] = this->Surface.ClosestPoint(before[i]).Point;
     }
-    return VolumeOf(after, element.Count) < CollapsedShare * VolumeOf(before, element.Count);
+    this->Collapsing[e] =
+      VolumeOf(after, element.Count) < CollapsedShare * VolumeOf(before, element.Count);
   }
+  return this->Collapsing[e] != 0;
+}
 
-  /// Whether what is kept is no manifold at a node, where the whole mesh is one.
-  bool IsPinched(int node) const
+/// Whether what is kept is no manifold at a node, where the whole mesh is one.
+bool Decision::IsPinched(std::size_t inner, const std::vector<char>& kept)
+{
+  const int node = this->InnerNodes[inner];
+  const auto elements = this->TheBand.ElementsOfNode(node);
+  const auto count = static_cast<std::size_t>(elements.size());
+  std::uint64_t pattern = 0;
+  std::size_t numberKept = 0;
+  for (const int e : elements)
   {
-    const auto elements = this->TheBand.ElementsOfNode(node);
-    const auto isKept = [this](int e) { return this->Kept[e] != 0; };
-    const auto kept = std::count_if(elements.begin(), elements.end(), isKept);
-    return kept > 0 && kept < elements.size() && !IsManifoldAt(this->TheBand, this->Kept, node) &&
-      IsManifoldAt(this->TheBand, this->Whole, node);
+    pattern = pattern << 1 | (kept[e] != 0);
+    numberKept += kept[e] != 0;
   }
-
-  bool MendPinches(bool onlyEliminate)
+  if (numberKept == 0 || numberKept == count ||
+    (count <= MostInPattern && this->NotPinched[inner] == pattern))
   {
-    bool changed = false;
-    for (const int n : this->InnerNodes)
-    {
-      if (this->IsPinched(n))
-      {
-        changed |= this->MendPinch(n, onlyEliminate);
-      }
-    }
-    return changed;
-  }
-
-  /// Turns round the column at the node whose share is nearest to the threshold.
-  bool MendPinch(int node, bool onlyEliminate)
-  {
-    std::vector<std::pair<double, int>> candidates;
-    for (const int e : this->TheBand.ElementsOfNode(node))
-    {
-      const int column = this->TheColumns.Column[e];
-      if (onlyEliminate && !this->Kept[e])
-      {
-        continue;
-      }
-      candidates.emplace_back(std::abs(this->Shares.Column[e] - this->Threshold), column);
-    }
-    std::sort(candidates.begin(), candidates.end());
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    for (const auto& candidate : candidates)
-    {
-      const char before = this->Kept[candidate.second];
-      this->SetColumn(candidate.second, !before);
-      if (IsManifoldAt(this->TheBand, this->Kept, node))
-      {
-        return true;
-      }
-      this->SetColumn(candidate.second, before);
-    }
-    // No single column mends it: take away all that is kept here but the largest share.
-    for (const auto& candidate : candidates)
-    {
-      if (this->Kept[candidate.second])
-      {
-        this->SetColumn(candidate.second, 0);
-        return true;
-      }
-    }
     return false;
   }
+  const bool pinched =
+    !IsManifoldAt(this->TheBand, kept, node) && IsManifoldAt(this->TheBand, this->Whole, node);
+  if (!pinched)
+  {
+    this->NotPinched[inner] = pattern;
+  }
+  return pinched;
+}
 
-  const Band& TheBand;
-  const Columns& TheColumns;
-  const VolumeShares& Shares;
-  const std::vector<unsigned char>& NodeStatus;
-  const nurbs::TrimmingSurface& Surface;
-  double Threshold;
-  const std::vector<Fate>& Fates;
-  bool MovesNodes;
-  std::vector<char>& Kept;
-  Band::Lists Members;
-  std::vector<char> Whole;
-  std::vector<int> InnerNodes;
-};
+bool Decision::MendPinches(bool onlyEliminate, std::vector<char>& kept)
+{
+  bool changed = false;
+  for (std::size_t i = 0; i < this->InnerNodes.size(); ++i)
+  {
+    if (this->IsPinched(i, kept))
+    {
+      changed |= this->MendPinch(this->InnerNodes[i], onlyEliminate, kept);
+    }
+  }
+  return changed;
+}
 
+/// Turns round the column at the node whose share is nearest to the threshold.
+bool Decision::MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) const
+{
+  std::vector<std::pair<double, int>> candidates;
+  for (const int e : this->TheBand.ElementsOfNode(node))
+  {
+    const int column = this->TheColumns.Column[e];
+    if (onlyEliminate && !kept[e])
+    {
+      continue;
+    }
+    candidates.emplace_back(std::abs(this->Shares.Column[e] - this->Threshold), column);
+  }
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  for (const auto& candidate : candidates)
+  {
+    const char before = kept[candidate.second];
+    this->SetColumn(candidate.second, !before, kept);
+    if (IsManifoldAt(this->TheBand, kept, node))
+    {
+      return true;
+    }
+    this->SetColumn(candidate.second, before, kept);
+  }
+  // No single column mends it: take away all that is kept here but the largest share.
+  for (const auto& candidate : candidates)
+  {
+    if (kept[candidate.second])
+    {
+      this->SetColumn(candidate.second, 0, kept);
+      return true;
+    }
+  }
+  return false;
 }
 
 bool MeasureShares(const Band& band, const Columns& columns,
@@ -285,21 +301,6 @@ bool MeasureShares(const Band& band, const Columns& columns,
     shares.Column[e] = total[column] > 0.0 ? eliminated[column] / total[column] : 0.0;
   }
   return true;
-}
-
-std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double threshold, const std::vector<Fate>& fate, bool movesNodes)
-{
-  std::vector<char> kept(band.NumberOfElements());
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    const Fate set = fate[columns.Column[e]];
-    // Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep).
-    kept[e] = set == Fate::ByVolume ? shares.Column[e] <= threshold + 1e-9 : set == Fate::Keep;
-  }
-  Mender(band, columns, shares, nodeStatus, surface, threshold, fate, movesNodes, kept).Run();
-  return kept;
 }
 
 std::vector<char> FindMovingNodes(

@@ -13,6 +13,7 @@
 #include "Columns.h"
 #include "TrimmingSurface.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace trim
@@ -50,14 +51,46 @@ bool MeasureShares(const Band& band, const Columns& columns,
  * collapse because all their nodes go to one place of the surface, or that lose a whole facet of
  * the border of the mesh.
  *
- * @param threshold EliminationFraction: a column goes when its share is larger.
- * @param fate by column (index: smallest element of the column).
- * @param movesNodes false for type I, where no element is deformed.
- * @return for each band element whether it is kept.
+ * It is taken again and again, under other fates; what was found out about elements and nodes is
+ * kept, so one thread at a time may take it. What it is given must outlive it.
  */
-std::vector<char> Decide(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double threshold, const std::vector<Fate>& fate, bool movesNodes);
+class Decision
+{
+public:
+  /// @param threshold EliminationFraction: a column goes when its share is larger.
+  /// @param movesNodes false for type I, where no element is deformed.
+  Decision(const Band& band, const Columns& columns, const VolumeShares& shares,
+    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
+    double threshold, bool movesNodes);
+
+  /// @param fate by column (index: smallest element of the column).
+  /// @return for each band element whether it is kept.
+  std::vector<char> Take(const std::vector<Fate>& fate);
+
+private:
+  void FindInnerNodes();
+  void SetColumn(int column, char to, std::vector<char>& kept) const;
+  void EliminateLostBorders(const std::vector<Fate>& fate, std::vector<char>& kept) const;
+  bool EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept);
+  bool Collapses(int e);
+  bool IsPinched(std::size_t inner, const std::vector<char>& kept);
+  bool MendPinches(bool onlyEliminate, std::vector<char>& kept);
+  bool MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) const;
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const VolumeShares& Shares;
+  const std::vector<unsigned char>& NodeStatus;
+  const nurbs::TrimmingSurface& Surface;
+  double Threshold;
+  bool MovesNodes;
+  Band::Lists Members;
+  std::vector<char> Whole;
+  std::vector<int> InnerNodes;
+  static constexpr signed char Unknown = -1;
+  std::vector<signed char> Collapsing;   ///< by element
+  std::vector<std::uint64_t> NotPinched; ///< by inner node: elements kept when it was none, as bits
+};
 
 /**
  * Nodes that have to lie on the new boundary: those that kept and eliminated elements share,

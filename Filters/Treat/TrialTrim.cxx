@@ -30,12 +30,13 @@ TrialTrim::TrialTrim(const Band& band, const Columns& columns, const VolumeShare
   double precision, const LadderOptions& options)
   : TheBand(band)
   , TheColumns(columns)
-  , Shares(shares)
   , NodeStatus(nodeStatus)
   , Surface(surface)
   , Options(options)
   , Quality(band, options.Treatment, options.QualityFloor)
   , Mover(band, columns, nodeStatus, surface, precision)
+  , TheDecision(band, columns, shares, nodeStatus, surface, options.EliminationFraction,
+      options.CorrectionType != Correction::Eliminate)
 {
 }
 
@@ -121,9 +122,7 @@ TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal,
 {
   Choices set = this->WithDemands(choices);
   TrimmedBand trimmed;
-  trimmed.Kept = Decide(this->TheBand, this->TheColumns, this->Shares, this->NodeStatus,
-    this->Surface, this->Options.EliminationFraction, set.Fates,
-    this->Options.CorrectionType != Correction::Eliminate);
+  trimmed.Kept = this->TheDecision.Take(set.Fates);
   if (this->Options.CorrectionType == Correction::Eliminate)
   {
     trimmed.Moving.assign(this->TheBand.NumberOfNodes(), 0);

@@ -136,12 +136,12 @@ private:
 
   const Band& TheBand;
   const Columns& TheColumns;
-  const VolumeShares& Shares;
   const std::vector<unsigned char>& NodeStatus;
   const nurbs::TrimmingSurface& Surface;
   const LadderOptions& Options;
   BandQuality Quality;
   NodeMover Mover;
+  mutable Decision TheDecision; ///< keeps what it finds out
 };
 
 }
