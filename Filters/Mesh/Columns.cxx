@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace trim
 {
@@ -406,6 +407,19 @@ Band::Lists Columns::Elements() const
     });
 }
 
+Band::Lists Columns::Nodes() const
+{
+  const int count = static_cast<int>(this->Pillar.size());
+  return BuildLists(count,
+    [&](auto&& add)
+    {
+      for (int n = 0; n < count; ++n)
+      {
+        add(this->Pillar[n], n);
+      }
+    });
+}
+
 bool Columns::Complete(const Band& band, int ring) const
 {
   std::vector<char> open(band.NumberOfElements(), 0);
@@ -458,10 +472,10 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
   BuildPlainGroups(band, classes.Parts, columns);
 }
 
-Columns NoColumns(const Band& band)
+Columns NoColumns(const Band& band, std::vector<int> part)
 {
   Columns columns;
-  columns.Part = AxisClasses(band).PartOfElements(band);
+  columns.Part = std::move(part);
   columns.Axis.assign(band.NumberOfElements(), -1);
   BuildGroups(band, columns);
   return columns;

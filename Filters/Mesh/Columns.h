@@ -31,6 +31,9 @@ struct Columns
   /// Of each column, ascending.
   Band::Lists Elements() const;
 
+  /// Nodes of each pillar, by its number.
+  Band::Lists Nodes() const;
+
   /// True if the columns of all elements up to this ring end at the skin, not at the band.
   bool Complete(const Band& band, int ring) const;
 
@@ -89,7 +92,8 @@ using AxisShift = std::function<double(int, int)>;
 void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Columns& columns);
 
 /// Columns of a band that is to be treated as a solid block: every element for itself.
-Columns NoColumns(const Band& band);
+/// @param part of each element, see Columns::Part.
+Columns NoColumns(const Band& band, std::vector<int> part);
 
 }
 

@@ -223,19 +223,22 @@ std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double sca
 }
 
 double BandQuality::LowestIfLeft(const TrimmedBand& trimmed, const Columns& columns, int column,
-  const std::vector<int>& pillars, double way) const
+  const std::vector<int>& nodes, double way) const
 {
   double lowest = std::numeric_limits<double>::infinity();
   const auto isLeft = [&](int node)
-  { return std::find(pillars.begin(), pillars.end(), columns.Pillar[node]) != pillars.end(); };
-  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+  { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); };
+  std::vector<int> elements;
+  for (const int node : nodes)
+  {
+    const auto at = this->TheBand.ElementsOfNode(node);
+    elements.insert(elements.end(), at.begin(), at.end());
+  }
+  std::sort(elements.begin(), elements.end());
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  for (const int e : elements)
   {
     if (!trimmed.Kept[e] || this->IsExempt(trimmed, e))
-    {
-      continue;
-    }
-    const auto& nodes = this->TheBand.Elements[e].Node;
-    if (std::none_of(nodes.begin(), nodes.begin() + this->TheBand.Elements[e].Count, isLeft))
     {
       continue;
     }

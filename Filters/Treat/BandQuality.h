@@ -47,10 +47,10 @@ public:
   /// Touched elements below a scaled Jacobian, and below what they had before.
   std::vector<int> FindShortOf(const TrimmedBand& trimmed, double scaledJacobian) const;
 
-  /// The smallest scaled Jacobian in a column, if these pillars went only part of their way; -1
+  /// The smallest scaled Jacobian in a column, if these nodes went only part of their way; -1
   /// if another element at them fell below the floor, or farther below it.
   double LowestIfLeft(const TrimmedBand& trimmed, const Columns& columns, int column,
-    const std::vector<int>& pillars, double way) const;
+    const std::vector<int>& nodes, double way) const;
 
   struct Shortage
   {

@@ -18,6 +18,7 @@ ColumnChoices::ColumnChoices(const Band& band, const Columns& columns, const Vol
   , Aimed(band, options.Treatment, options.AimedQuality())
   , Trial(band, columns, shares, nodeStatus, surface, precision, options)
   , Members(columns.Elements())
+  , PillarNodes(columns.Nodes())
   , At(position)
 {
   if (!this->At.Rungs.empty())
@@ -97,21 +98,35 @@ std::vector<int> ColumnChoices::PillarsToLeave(const TrimmedBand& trimmed, int c
 bool ColumnChoices::LeaveBest(
   const TrimmedBand& trimmed, int column, const std::vector<int>& pillars, double least)
 {
-  std::vector<std::vector<int>> choices;
+  struct Choice
+  {
+    std::vector<int> Pillars, Nodes;
+  };
+  const auto choose = [this](const std::vector<int>& chosen)
+  {
+    Choice choice{ chosen, {} };
+    for (const int pillar : chosen)
+    {
+      choice.Nodes.insert(
+        choice.Nodes.end(), this->PillarNodes.begin(pillar), this->PillarNodes.end(pillar));
+    }
+    return choice;
+  };
+  std::vector<Choice> single;
   for (const int pillar : pillars)
   {
-    choices.push_back({ pillar });
+    single.push_back(choose({ pillar }));
   }
-  for (const auto& together : { choices, { pillars } })
+  for (const auto& choices : { single, { choose(pillars) } })
   {
     for (const double way : { 0.75, 0.5, 0.25, 0.0 })
     {
-      const std::vector<int>* best = nullptr;
+      const Choice* best = nullptr;
       double quality = least;
-      for (const auto& choice : together)
+      for (const Choice& choice : choices)
       {
         const double found =
-          this->Quality.LowestIfLeft(trimmed, this->TheColumns, column, choice, way);
+          this->Quality.LowestIfLeft(trimmed, this->TheColumns, column, choice.Nodes, way);
         if (found >= quality)
         {
           quality = found;
@@ -120,7 +135,7 @@ bool ColumnChoices::LeaveBest(
       }
       if (best)
       {
-        this->LeaveOnWay(*best, way);
+        this->LeaveOnWay(best->Pillars, way);
         return true;
       }
     }

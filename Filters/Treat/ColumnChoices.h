@@ -116,7 +116,8 @@ public:
   BandQuality Quality;
   BandQuality Aimed; ///< at what is aimed at short of leaving nodes off
   TrialTrim Trial;
-  const Band::Lists Members; ///< elements of each column
+  const Band::Lists Members;     ///< elements of each column
+  const Band::Lists PillarNodes; ///< nodes of each pillar
   LadderPosition& At;
 };
 

@@ -106,7 +106,7 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   const auto tryAgain = [&](const LadderOptions& with, bool columns, double begin, double end)
   {
     BandTrim best = std::move(static_cast<BandTrim&>(near));
-    near.Structure = columns ? best.Structure : NoColumns(near.Mesh);
+    near.Structure = columns ? best.Structure : NoColumns(near.Mesh, best.Structure.Part);
     near.Shares = columns ? best.Shares : VolumeShares{ best.Shares.Element, best.Shares.Element };
     Climb(near, surface, precision, with, produceOffcut, Part(progress, begin, end));
     const Shortcomings now = MeasureShortcomings(near, options);

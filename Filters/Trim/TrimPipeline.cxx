@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace trim
 {
@@ -282,7 +283,7 @@ void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurf
   if (ColumnShift(band, near.Structure, known, surface) > LargestColumnShift ||
     !near.Structure.Complete(band, 2))
   {
-    near.Structure = NoColumns(band);
+    near.Structure = NoColumns(band, std::move(near.Structure.Part));
   }
   if (near.Structure.HasThickness())
   {
