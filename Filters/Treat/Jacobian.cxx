@@ -312,6 +312,22 @@ double ScaledJacobian(const ElementPoints& p, int count, double limit)
   return std::min(smallest, UnitDeterminant(r, s, t));
 }
 
+double ScaledJacobianBound(const ElementPoints& p, int count, unsigned moving)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < count; ++i)
+  {
+    const int* corner = count == 8 ? HexahedronCorners[i] : WedgeCorners[i];
+    const unsigned part = 1u << i | 1u << corner[0] | 1u << corner[1] | 1u << corner[2];
+    if (!(moving & part))
+    {
+      smallest = std::min(
+        smallest, UnitDeterminant(p[corner[0]] - p[i], p[corner[1]] - p[i], p[corner[2]] - p[i]));
+    }
+  }
+  return count == 8 ? smallest : smallest * WedgeScale;
+}
+
 std::vector<ScaledDeterminant> ScaledDeterminants(const ElementPoints& p, int count)
 {
   std::vector<ScaledDeterminant> found;

@@ -61,6 +61,11 @@ EIGEN_ALWAYS_INLINE auto HexahedronVolume(const Points& p, const Determinant& de
 double ScaledJacobian(
   const ElementPoints& points, int count, double limit = -std::numeric_limits<double>::infinity());
 
+/// What the scaled Jacobian cannot exceed wherever some of the nodes go: the smallest determinant
+/// over the corners that they have no part in.
+/// @param moving one bit for each node, the lowest for the first.
+double ScaledJacobianBound(const ElementPoints& points, int count, unsigned moving);
+
 /// One of the determinants that the scaled Jacobian is the smallest of, and how it changes with
 /// the element's nodes.
 struct ScaledDeterminant

@@ -268,12 +268,14 @@ private:
   std::vector<double> SortByQuality(std::vector<int>& elements) const
   {
     std::vector<std::pair<double, int>> ranked;
+    ranked.reserve(elements.size());
     for (const int e : elements)
     {
       ranked.emplace_back(this->Quality(e), e);
     }
     std::sort(ranked.begin(), ranked.end());
     std::vector<double> qualities;
+    qualities.reserve(elements.size());
     for (std::size_t i = 0; i < ranked.size(); ++i)
     {
       elements[i] = ranked[i].second;
@@ -306,6 +308,53 @@ private:
     return count > 0 ? Vec3(sum / count - own) : Vec3::Zero();
   }
 
+  /// Nodes of one pillar, where they are, and the elements at them.
+  struct Places
+  {
+    const std::vector<int>& Nodes;
+    std::vector<Vec3> From;
+    std::vector<int> Elements; ///< the worst first
+    std::vector<int> Guarded;  ///< that have reached the floor, and must not pay for what cannot
+    std::vector<int> AtWorst, Elsewhere; ///< the nodes of the worst element, and the others
+    bool Free;                           ///< wherever the nodes go, they may be there
+  };
+
+  Places PlacesOf(const std::vector<int>& nodes, const std::vector<int>& elements,
+    const std::vector<double>& qualities)
+  {
+    const auto atFloor = std::lower_bound(qualities.begin(), qualities.end(), this->Floor);
+    Places places{ nodes, this->PositionsOf(nodes), elements,
+      { elements.begin() + (atFloor - qualities.begin()), elements.end() }, {}, {}, true };
+    for (const int node : nodes)
+    {
+      (this->Uses(elements.front(), node) ? places.AtWorst : places.Elsewhere).push_back(node);
+      places.Free &= this->IsFree(node);
+    }
+    return places;
+  }
+
+  /// Whether an element stays at a limit or below wherever the nodes go: for a corner that none of
+  /// them has a part in.
+  bool IsStuck(double limit, const std::vector<int>& nodes, const std::vector<int>& elements,
+    const std::vector<double>& qualities) const
+  {
+    for (std::size_t i = 0; i < elements.size() && qualities[i] <= limit; ++i)
+    {
+      const auto& element = this->Elements[elements[i]];
+      unsigned moving = 0;
+      for (int k = 0; k < element.Count; ++k)
+      {
+        const bool moves = std::find(nodes.begin(), nodes.end(), element.Node[k]) != nodes.end();
+        moving |= static_cast<unsigned>(moves) << k;
+      }
+      if (ScaledJacobianBound(this->PointsOf(elements[i]), element.Count, moving) <= limit)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// Moves nodes of one pillar alike, if that raises the lowest of the elements at them.
   bool Improve(const std::vector<int>& nodes)
   {
@@ -316,37 +365,28 @@ private:
     {
       return false;
     }
-    // What has reached the floor must not pay for what cannot.
-    const auto atFloor = std::lower_bound(qualities.begin(), qualities.end(), this->Floor);
-    const std::vector<int> guarded(
-      elements.begin() + (atFloor - qualities.begin()), elements.end());
-    const std::vector<Vec3> from = this->PositionsOf(nodes);
-    std::vector<Vec3> to = from;
     double best = before + this->Effort.Gain;
+    if (best >= this->Goal || this->IsStuck(best, nodes, elements, qualities))
+    {
+      return false;
+    }
+    const Places places = this->PlacesOf(nodes, elements, qualities);
+    std::vector<Vec3> to = places.From;
     const auto attempt = [&](const Vec3& step)
     {
-      // Finding the places on the surface is dear: only where it promises something.
-      this->Shift(nodes, from, step);
-      const double promising = best - Foresight;
-      if (this->Lowest(elements, promising) >= promising && this->Settle(nodes))
+      if (this->IsBetter(places, step, best))
       {
-        const double quality = this->Lowest(elements, best);
-        const double floor = std::min(this->Floor, this->Goal);
-        if (quality > best && this->Lowest(guarded, floor) >= floor && !this->Collapses(elements))
-        {
-          best = quality;
-          to = this->PositionsOf(nodes);
-        }
+        to = this->PositionsOf(nodes);
       }
-      this->Place(nodes, from);
+      this->Place(nodes, places.From);
     };
     const int guide = nodes.front();
     const Vec3 way = this->WayOfNeighbours(guide);
     attempt(way);
     attempt(0.5 * way);
     const double edge = this->ShortestEdge(guide);
-    const auto directions =
-      this->Mover.Directions(guide, this->FreedomOf(guide), from.front(), this->OnCut[guide] != 0);
+    const auto directions = this->Mover.Directions(
+      guide, this->FreedomOf(guide), places.From.front(), this->OnCut[guide] != 0);
     for (const double step : Steps)
     {
       const double found = best;
@@ -359,13 +399,37 @@ private:
         break;
       }
     }
-    if (to == from)
+    if (to == places.From)
     {
       return false;
     }
     this->Place(nodes, to);
     this->TellMoved(nodes);
     std::for_each(nodes.begin(), nodes.end(), [this](int node) { this->TellAround(node); });
+    return true;
+  }
+
+  /// Takes a step and settles; whether the elements are above `best` there, which becomes what the
+  /// lowest of them has.
+  bool IsBetter(const Places& places, const Vec3& step, double& best)
+  {
+    this->Shift(places, step);
+    // Finding the places on the surface is dear: only where it promises something.
+    const double promising = best - Foresight;
+    if ((!places.Free && this->Lowest(places.Elements, promising) < promising) ||
+      !this->Settle(places.AtWorst) || this->Quality(places.Elements.front(), best) <= best ||
+      !this->Settle(places.Elsewhere))
+    {
+      return false;
+    }
+    const double quality = this->Lowest(places.Elements, best);
+    const double floor = std::min(this->Floor, this->Goal);
+    if (quality <= best || this->Lowest(places.Guarded, floor) < floor ||
+      this->Collapses(places.Elements))
+    {
+      return false;
+    }
+    best = quality;
     return true;
   }
 
@@ -376,11 +440,11 @@ private:
       [this](int e) { return this->ShortestEdgeShare(e) < LeastEdgeShare; });
   }
 
-  void Shift(const std::vector<int>& nodes, const std::vector<Vec3>& from, const Vec3& step)
+  void Shift(const Places& places, const Vec3& step)
   {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t i = 0; i < places.Nodes.size(); ++i)
     {
-      this->TheMoves.Position[nodes[i]] = from[i] + step;
+      this->TheMoves.Position[places.Nodes[i]] = places.From[i] + step;
     }
   }
 

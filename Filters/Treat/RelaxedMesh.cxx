@@ -52,6 +52,7 @@ bool RelaxedMesh::Uses(int element, int node) const
 std::vector<int> RelaxedMesh::ElementsAt(const std::vector<int>& nodes) const
 {
   std::vector<int> elements;
+  elements.reserve(8 * nodes.size());
   for (const int node : nodes)
   {
     for (const int e : this->TheBand.ElementsOfNode(node))
@@ -201,6 +202,7 @@ Eigen::Matrix3d RelaxedMesh::EdgeMetric(int node) const
 std::vector<Vec3> RelaxedMesh::PositionsOf(const std::vector<int>& nodes) const
 {
   std::vector<Vec3> positions;
+  positions.reserve(nodes.size());
   for (const int node : nodes)
   {
     positions.push_back(this->TheMoves.Position[node]);

@@ -69,6 +69,8 @@ public:
   /// How much of its length that edge of an element has left which lost most.
   double ShortestEdgeShare(int element) const;
 
+  bool Uses(int element, int node) const;
+
   /// Kept elements that use one of the nodes, ascending.
   std::vector<int> ElementsAt(const std::vector<int>& nodes) const;
 
@@ -81,6 +83,13 @@ public:
 
   /// To be asked for different nodes by different threads.
   NodeFreedom& FreedomOf(int node);
+
+  /// Whether a node may be anywhere.
+  bool IsFree(int node)
+  {
+    const NodeFreedom& freedom = this->FreedomOf(node);
+    return !this->OnCut[node] && freedom.Constraint.Kind == ConstraintKind::Free;
+  }
 
   /// To the nearest neighbour within the layer.
   double ShortestEdge(int node) const;
@@ -98,7 +107,6 @@ public:
   void TellMoved(const std::vector<int>& nodes);
 
 private:
-  bool Uses(int element, int node) const;
   bool IsMovable(int node) const;
   void TellStart(int node);
 
