@@ -28,6 +28,7 @@ add_library(NURBSTrimStages STATIC
   Treat/FloorClimb.cxx
   Treat/Jacobian.cxx
   Treat/JointRelaxation.cxx
+  Treat/LeastSquaresStep.cxx
   Treat/Offcut.cxx
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx

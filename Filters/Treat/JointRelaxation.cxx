@@ -1,13 +1,12 @@
 #include "JointRelaxation.h"
 
-#include <vtkSMPTools.h>
+#include "LeastSquaresStep.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <iterator>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
 namespace trim
@@ -47,14 +46,10 @@ constexpr double EdgeWorth = 6.0;
 constexpr double NoEdge = 1e-6;
 /// How far above the floor an element aims that has reached it.
 constexpr double FloorSlack = 1e-3;
-/// How often a step is corrected for rows that it makes miss.
-constexpr int MostRounds = 12;
 /// Steps times free directions after which the relaxation ends.
 constexpr std::size_t MostWork = 30000;
 /// A larger patch is divided: one for each element.
 constexpr std::size_t MostNodes = 250;
-/// With fewer for each, threads cost more than they save.
-constexpr Id NodesPerThread = 128;
 
 class Patch : private RelaxedMesh
 {
@@ -63,6 +58,8 @@ public:
     : RelaxedMesh(given, moves)
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
+    , EndsEarly(goal.Effort.EndsEarly)
+    , Slot(given.TheBand.NumberOfNodes(), -1)
   {
   }
 
@@ -90,19 +87,32 @@ private:
   struct Part
   {
     std::vector<int> Nodes, Elements;
-    std::vector<double> Cap; // by element
-  };
-
-  struct Row
-  {
-    double Value, Target;
-    std::vector<std::pair<int, double>> Gradient; // by variable
+    std::vector<double> Cap;           // by element
+    std::vector<int> FirstSlot, Slots; // of each element: its nodes, by their places in the part
+    std::vector<int> Order;            // of elements: those that spoiled a step first
   };
 
   struct Variables
   {
     std::vector<int> First;      // by node of the patch
     std::vector<Vec3> Direction; // as long as an edge
+  };
+
+  /// A determinant of an element, or an edge's worth, and how it changes.
+  struct Row
+  {
+    double Value;
+    std::size_t Element;    // of the part
+    std::size_t Begin, End; // of its gradient
+  };
+  /// All there is to know of a part before a step.
+  struct Linearisation
+  {
+    Variables Free;
+    std::vector<Vec3> From;    // by node
+    std::vector<double> Worth; // by element
+    std::vector<Row> Rows;
+    std::vector<Slope> Gradients;
   };
 
   /// Raises the elements of a part, one after the other where it is large; see Raise.
@@ -131,7 +141,8 @@ private:
   /// Returns by how much an element gained that is still short of the goal.
   double Raise(const std::vector<int>& nodes, const std::vector<int>& low)
   {
-    Part part{ nodes, this->ElementsAt(nodes), {} };
+    this->TellSlots(nodes);
+    Part part = this->PartOf(nodes);
     const std::vector<double> before = this->WorthOf(part.Elements);
     std::vector<char> wanted;
     for (std::size_t i = 0; i < before.size(); ++i)
@@ -152,7 +163,48 @@ private:
         gained = std::max(gained, worth - before[i]);
       }
     }
+    this->ForgetSlots(nodes);
     return gained;
+  }
+
+  void TellSlots(const std::vector<int>& nodes)
+  {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      this->Slot[nodes[i]] = static_cast<int>(i);
+    }
+  }
+
+  void ForgetSlots(const std::vector<int>& nodes)
+  {
+    for (const int node : nodes)
+    {
+      this->Slot[node] = -1;
+    }
+  }
+
+  /// Without caps.
+  Part PartOf(const std::vector<int>& nodes) const
+  {
+    Part part;
+    part.Nodes = nodes;
+    part.Elements = this->ElementsAt(nodes);
+    part.Order.resize(part.Elements.size());
+    std::iota(part.Order.begin(), part.Order.end(), 0);
+    part.FirstSlot.push_back(0);
+    for (const int e : part.Elements)
+    {
+      const auto& element = this->Elements[e];
+      for (int i = 0; i < element.Count; ++i)
+      {
+        if (this->Slot[element.Node[i]] >= 0)
+        {
+          part.Slots.push_back(this->Slot[element.Node[i]]);
+        }
+      }
+      part.FirstSlot.push_back(static_cast<int>(part.Slots.size()));
+    }
+    return part;
   }
 
   /// Steps until the goal is reached or nothing more can be raised; false: no node moved.
@@ -161,24 +213,37 @@ private:
     bool moved = false;
     double rise = FirstRise;
     double damping = FirstDamping;
+    Linearisation now;
+    now.Worth = this->WorthOf(part.Elements);
     for (int step = 0; step < MostSteps && this->Work < MostWork; ++step)
     {
-      const double lowest = this->LowestWanted(part);
+      const double lowest = this->LowestWanted(part, now.Worth);
       if (lowest >= this->Goal * Reached / GoalMargin)
       {
         break;
       }
-      if (this->Step(part, lowest, std::min(lowest + rise, this->Goal), damping))
+      if (now.From.empty())
+      {
+        this->Linearise(part, now);
+      }
+      this->Work += now.Free.Direction.size();
+      if (this->Step(part, now, lowest, std::min(lowest + rise, this->Goal), damping))
       {
         moved = true;
         rise = std::min(2.0 * rise, MostRise);
+        now = {};
+        now.Worth = this->WorthOf(part.Elements);
         continue;
       }
       rise *= 0.25;
       damping = FirstDamping;
-      if (rise < LeastRise)
+      if (rise < LeastRise && this->EndsEarly)
       {
-        this->Hold(lowest, part);
+        this->Work = MostWork; // no other part is worth any more
+      }
+      else if (rise < LeastRise)
+      {
+        this->Hold(lowest, now.Worth, part);
         rise = FirstRise;
       }
     }
@@ -202,76 +267,89 @@ private:
   }
 
   /// The lowest element that is to reach the goal.
-  double LowestWanted(const Part& part) const
+  double LowestWanted(const Part& part, const std::vector<double>& worth) const
   {
     double lowest = this->Goal;
     for (std::size_t i = 0; i < part.Elements.size(); ++i)
     {
       if (part.Cap[i] >= this->Goal)
       {
-        lowest = std::min(lowest, this->Worth(part.Elements[i]));
+        lowest = std::min(lowest, worth[i]);
       }
     }
     return lowest;
   }
 
   /// The lowest ones are as good as they can be.
-  void Hold(double lowest, Part& part) const
+  void Hold(double lowest, const std::vector<double>& worth, Part& part) const
   {
     for (std::size_t i = 0; i < part.Elements.size(); ++i)
     {
-      const double worth = this->Worth(part.Elements[i]);
-      if (part.Cap[i] >= this->Goal && worth < lowest + SameLevel)
+      if (part.Cap[i] >= this->Goal && worth[i] < lowest + SameLevel)
       {
-        part.Cap[i] = worth - HoldSlack;
+        part.Cap[i] = worth[i] - HoldSlack;
       }
     }
   }
 
   /// Moves all nodes so that the lowest elements come nearer to the target; false if that fails.
-  bool Step(const Part& part, double lowest, double target, double& damping)
+  bool Step(Part& part, const Linearisation& now, double lowest, double target, double& damping)
   {
-    const Variables variables = this->VariablesOf(part.Nodes);
-    this->Work += variables.Direction.size();
-    const std::vector<Row> rows = this->Linearise(part, variables, target);
-    const std::vector<Vec3> from = this->PositionsOf(part.Nodes);
-    const std::vector<double> before = this->WorthOf(part.Elements);
+    const std::vector<StepDemand> demands = this->DemandsFor(part, now, target);
     for (int trial = 0; trial < MostTrials; ++trial, damping *= 8.0)
     {
-      const Eigen::VectorXd way =
-        Solve(rows, static_cast<int>(variables.Direction.size()), damping);
+      const Eigen::VectorXd way = FindLeastSquaresStep(demands, now.Free.Direction.size(), damping);
       if (!(way.norm() < LongestStep))
       {
         continue;
       }
       for (const double share : { 1.0, 0.5 })
       {
-        this->Shift(part.Nodes, from, variables, share * way);
-        this->SettleEach(part.Nodes, from);
-        if (this->IsBetter(part, before, lowest))
+        this->Shift(part.Nodes, now, share * way);
+        if (this->SettleBetter(part, now, lowest))
         {
           damping = std::max(LeastDamping, 0.25 * damping);
           return true;
         }
-        this->Place(part.Nodes, from);
+        this->Place(part.Nodes, now.From);
       }
     }
     return false;
   }
 
-  bool IsBetter(const Part& part, const std::vector<double>& before, double lowest) const
+  /// Each node settles by itself; false, with some that did not, if an element is no better for it.
+  bool SettleBetter(Part& part, const Linearisation& now, double lowest)
   {
-    for (std::size_t i = 0; i < part.Elements.size(); ++i)
+    std::vector<char> isSettled(part.Nodes.size(), 0);
+    const auto settle = [&](int slot)
     {
-      const double least = part.Cap[i] < this->Goal
-        ? part.Cap[i] - Rounding
-        : std::max(lowest + LeastGain, before[i] >= this->Floor ? this->Floor : 0.0);
-      if (!(this->Worth(part.Elements[i]) >= least))
+      if (!isSettled[slot])
       {
+        isSettled[slot] = 1;
+        this->SettleFrom(part.Nodes[slot], now.From[slot]);
+      }
+    };
+    // What a step spoils another one is likely to spoil: it comes first then.
+    for (std::size_t i = 0; i < part.Order.size(); ++i)
+    {
+      const int index = part.Order[i];
+      std::for_each(part.Slots.begin() + part.FirstSlot[index],
+        part.Slots.begin() + part.FirstSlot[index + 1], settle);
+      if (!this->IsBetter(part, index, now.Worth[index], lowest))
+      {
+        std::rotate(part.Order.begin(), part.Order.begin() + i, part.Order.begin() + i + 1);
         return false;
       }
     }
     return true;
+  }
+
+  bool IsBetter(const Part& part, int index, double before, double lowest) const
+  {
+    const double least = part.Cap[index] < this->Goal
+      ? part.Cap[index] - Rounding
+      : std::max(lowest + LeastGain, before >= this->Floor ? this->Floor : 0.0);
+    return this->Worth(part.Elements[index]) >= least;
   }
 
   Variables VariablesOf(const std::vector<int>& nodes)
@@ -311,72 +389,88 @@ private:
   }
 
   /// What has reached the floor stays there; what is held stays where it is.
-  double AimOf(int element, double cap, double target) const
+  double AimOf(double worth, double cap, double target) const
   {
     if (cap < this->Goal)
     {
       return std::min(cap + HoldSlack, this->Goal);
     }
-    return this->Worth(element) >= this->Floor ? std::max(target, this->Floor + FloorSlack)
-                                               : target;
+    return worth >= this->Floor ? std::max(target, this->Floor + FloorSlack) : target;
   }
 
-  std::vector<Row> Linearise(const Part& part, const Variables& variables, double target) const
+  /// The rows that a step to a target may need.
+  std::vector<StepDemand> DemandsFor(
+    const Part& part, const Linearisation& now, double target) const
   {
-    Slots slots;
-    for (std::size_t i = 0; i < part.Nodes.size(); ++i)
+    std::vector<StepDemand> demands;
+    const Slope* slopes = now.Gradients.data();
+    for (const Row& row : now.Rows)
     {
-      slots[part.Nodes[i]] = static_cast<int>(i);
+      const double aim = this->AimOf(now.Worth[row.Element], part.Cap[row.Element], target);
+      if (row.Value < aim + Window)
+      {
+        demands.push_back({ row.Value, aim, slopes + row.Begin, slopes + row.End });
+      }
     }
-    std::vector<Row> rows;
+    return demands;
+  }
+
+  /// @param[in,out] now has the worth of the elements.
+  void Linearise(const Part& part, Linearisation& now)
+  {
+    now.From = this->PositionsOf(part.Nodes);
+    now.Free = this->VariablesOf(part.Nodes);
     for (std::size_t i = 0; i < part.Elements.size(); ++i)
     {
-      const double aim = this->AimOf(part.Elements[i], part.Cap[i], target);
-      this->AddDeterminants(part.Elements[i], aim, slots, variables, rows);
-      this->AddEdges(part.Elements[i], aim, slots, variables, rows);
+      this->AddDeterminants(part.Elements[i], i, now);
+      this->AddEdges(part.Elements[i], i, now);
     }
-    rows.erase(
-      std::remove_if(rows.begin(), rows.end(), [](const Row& row) { return row.Gradient.empty(); }),
-      rows.end());
-    return rows;
   }
 
-  using Slots = std::unordered_map<int, int>; // of nodes in their part
-
-  static void AddTo(
-    Row& row, int node, const Vec3& gradient, const Slots& slots, const Variables& variables)
+  void AddTo(Linearisation& now, int node, const Vec3& gradient) const
   {
-    const auto slot = slots.find(node);
-    if (slot == slots.end())
+    const int slot = this->Slot[node];
+    if (slot < 0)
     {
       return;
     }
-    for (int v = variables.First[slot->second]; v < variables.First[slot->second + 1]; ++v)
+    for (int v = now.Free.First[slot]; v < now.Free.First[slot + 1]; ++v)
     {
-      row.Gradient.emplace_back(v, gradient.dot(variables.Direction[v]));
+      now.Gradients.push_back({ v, gradient.dot(now.Free.Direction[v]) });
     }
   }
 
-  void AddDeterminants(
-    int e, double aim, const Slots& slots, const Variables& variables, std::vector<Row>& rows) const
+  /// Adds a row with what was added to the gradients since `begin`.
+  static void AddRow(double value, std::size_t element, std::size_t begin, Linearisation& now)
+  {
+    if (now.Gradients.size() > begin)
+    {
+      now.Rows.push_back({ value, element, begin, now.Gradients.size() });
+    }
+  }
+
+  /// No step aims at more.
+  double HighestAim() const { return std::max(this->Goal, this->Floor + FloorSlack); }
+
+  void AddDeterminants(int e, std::size_t index, Linearisation& now) const
   {
     const auto& element = this->Elements[e];
     for (const auto& at : ScaledDeterminants(this->PointsOf(e), element.Count))
     {
-      if (at.Value >= aim + Window)
+      if (at.Value >= this->HighestAim() + Window)
       {
         continue;
       }
-      rows.push_back({ at.Value, aim, {} });
+      const std::size_t begin = now.Gradients.size();
       for (int i = 0; i < element.Count; ++i)
       {
-        AddTo(rows.back(), element.Node[i], at.Gradient[i], slots, variables);
+        this->AddTo(now, element.Node[i], at.Gradient[i]);
       }
+      AddRow(at.Value, index, begin, now);
     }
   }
 
-  void AddEdges(
-    int e, double aim, const Slots& slots, const Variables& variables, std::vector<Row>& rows) const
+  void AddEdges(int e, std::size_t index, Linearisation& now) const
   {
     const auto& element = this->Elements[e];
     const auto& topology = TopologyOf(element.Count);
@@ -387,114 +481,29 @@ private:
       const Vec3 way = this->TheMoves.Position[b] - this->TheMoves.Position[a];
       const Vec3 before = this->TheBand.Point[b] - this->TheBand.Point[a];
       const double worth = EdgeWorth * way.norm() / before.norm();
-      if (worth < aim + Window)
+      if (worth < this->HighestAim() + Window)
       {
         const Vec3 along = way.norm() > NoEdge * before.norm() ? way : before;
         const Vec3 gradient = EdgeWorth / before.norm() * along.normalized();
-        rows.push_back({ worth, aim, {} });
-        AddTo(rows.back(), a, -gradient, slots, variables);
-        AddTo(rows.back(), b, gradient, slots, variables);
+        const std::size_t begin = now.Gradients.size();
+        this->AddTo(now, a, -gradient);
+        this->AddTo(now, b, gradient);
+        AddRow(worth, index, begin, now);
       }
     }
   }
 
-  /// The step that misses the targets least, in the sum of squares, with its length. Which rows
-  /// miss is found by repetition.
-  static Eigen::VectorXd Solve(const std::vector<Row>& rows, int variables, double damping)
-  {
-    Eigen::VectorXd way = Eigen::VectorXd::Zero(variables);
-    std::vector<int> last;
-    for (int round = 0; round < MostRounds; ++round)
-    {
-      std::vector<int> missed;
-      for (std::size_t i = 0; i < rows.size(); ++i)
-      {
-        double value = rows[i].Value;
-        for (const auto& [v, g] : rows[i].Gradient)
-        {
-          value += g * way[v];
-        }
-        if (value < rows[i].Target)
-        {
-          missed.push_back(static_cast<int>(i));
-        }
-      }
-      if (missed == last)
-      {
-        break;
-      }
-      way = SolveFor(rows, missed, variables, damping);
-      last = std::move(missed);
-    }
-    return way;
-  }
-
-  /// Least squares of the rows that miss, by their normal equations: there are fewer rows than
-  /// variables.
-  static Eigen::VectorXd SolveFor(
-    const std::vector<Row>& rows, const std::vector<int>& missed, int variables, double damping)
-  {
-    const int count = static_cast<int>(missed.size());
-    std::vector<std::vector<std::pair<int, double>>> byVariable(variables);
-    Eigen::VectorXd misses(count);
-    for (int i = 0; i < count; ++i)
-    {
-      const Row& row = rows[missed[i]];
-      misses[i] = row.Target - row.Value;
-      for (const auto& [v, g] : row.Gradient)
-      {
-        byVariable[v].emplace_back(i, g);
-      }
-    }
-    Eigen::MatrixXd products = damping * Eigen::MatrixXd::Identity(count, count);
-    for (const auto& column : byVariable)
-    {
-      // Half of them: the matrix is symmetric.
-      for (auto first = column.begin(); first != column.end(); ++first)
-      {
-        for (auto second = first; second != column.end(); ++second)
-        {
-          products(second->first, first->first) += second->second * first->second;
-        }
-      }
-    }
-    const Eigen::VectorXd weights = products.ldlt().solve(misses);
-    Eigen::VectorXd way = Eigen::VectorXd::Zero(variables);
-    for (int v = 0; v < variables; ++v)
-    {
-      for (const auto& [i, g] : byVariable[v])
-      {
-        way[v] += weights[i] * g;
-      }
-    }
-    return way;
-  }
-
-  void Shift(const std::vector<int>& nodes, const std::vector<Vec3>& from,
-    const Variables& variables, const Eigen::VectorXd& way)
+  void Shift(const std::vector<int>& nodes, const Linearisation& now, const Eigen::VectorXd& way)
   {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
-      Vec3 to = from[i];
-      for (int v = variables.First[i]; v < variables.First[i + 1]; ++v)
+      Vec3 to = now.From[i];
+      for (int v = now.Free.First[i]; v < now.Free.First[i + 1]; ++v)
       {
-        to += way[v] * variables.Direction[v];
+        to += way[v] * now.Free.Direction[v];
       }
       this->TheMoves.Position[nodes[i]] = to;
     }
-  }
-
-  /// Each node settles by itself.
-  void SettleEach(const std::vector<int>& nodes, const std::vector<Vec3>& from)
-  {
-    vtkSMPTools::For(0, static_cast<Id>(nodes.size()), NodesPerThread,
-      [&](Id begin, Id end)
-      {
-        for (Id i = begin; i < end; ++i)
-        {
-          this->SettleFrom(nodes[i], from[i]);
-        }
-      });
   }
 
   /// A node that finds no place where it went goes half of the way, or stays.
@@ -517,7 +526,9 @@ private:
 
   double Floor;
   double Goal;
-  std::size_t Work = 0; // steps times free directions
+  bool EndsEarly;
+  std::vector<int> Slot; // by node: its place in the part that is raised, or -1
+  std::size_t Work = 0;  // steps times free directions
 };
 
 }

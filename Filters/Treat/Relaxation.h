@@ -21,14 +21,17 @@ namespace trim
 /// How long the relaxation goes on.
 struct RelaxationEffort
 {
-  int Sweeps;  ///< at most
-  double Gain; ///< of quality, below which a step is none
-  bool Joint;  ///< followed by RelaxJointly, where that applies
+  int Sweeps;             ///< at most
+  double Gain;            ///< of quality, below which a step is none
+  bool Joint;             ///< followed by RelaxJointly, where that applies
+  bool EndsEarly = false; ///< where one element cannot reach the goal, the others need not either
 };
 constexpr RelaxationEffort Thorough{ 40, 1e-4, true };
 constexpr RelaxationEffort Brief{ 10, 1e-3, true };
 /// To see whether more is worthwhile.
 constexpr RelaxationEffort Probing{ 10, 1e-3, false };
+/// All or nothing.
+constexpr RelaxationEffort Decisive{ 10, 1e-3, true, true };
 
 /// What elements are relaxed to where no floor is asked for.
 constexpr double SmallestGoal = 0.05;

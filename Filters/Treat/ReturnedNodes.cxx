@@ -290,7 +290,7 @@ private:
       return false;
     }
     ++this->Relaxations;
-    const RelaxationGoal goal{ this->Limit, this->Limit, Brief };
+    const RelaxationGoal goal{ this->Limit, this->Limit, Decisive };
     Relax(this->Given, elements, goal, this->TheMoves);
     RelaxJointly(this->Given, elements, goal, this->TheMoves);
     return true;
