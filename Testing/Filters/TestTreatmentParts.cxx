@@ -1,0 +1,232 @@
+/**
+ * @file TestTreatmentParts.cxx
+ * @brief What the ladder relies on, by itself: a decision that is taken again, the bound of the
+ * scaled Jacobian, the step of least squares.
+ */
+#include "Decision.h"
+#include "Expect.h"
+#include "Jacobian.h"
+#include "LeastSquaresStep.h"
+#include "SampleSurfaces.h"
+#include "Status.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+using namespace judge;
+using namespace trim;
+
+namespace
+{
+constexpr int Side = 6; // elements along an edge of the block
+
+/// A block of unit cubes, cut by a leaning plane.
+class CutBlock
+{
+public:
+  CutBlock()
+    : Mesh(CellsOfBlock(), 4, false)
+    , Surface({ samples::Plane(
+                Vec3(Middle, Middle, Middle) - 20 * (AlongU + AlongV), 40 * AlongU, 40 * AlongV) },
+        0.0)
+    , Structure(NoColumns(this->Mesh, {}))
+  {
+    std::array<int, 2> missed;
+    Expect(MeasureShares(this->Mesh, this->Structure, this->Mesh.NodeStatus,
+             this->Mesh.ElementStatus, this->Surface, 0.0, this->Shares, missed),
+      "the plane cuts the block");
+  }
+
+  Decision NewDecision() const
+  {
+    return Decision(
+      this->Mesh, this->Structure, this->Shares, this->Mesh.NodeStatus, this->Surface, 0.5, true);
+  }
+
+  const Band Mesh;
+
+private:
+  static constexpr double Middle = 0.5 * Side + 0.07;
+  static inline const Vec3 Normal = Vec3(0.8, 0.48, 0.36), AlongU = Vec3(-0.6, 0.64, 0.48),
+                           AlongV = Vec3(0.0, -0.6, 0.8);
+
+  static unsigned char StatusAt(const Vec3& p)
+  {
+    return Normal.dot(p - Vec3(Middle, Middle, Middle)) > 0.0 ? NodeEliminate : NodeKeep;
+  }
+
+  static BandCells CellsOfBlock()
+  {
+    BandCells cells;
+    const auto node = [](int i, int j, int k) { return i + (Side + 1) * (j + (Side + 1) * k); };
+    for (int n = 0; n < node(0, 0, Side + 1); ++n)
+    {
+      const Vec3 p(n % (Side + 1), n / (Side + 1) % (Side + 1), n / (Side + 1) / (Side + 1));
+      cells.Nodes.push_back({ n, p, StatusAt(p) });
+    }
+    for (int c = 0; c < Side * Side * Side; ++c)
+    {
+      const int i = c % Side, j = c / Side % Side, k = c / Side / Side;
+      BandCells::Cell cell;
+      cell.Global = c;
+      cell.Count = 8;
+      cell.Node = { node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k),
+        node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1),
+        node(i, j + 1, k + 1) };
+      unsigned char status[8];
+      std::transform(cell.Node.begin(), cell.Node.end(), status,
+        [&cells](int n) { return cells.Nodes[n].Status; });
+      cell.Status = StatusOfElement(status, 8);
+      cell.Ring = cell.Status == ElementToTreat ? 0 : 1;
+      cells.Cells.push_back(cell);
+    }
+    return cells;
+  }
+
+  const nurbs::TrimmingSurface Surface;
+  const Columns Structure;
+  VolumeShares Shares;
+};
+
+/// What an earlier decision found out must not change a later one.
+void CheckDecisionAgain()
+{
+  const CutBlock block;
+  Decision again = block.NewDecision();
+  std::mt19937 random(1);
+  std::vector<Fate> fate(block.Mesh.NumberOfElements(), Fate::ByVolume);
+  const std::vector<char> first = again.Take(fate);
+  int changed = 0, mended = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    for (int e = 0; e < block.Mesh.NumberOfElements(); ++e)
+    {
+      const bool near = block.Mesh.Elements[e].Ring == 0;
+      const unsigned drawn = random() % 6;
+      fate[e] = near && drawn == 0 ? Fate::Keep
+        : near && drawn == 1       ? Fate::Eliminate
+                                   : Fate::ByVolume;
+    }
+    const std::vector<char> kept = again.Take(fate);
+    Expect(kept == block.NewDecision().Take(fate),
+      "trial " + std::to_string(trial) + ": the same as of a decision that was never taken");
+    changed += kept != first;
+    for (int e = 0; e < block.Mesh.NumberOfElements(); ++e)
+    {
+      mended += (fate[e] == Fate::Keep && !kept[e]) || (fate[e] == Fate::Eliminate && kept[e]);
+    }
+  }
+  Expect(changed == 200, "every trial changes what is kept");
+  Expect(mended > 200, "and fates are mended: " + std::to_string(mended));
+  fate.assign(fate.size(), Fate::ByVolume);
+  Expect(again.Take(fate) == first, "the first fates give the first decision again");
+}
+
+ElementPoints RandomElement(int count, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> any(-0.3, 0.3);
+  ElementPoints points;
+  points.fill(Vec3::Zero());
+  for (int i = 0; i < count; ++i)
+  {
+    const int layer = count == 8 ? i / 4 : i / 3, at = count == 8 ? i % 4 : i % 3;
+    points[i] = Vec3(at == 1 || (count == 8 && at == 2), at == 2 || at == 3, layer) +
+      Vec3(any(random), any(random), any(random));
+  }
+  return points;
+}
+
+/// No place of the moving nodes gives more than the bound, and some give as much.
+void CheckBound()
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> any(-0.3, 0.3);
+  for (const int count : { 8, 6 })
+  {
+    int reached = 0;
+    for (int trial = 0; trial < 2000; ++trial)
+    {
+      ElementPoints points = RandomElement(count, random);
+      const unsigned moving = 1u << random() % count | 1u << random() % count;
+      const double bound = ScaledJacobianBound(points, count, moving);
+      double highest = -1.0;
+      for (int place = 0; place < 20; ++place)
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          points[i] +=
+            moving >> i & 1u ? Vec3(any(random), any(random), any(random)) : Vec3::Zero();
+        }
+        highest = std::max(highest, ScaledJacobian(points, count));
+      }
+      Expect(highest <= bound + 1e-12, "no place of some nodes gives more than the bound");
+      reached += highest > bound - 1e-12;
+    }
+    Expect(reached > 200, "and often that much: " + std::to_string(reached));
+    const ElementPoints points = RandomElement(count, random);
+    Expect(ScaledJacobianBound(points, count, 0) >= ScaledJacobian(points, count) - 1e-12,
+      "of an element that stays it is what its corners have");
+    Expect(std::isinf(ScaledJacobianBound(points, count, (1u << count) - 1)),
+      "where all nodes move there is none");
+  }
+}
+
+void CheckNear(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const std::string& what)
+{
+  Expect((a - b).norm() < 1e-9 * (1.0 + b.norm()), what);
+}
+
+void CheckStep()
+{
+  const Slope up{ 0, 1.0 }, down{ 0, -1.0 }, steep{ 0, 2.0 };
+  CheckNear(FindLeastSquaresStep({ { 0.0, 1.0, &steep, &steep + 1 } }, 1, 0.5),
+    Eigen::VectorXd::Constant(1, 2.0 / 4.5), "one value, damped");
+  CheckNear(FindLeastSquaresStep({ { 2.0, 1.0, &up, &up + 1 } }, 3, 0.5), Eigen::VectorXd::Zero(3),
+    "what is reached asks for nothing");
+  // The step for the first makes the second miss: between the two.
+  CheckNear(
+    FindLeastSquaresStep({ { 0.0, 1.0, &up, &up + 1 }, { 0.6, 0.2, &down, &down + 1 } }, 1, 0.01),
+    Eigen::VectorXd::Constant(1, 1.4 / 2.01), "a value that the step makes miss is heard");
+
+  // Targets that no step reaches, so that all miss, against the dense normal equations.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    const int variables = 3 + random() % 20, count = 1 + random() % 15;
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(count, variables);
+    Eigen::VectorXd misses(count);
+    std::vector<std::vector<Slope>> slopes(count);
+    std::vector<StepDemand> demands;
+    for (int i = 0; i < count; ++i)
+    {
+      for (int v = random() % 3; v < variables; v += 1 + random() % 3)
+      {
+        slopes[i].push_back({ v, any(random) });
+        dense(i, v) = slopes[i].back().By;
+      }
+      misses[i] = 10.0 + any(random);
+      demands.push_back(
+        { 1.0 - misses[i], 1.0, slopes[i].data(), slopes[i].data() + slopes[i].size() });
+    }
+    const double damping = 100.0;
+    const Eigen::MatrixXd normal =
+      dense.transpose() * dense + damping * Eigen::MatrixXd::Identity(variables, variables);
+    CheckNear(FindLeastSquaresStep(demands, variables, damping),
+      normal.fullPivLu().solve(dense.transpose() * misses), "as by dense normal equations");
+  }
+}
+}
+
+int main()
+{
+  CheckDecisionAgain();
+  CheckBound();
+  CheckStep();
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}
