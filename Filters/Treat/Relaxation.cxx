@@ -19,8 +19,6 @@ constexpr std::array<double, 4> Steps{ 0.3, 0.1, 0.03, 0.01 };
 constexpr double SpreadQuality = 0.2;
 constexpr int SpreadRounds = 30;
 constexpr int SpreadAttempts = 10;
-/// No step makes an edge shorter than this share of what it was.
-constexpr double LeastEdgeShare = 0.05;
 /// On a curved surface or skin a step may turn out better than it looks by this much.
 constexpr double Foresight = 0.02;
 

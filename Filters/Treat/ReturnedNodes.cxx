@@ -94,6 +94,13 @@ private:
     Correction By = Correction::None;
   };
 
+  /// What an element is not to fall below.
+  struct Standard
+  {
+    double Quality;
+    double EdgeShare; ///< see ShortestEdgeShare: a good shape may still have an edge of no length
+  };
+
   /// Tries each of the nodes and forgets those that returned; false if there were none.
   bool Sweep(std::vector<int>& nodes, bool (Returner::*attempt)(int))
   {
@@ -131,7 +138,7 @@ private:
   bool Return(int node)
   {
     const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<double> before = this->QualityOf(elements);
+    const std::vector<Standard> before = this->StandardsOf(elements);
     const Vec3 from = this->TheMoves.Position[node];
     double best = -1.0;
     Place found;
@@ -171,7 +178,7 @@ private:
       rest = std::min(rest, (1.0 - LeastStep) * (place.At - from).norm());
     }
     const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<double> before = this->QualityOf(elements);
+    const std::vector<Standard> before = this->StandardsOf(elements);
     Vec3 best = from;
     for (const Place& place : places)
     {
@@ -189,9 +196,9 @@ private:
   }
 
   /// Where a node comes to on the longest part of a way that the elements stand; it stays.
-  /// @param elements those at the node, with their quality before.
-  Vec3 GoTowards(
-    int node, const Vec3& goal, const std::vector<int>& elements, const std::vector<double>& before)
+  /// @param elements those at the node, with what they are to keep.
+  Vec3 GoTowards(int node, const Vec3& goal, const std::vector<int>& elements,
+    const std::vector<Standard>& before)
   {
     const Vec3 from = this->TheMoves.Position[node];
     Vec3 reached = from;
@@ -216,32 +223,33 @@ private:
     return reached;
   }
 
-  /// The lowest of elements, -1 if one is invalid, or worse than before and below the limit.
-  double LowestOf(const std::vector<int>& elements, const std::vector<double>& before) const
+  std::vector<Standard> StandardsOf(const std::vector<int>& elements) const
+  {
+    std::vector<Standard> list;
+    for (const int e : elements)
+    {
+      list.push_back({ std::min(this->Limit, this->Quality(e)),
+        std::min(LeastEdgeShare, this->ShortestEdgeShare(e)) });
+    }
+    return list;
+  }
+
+  /// The lowest of elements, -1 if one is invalid or below its standard.
+  double LowestOf(const std::vector<int>& elements, const std::vector<Standard>& standards) const
   {
     double lowest = 2.0;
     for (std::size_t i = 0; i < elements.size(); ++i)
     {
-      const double now = this->Quality(elements[i]);
-      if (now < std::min(this->Limit, before[i]) ||
-        this->Measure.Spoils(
-          elements[i], this->PointsOf(elements[i]), this->Elements[elements[i]].Count))
+      const int e = elements[i];
+      const double now = this->Quality(e);
+      if (now < standards[i].Quality || this->ShortestEdgeShare(e) < standards[i].EdgeShare ||
+        this->Measure.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
       {
         return -1.0;
       }
       lowest = std::min(lowest, now);
     }
     return lowest;
-  }
-
-  std::vector<double> QualityOf(const std::vector<int>& elements) const
-  {
-    std::vector<double> list;
-    for (const int e : elements)
-    {
-      list.push_back(this->Quality(e));
-    }
-    return list;
   }
 
   void Put(int node, const Place& place)
@@ -263,12 +271,12 @@ private:
     nodes.push_back(node);
     const State before = this->StateOf(nodes);
     const std::vector<int> elements = this->ElementsAt(nodes);
-    const std::vector<double> quality = this->QualityOf(elements);
+    const std::vector<Standard> standards = this->StandardsOf(elements);
     const char boundary = this->Boundary[node];
     for (const Place& place : this->PlacesFor(node))
     {
       this->Put(node, place);
-      if (this->RelaxRound(at) && this->LowestOf(elements, quality) >= 0.0 &&
+      if (this->RelaxRound(at) && this->LowestOf(elements, standards) >= 0.0 &&
         !this->HasCoincident(before))
       {
         return true;

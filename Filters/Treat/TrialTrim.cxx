@@ -315,6 +315,14 @@ void TrialTrim::ReturnLeft(
     changed |= this->DropEdgesLeft(set, aborted, faults, trimmed);
   }
   this->BringNearer(set, aborted, trimmed);
+  // Some have come so near that nothing keeps them from the surface any more.
+  const std::vector<int> left = this->FindLeft(set, trimmed);
+  if (!left.empty())
+  {
+    faults = this->FaultsOf(trimmed);
+    this->Try(faults, trimmed,
+      [&] { return this->ReturnNodesLeft(set, left, ReturnEffort::Alone, aborted, trimmed); });
+  }
 }
 
 /// Nodes that have to be left come as near to the surface as the floor lets them, and their
