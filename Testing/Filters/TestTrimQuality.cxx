@@ -7,6 +7,7 @@
 
 #include "vtkTrimHexahedralGrid.h"
 
+#include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -182,6 +183,38 @@ Trimmed TrimAt(double floor)
   return result;
 }
 
+/// What an edge at a node that was left off the surface has kept of its length, at least.
+double LeastEdgeAtLeft(vtkUnstructuredGrid* output, const Mesh& mesh)
+{
+  auto* distance = output->GetPointData()->GetArray("DistanceLeft");
+  auto* original = output->GetPointData()->GetArray("vtkOriginalPointIds");
+  const auto isLeft = [distance](vtkIdType i) { return distance->GetComponent(i, 0) > 0; };
+  const auto length = [](vtkUnstructuredGrid* grid, vtkIdType a, vtkIdType b)
+  {
+    Vec3 p, q;
+    grid->GetPoint(a, p.data());
+    grid->GetPoint(b, q.data());
+    return (p - q).norm();
+  };
+  double least = 1.0;
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    vtkCell* cell = output->GetCell(c);
+    for (int i = 0; i < cell->GetNumberOfEdges(); ++i)
+    {
+      const vtkIdType a = cell->GetEdge(i)->GetPointId(0), b = cell->GetEdge(i)->GetPointId(1);
+      if (isLeft(a) || isLeft(b))
+      {
+        const double before =
+          length(mesh.Grid, static_cast<vtkIdType>(original->GetComponent(a, 0)),
+            static_cast<vtkIdType>(original->GetComponent(b, 0)));
+        least = std::min(least, length(output, a, b) / before);
+      }
+    }
+  }
+  return least;
+}
+
 /// Cuts that nodes have to be left off at: no more than need be, and no farther.
 void CheckFewLeft()
 {
@@ -222,11 +255,13 @@ void CheckFewLeft()
     }
     const double lowest =
       output->GetFieldData()->GetArray("MinimumScaledJacobian")->GetComponent(0, 0);
-    std::printf("%s, %s%s: %d nodes left, by %.3f at most, lowest %.3f\n", c.Mesh, c.Kind,
-      c.Offcut ? ", with offcut" : "", left, farthest, lowest);
+    const double edge = LeastEdgeAtLeft(output, mesh);
+    std::printf("%s, %s%s: %d nodes left, by %.3f at most, lowest %.3f, edges %.4f\n", c.Mesh,
+      c.Kind, c.Offcut ? ", with offcut" : "", left, farthest, lowest, edge);
     Expect(left <= c.Most, "too many nodes are left off the surface");
     Expect(farthest <= c.Farthest, "nodes are left too far off the surface");
     Expect(lowest >= 0.29, "an element paid for a node that was left");
+    Expect(edge >= 0.0499, "an edge was given up for a node that was left");
   }
 }
 
