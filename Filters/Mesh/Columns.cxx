@@ -394,30 +394,33 @@ void BuildPlainGroups(
 
 }
 
-Band::Lists Columns::Elements() const
+namespace
 {
-  const int count = static_cast<int>(this->Column.size());
+
+/// What each owner has, ascending.
+Band::Lists ItemsOf(const std::vector<int>& owner)
+{
+  const int count = static_cast<int>(owner.size());
   return BuildLists(count,
     [&](auto&& add)
     {
-      for (int e = 0; e < count; ++e)
+      for (int i = 0; i < count; ++i)
       {
-        add(this->Column[e], e);
+        add(owner[i], i);
       }
     });
 }
 
+}
+
+Band::Lists Columns::Elements() const
+{
+  return ItemsOf(this->Column);
+}
+
 Band::Lists Columns::Nodes() const
 {
-  const int count = static_cast<int>(this->Pillar.size());
-  return BuildLists(count,
-    [&](auto&& add)
-    {
-      for (int n = 0; n < count; ++n)
-      {
-        add(this->Pillar[n], n);
-      }
-    });
+  return ItemsOf(this->Pillar);
 }
 
 bool Columns::Complete(const Band& band, int ring) const

@@ -87,9 +87,9 @@ private:
   struct Part
   {
     std::vector<int> Nodes, Elements;
-    std::vector<double> Cap;           // by element
-    std::vector<int> FirstSlot, Slots; // of each element: its nodes, by their places in the part
-    std::vector<int> Order;            // of elements: those that spoiled a step first
+    std::vector<double> Cap; // by element
+    Band::Lists Slots;       // of each element: its nodes, by their places in the part
+    std::vector<int> Order;  // of elements: those that spoiled a step first
   };
 
   struct Variables
@@ -191,19 +191,21 @@ private:
     part.Elements = this->ElementsAt(nodes);
     part.Order.resize(part.Elements.size());
     std::iota(part.Order.begin(), part.Order.end(), 0);
-    part.FirstSlot.push_back(0);
-    for (const int e : part.Elements)
-    {
-      const auto& element = this->Elements[e];
-      for (int i = 0; i < element.Count; ++i)
+    part.Slots = BuildLists(static_cast<int>(part.Elements.size()),
+      [&](auto&& add)
       {
-        if (this->Slot[element.Node[i]] >= 0)
+        for (const int index : part.Order)
         {
-          part.Slots.push_back(this->Slot[element.Node[i]]);
+          const auto& element = this->Elements[part.Elements[index]];
+          for (int i = 0; i < element.Count; ++i)
+          {
+            if (this->Slot[element.Node[i]] >= 0)
+            {
+              add(index, this->Slot[element.Node[i]]);
+            }
+          }
         }
-      }
-      part.FirstSlot.push_back(static_cast<int>(part.Slots.size()));
-    }
+      });
     return part;
   }
 
@@ -333,8 +335,7 @@ private:
     for (std::size_t i = 0; i < part.Order.size(); ++i)
     {
       const int index = part.Order[i];
-      std::for_each(part.Slots.begin() + part.FirstSlot[index],
-        part.Slots.begin() + part.FirstSlot[index + 1], settle);
+      std::for_each(part.Slots.begin(index), part.Slots.end(index), settle);
       if (!this->IsBetter(part, index, now.Worth[index], lowest))
       {
         std::rotate(part.Order.begin(), part.Order.begin() + i, part.Order.begin() + i + 1);

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 
 #include <numeric>
-#include <utility>
 
 namespace trim
 {
