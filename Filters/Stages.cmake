@@ -25,6 +25,7 @@ add_library(NURBSTrimStages STATIC
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
   Treat/ColumnChoices.cxx
+  Treat/ElementWorth.cxx
   Treat/FloorClimb.cxx
   Treat/Jacobian.cxx
   Treat/JointRelaxation.cxx

@@ -1,6 +1,7 @@
 #include "BandQuality.h"
 
 #include "CoincidentNodes.h"
+#include "ElementWorth.h"
 
 #include <vtkSMPTools.h>
 
@@ -180,12 +181,18 @@ double BandQuality::FloorOf(int e) const
 
 bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count) const
 {
-  if (this->Floor <= 0.0)
-  {
-    return false;
-  }
-  const double quality = ScaledJacobian(points, count);
-  return quality < this->Floor && quality < this->FloorOf(e) && !WasInvalid(this->TheBand, e);
+  return this->Floor > 0.0 && this->IsBelowFloor(e, ScaledJacobian(points, count));
+}
+
+bool BandQuality::IsBelowFloor(int e, double measured) const
+{
+  return measured < this->Floor && measured < this->FloorOf(e) && !WasInvalid(this->TheBand, e);
+}
+
+double BandQuality::MeasureOf(const FinalElement& final) const
+{
+  return this->By == Measure::Worth ? WorthOf(this->TheBand, final.Node, final.Points, final.Count)
+                                    : ScaledJacobian(final.Points, final.Count);
 }
 
 template <typename Test>
@@ -205,20 +212,24 @@ std::vector<int> BandQuality::FindTouched(const TrimmedBand& trimmed, const Test
 
 std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
 {
+  if (this->Floor <= 0.0)
+  {
+    return {};
+  }
   return this->FindTouched(trimmed,
     [this](int e, const FinalElement& final)
-    { return this->FallsBelowFloor(e, final.Points, final.Count); });
+    { return this->IsBelowFloor(e, this->MeasureOf(final)); });
 }
 
-std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double scaledJacobian) const
+std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double worth) const
 {
   return this->FindTouched(trimmed,
-    [this, scaledJacobian](int e, const FinalElement& final)
+    [this, worth](int e, const FinalElement& final)
     {
-      const double now = ScaledJacobian(final.Points, final.Count);
+      const double now = WorthOf(this->TheBand, final.Node, final.Points, final.Count);
       const auto before = [&]
       { return ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count); };
-      return now < scaledJacobian && now < SameQuality * before() && !WasInvalid(this->TheBand, e);
+      return now < worth && now < SameQuality * before() && !WasInvalid(this->TheBand, e);
     });
 }
 
@@ -270,7 +281,7 @@ BandQuality::Shortage BandQuality::MeasureShortage(const TrimmedBand& trimmed) c
   for (const int e : this->FindBelowFloor(trimmed))
   {
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    const double missing = this->FloorOf(e) - ScaledJacobian(final.Points, final.Count);
+    const double missing = this->FloorOf(e) - this->MeasureOf(final);
     shortage.Sum += missing;
     shortage.Largest = std::max(shortage.Largest, missing);
   }

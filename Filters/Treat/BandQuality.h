@@ -18,6 +18,13 @@ bool StaysInvalid(const Band& band, int element, const ElementPoints& points, in
 /// The touched elements that are invalid as they came, ascending.
 std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed);
 
+/// What an element is measured by.
+enum class Measure
+{
+  Shape, ///< its scaled Jacobian
+  Worth  ///< edges that vanish, too; see ElementWorth.h
+};
+
 class BandQuality
 {
 public:
@@ -27,11 +34,14 @@ public:
    * points.
    * @param floor scaled Jacobian that touched elements have to reach; 0: none. Those that came
    * below it have to keep 0.2, if they had that.
+   * @param measure what is compared with the floor.
    */
-  BandQuality(const Band& band, Optimization treatment, double floor)
+  BandQuality(
+    const Band& band, Optimization treatment, double floor, Measure measure = Measure::Shape)
     : TheBand(band)
     , Treatment(treatment)
     , Floor(floor)
+    , By(measure)
   {
   }
 
@@ -44,8 +54,8 @@ public:
   /// were to become wedges.
   std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const;
 
-  /// Touched elements below a scaled Jacobian, and below what they had before.
-  std::vector<int> FindShortOf(const TrimmedBand& trimmed, double scaledJacobian) const;
+  /// Touched elements worth less than this, and than what they were before.
+  std::vector<int> FindShortOf(const TrimmedBand& trimmed, double worth) const;
 
   /// The smallest scaled Jacobian in a column, if these nodes went only part of their way; -1
   /// if another element at them fell below the floor, or farther below it.
@@ -62,11 +72,13 @@ public:
   /// Whether an element becomes invalid by taking a shape.
   bool Spoils(int element, const ElementPoints& points, int count) const;
 
-  /// Whether it falls below the floor by it.
+  /// Whether its scaled Jacobian falls below the floor by it.
   bool FallsBelowFloor(int element, const ElementPoints& points, int count) const;
 
 private:
   double FloorOf(int element) const;
+  double MeasureOf(const FinalElement& final) const;
+  bool IsBelowFloor(int element, double measured) const;
   bool IsExempt(const TrimmedBand& trimmed, int element) const;
   /// Touched kept elements that are not exempt and pass a test.
   template <typename Test>
@@ -76,6 +88,7 @@ private:
   const Band& TheBand;
   Optimization Treatment;
   double Floor;
+  Measure By;
 };
 
 }

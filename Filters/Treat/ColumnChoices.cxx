@@ -15,7 +15,7 @@ ColumnChoices::ColumnChoices(const Band& band, const Columns& columns, const Vol
   , Shares(shares)
   , Options(options)
   , Quality(band, options.Treatment, options.QualityFloor)
-  , Aimed(band, options.Treatment, options.AimedQuality())
+  , Aimed(band, options.Treatment, options.AimedQuality(), Measure::Worth)
   , Trial(band, columns, shares, nodeStatus, surface, precision, options)
   , Members(columns.Elements())
   , PillarNodes(columns.Nodes())

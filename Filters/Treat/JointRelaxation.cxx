@@ -40,8 +40,6 @@ constexpr double SameLevel = 5e-3;
 /// How much an element that is held may lose.
 constexpr double HoldSlack = 1e-3;
 constexpr double Rounding = 1e-9;
-/// What an edge is worth that has its whole length, as a scaled Jacobian.
-constexpr double EdgeWorth = 6.0;
 /// An edge with less of its length left has no direction.
 constexpr double NoEdge = 1e-6;
 /// How far above the floor an element aims that has reached it.
@@ -250,12 +248,6 @@ private:
       }
     }
     return moved;
-  }
-
-  /// Scaled Jacobian of an element, or less where an edge vanishes.
-  double Worth(int element) const
-  {
-    return std::min(this->Quality(element), EdgeWorth * this->ShortestEdgeShare(element));
   }
 
   std::vector<double> WorthOf(const std::vector<int>& elements) const

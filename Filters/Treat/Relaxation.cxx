@@ -174,7 +174,7 @@ private:
   {
     std::vector<double> qualities;
     std::transform(elements.begin(), elements.end(), std::back_inserter(qualities),
-      [this](int e) { return std::min(this->Goal, this->Quality(e)); });
+      [this](int e) { return std::min(this->Goal, this->Worth(e)); });
     return qualities;
   }
 
@@ -257,7 +257,7 @@ private:
     double quality = this->Goal;
     for (std::size_t i = 0; i < elements.size() && quality >= limit; ++i)
     {
-      quality = std::min(quality, this->Quality(elements[i], limit));
+      quality = std::min(quality, this->Worth(elements[i], limit));
     }
     return quality;
   }
@@ -269,7 +269,7 @@ private:
     ranked.reserve(elements.size());
     for (const int e : elements)
     {
-      ranked.emplace_back(this->Quality(e), e);
+      ranked.emplace_back(this->Worth(e), e);
     }
     std::sort(ranked.begin(), ranked.end());
     std::vector<double> qualities;
@@ -285,7 +285,7 @@ private:
   bool Reached(const std::vector<int>& active) const
   {
     return std::all_of(
-      active.begin(), active.end(), [this](int e) { return this->Quality(e) >= this->Goal; });
+      active.begin(), active.end(), [this](int e) { return this->Worth(e) >= this->Goal; });
   }
 
   /// Mean displacement of the neighbours within the layer, against the node's own.
@@ -314,7 +314,9 @@ private:
     std::vector<int> Elements; ///< the worst first
     std::vector<int> Guarded;  ///< that have reached the floor, and must not pay for what cannot
     std::vector<int> AtWorst, Elsewhere; ///< the nodes of the worst element, and the others
-    bool Free;                           ///< wherever the nodes go, they may be there
+    /// What edges are to keep of their lengths, by element; empty: what is worth more has that.
+    std::vector<double> EdgeShares;
+    bool Free; ///< wherever the nodes go, they may be there
   };
 
   Places PlacesOf(const std::vector<int>& nodes, const std::vector<int>& elements,
@@ -322,7 +324,11 @@ private:
   {
     const auto atFloor = std::lower_bound(qualities.begin(), qualities.end(), this->Floor);
     Places places{ nodes, this->PositionsOf(nodes), elements,
-      { elements.begin() + (atFloor - qualities.begin()), elements.end() }, {}, {}, true };
+      { elements.begin() + (atFloor - qualities.begin()), elements.end() }, {}, {}, {}, true };
+    if (qualities.front() < EdgeWorth * LeastEdgeShare)
+    {
+      places.EdgeShares = this->ShortEdgeShares(elements);
+    }
     for (const int node : nodes)
     {
       (this->Uses(elements.front(), node) ? places.AtWorst : places.Elsewhere).push_back(node);
@@ -415,15 +421,14 @@ private:
     // Finding the places on the surface is dear: only where it promises something.
     const double promising = best - Foresight;
     if ((!places.Free && this->Lowest(places.Elements, promising) < promising) ||
-      !this->Settle(places.AtWorst) || this->Quality(places.Elements.front(), best) <= best ||
+      !this->Settle(places.AtWorst) || this->Worth(places.Elements.front(), best) <= best ||
       !this->Settle(places.Elsewhere))
     {
       return false;
     }
     const double quality = this->Lowest(places.Elements, best);
     const double floor = std::min(this->Floor, this->Goal);
-    if (quality <= best || this->Lowest(places.Guarded, floor) < floor ||
-      this->Collapses(places.Elements))
+    if (quality <= best || this->Lowest(places.Guarded, floor) < floor || this->Shortens(places))
     {
       return false;
     }
@@ -431,11 +436,26 @@ private:
     return true;
   }
 
-  /// Whether an edge vanishes, which the scaled Jacobian need not show.
-  bool Collapses(const std::vector<int>& elements) const
+  /// The shortest edges of elements, if they have little of their lengths left.
+  std::vector<double> ShortEdgeShares(const std::vector<int>& elements) const
   {
-    return std::any_of(elements.begin(), elements.end(),
-      [this](int e) { return this->ShortestEdgeShare(e) < LeastEdgeShare; });
+    std::vector<double> shares;
+    std::transform(elements.begin(), elements.end(), std::back_inserter(shares),
+      [this](int e) { return std::min(LeastEdgeShare, this->ShortestEdgeShare(e)); });
+    return shares;
+  }
+
+  /// Whether an edge vanishes, or nearly does more than before.
+  bool Shortens(const Places& places) const
+  {
+    for (std::size_t i = 0; i < places.EdgeShares.size(); ++i)
+    {
+      if (this->ShortestEdgeShare(places.Elements[i]) < places.EdgeShares[i])
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   void Shift(const Places& places, const Vec3& step)

@@ -22,25 +22,21 @@ ElementPoints RelaxedMesh::PointsOf(int element) const
   return points;
 }
 
-double RelaxedMesh::Quality(int element, double limit) const
+double RelaxedMesh::Quality(int element) const
 {
-  return ScaledJacobian(this->PointsOf(element), this->Elements[element].Count, limit);
+  return ScaledJacobian(this->PointsOf(element), this->Elements[element].Count);
+}
+
+double RelaxedMesh::Worth(int element, double limit) const
+{
+  const auto& e = this->Elements[element];
+  return WorthOf(this->TheBand, e.Node, this->PointsOf(element), e.Count, &this->Fixed, limit);
 }
 
 double RelaxedMesh::ShortestEdgeShare(int element) const
 {
   const auto& e = this->Elements[element];
-  const auto& topology = TopologyOf(e.Count);
-  double share = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < topology.NumberOfEdges; ++i)
-  {
-    const int a = e.Node[topology.Edges[i].First];
-    const int b = e.Node[topology.Edges[i].Second];
-    share = std::min(share,
-      (this->TheMoves.Position[a] - this->TheMoves.Position[b]).squaredNorm() /
-        (this->TheBand.Point[a] - this->TheBand.Point[b]).squaredNorm());
-  }
-  return std::sqrt(share);
+  return trim::ShortestEdgeShare(this->TheBand, e.Node, this->PointsOf(element), e.Count);
 }
 
 bool RelaxedMesh::Uses(int element, int node) const

@@ -6,7 +6,7 @@
 #ifndef RelaxedMesh_h
 #define RelaxedMesh_h
 
-#include "Jacobian.h"
+#include "ElementWorth.h"
 #include "Moves.h"
 
 #include <array>
@@ -65,8 +65,11 @@ public:
   ElementPoints PointsOf(int element) const;
 
   /// Scaled Jacobian of an element.
+  double Quality(int element) const;
+
+  /// The same, or less where an edge that can change vanishes; see ElementWorth.h.
   /// @param limit what is below need not be exact, but below.
-  double Quality(int element, double limit = -std::numeric_limits<double>::infinity()) const;
+  double Worth(int element, double limit = -std::numeric_limits<double>::infinity()) const;
 
   /// How much of its length that edge of an element has left which lost most.
   double ShortestEdgeShare(int element) const;

@@ -394,7 +394,8 @@ std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trim
 
 TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed) const
 {
-  const BandQuality goal(this->TheBand, this->Options.Treatment, this->GoalForLeft());
+  const BandQuality goal(
+    this->TheBand, this->Options.Treatment, this->GoalForLeft(), Measure::Worth);
   return { this->Quality.FindInvalid(trimmed).size(), this->Quality.FindBelowFloor(trimmed).size(),
     goal.MeasureShortage(trimmed) };
 }

@@ -58,7 +58,7 @@ Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& opti
   Shortcomings sum;
   sum.Elements = near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() +
     near.Rest.Invalid.size() + near.Rest.BelowFloor.size();
-  const BandQuality aimed(band, options.Treatment, options.AimedQuality());
+  const BandQuality aimed(band, options.Treatment, options.AimedQuality(), Measure::Worth);
   sum.Squares = 4.0 * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
   for (const auto& [node, distance] : near.NodesLeft)
   {

@@ -183,8 +183,14 @@ Trimmed TrimAt(double floor)
   return result;
 }
 
-/// What an edge at a node that was left off the surface has kept of its length, at least.
-double LeastEdgeAtLeft(vtkUnstructuredGrid* output, const Mesh& mesh)
+/// What an edge has kept of its length, at least; also of edges at nodes left off the surface
+/// alone.
+struct LeastEdges
+{
+  double Any = 1, AtLeft = 1;
+};
+
+LeastEdges MeasureEdges(vtkUnstructuredGrid* output, const Mesh& mesh)
 {
   auto* distance = output->GetPointData()->GetArray("DistanceLeft");
   auto* original = output->GetPointData()->GetArray("vtkOriginalPointIds");
@@ -196,19 +202,20 @@ double LeastEdgeAtLeft(vtkUnstructuredGrid* output, const Mesh& mesh)
     grid->GetPoint(b, q.data());
     return (p - q).norm();
   };
-  double least = 1.0;
+  LeastEdges least;
   for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
   {
     vtkCell* cell = output->GetCell(c);
     for (int i = 0; i < cell->GetNumberOfEdges(); ++i)
     {
       const vtkIdType a = cell->GetEdge(i)->GetPointId(0), b = cell->GetEdge(i)->GetPointId(1);
+      const double before = length(mesh.Grid, static_cast<vtkIdType>(original->GetComponent(a, 0)),
+        static_cast<vtkIdType>(original->GetComponent(b, 0)));
+      const double share = length(output, a, b) / before;
+      least.Any = std::min(least.Any, share);
       if (isLeft(a) || isLeft(b))
       {
-        const double before =
-          length(mesh.Grid, static_cast<vtkIdType>(original->GetComponent(a, 0)),
-            static_cast<vtkIdType>(original->GetComponent(b, 0)));
-        least = std::min(least, length(output, a, b) / before);
+        least.AtLeft = std::min(least.AtLeft, share);
       }
     }
   }
@@ -255,13 +262,54 @@ void CheckFewLeft()
     }
     const double lowest =
       output->GetFieldData()->GetArray("MinimumScaledJacobian")->GetComponent(0, 0);
-    const double edge = LeastEdgeAtLeft(output, mesh);
+    const double edge = MeasureEdges(output, mesh).AtLeft;
     std::printf("%s, %s%s: %d nodes left, by %.3f at most, lowest %.3f, edges %.4f\n", c.Mesh,
       c.Kind, c.Offcut ? ", with offcut" : "", left, farthest, lowest, edge);
     Expect(left <= c.Most, "too many nodes are left off the surface");
     Expect(farthest <= c.Farthest, "nodes are left too far off the surface");
     Expect(lowest >= 0.29, "an element paid for a node that was left");
     Expect(edge >= 0.0499, "an edge was given up for a node that was left");
+  }
+}
+
+/// Surfaces that pass by nodes so near that the corrections make edges of next to no length, in
+/// elements of a good shape: they are lengthened, with every node on the surface.
+void CheckShortEdges()
+{
+  struct Case
+  {
+    const char *Mesh, *Kind;
+    int Correction, Number;
+  };
+  for (const Case& c : { Case{ "sheet2", "scurve", 3, 5 }, Case{ "perturbed", "contour", 3, 7 },
+         Case{ "channel", "scurve", 3, 8 }, Case{ "angle", "scurve", 3, 6 },
+         Case{ "lshape", "plane", 2, 4 } })
+  {
+    const Mesh mesh = MakeMesh(c.Mesh);
+    Placement at;
+    at.X = 0.05 * c.Number;
+    at.Y = -0.03 * c.Number;
+    at.Angle = 0.13 * c.Number;
+    at.Size = 0.3 + 0.03 * c.Number;
+    at.Seed = 3 + c.Number;
+    TrimOptions options;
+    options.CorrectionType = c.Correction;
+    options.InvertSide = c.Number % 2 != 0;
+    const Surface surface = MakeSurface(c.Kind, mesh.Box, at);
+    double edges[2];
+    for (const double floor : { 0.0, 0.2 })
+    {
+      options.MinimumScaledJacobian = floor;
+      Report report(std::string("short edges, ") + c.Mesh + ", " + c.Kind);
+      const Outcome outcome = RunAndJudge(mesh, surface, options, report);
+      Expect(report.Failures() == 0, "short edges: the trim is not as it should be");
+      Expect(floor == 0.0 || report.Notes().count(LeftOff) == 0, "a node was left for an edge");
+      edges[floor > 0.0] = MeasureEdges(outcome.Case.Trimmed, mesh).Any;
+    }
+    std::printf("%s, %s: edges keep %.4f of their lengths without a floor, %.4f with one\n", c.Mesh,
+      c.Kind, edges[0], edges[1]);
+    Expect(edges[0] < 0.04, "the trial makes no short edge: choose another");
+    Expect(edges[1] >= 0.0499, "an edge is next to nothing");
   }
 }
 
@@ -294,6 +342,7 @@ int main()
   CheckThickSheets();
   CheckHardCuts();
   CheckFewLeft();
+  CheckShortEdges();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",
