@@ -189,8 +189,14 @@ bool BandQuality::IsBelowFloor(int e, double measured) const
   return measured < this->Floor && measured < this->FloorOf(e) && !WasInvalid(this->TheBand, e);
 }
 
-double BandQuality::MeasureOf(const FinalElement& final) const
+double BandQuality::MeasureOf(const TrimmedBand& trimmed, int e, const FinalElement& final) const
 {
+  if (this->IsExempt(trimmed, e))
+  {
+    return this->By == Measure::Worth
+      ? EdgeWorth * ShortestEdgeShare(this->TheBand, final.Node, final.Points, final.Count)
+      : std::numeric_limits<double>::infinity();
+  }
   return this->By == Measure::Worth ? WorthOf(this->TheBand, final.Node, final.Points, final.Count)
                                     : ScaledJacobian(final.Points, final.Count);
 }
@@ -201,7 +207,7 @@ std::vector<int> BandQuality::FindTouched(const TrimmedBand& trimmed, const Test
   return FindElements(this->TheBand,
     [&](int e)
     {
-      if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty() || this->IsExempt(trimmed, e))
+      if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty())
       {
         return false;
       }
@@ -217,15 +223,19 @@ std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
     return {};
   }
   return this->FindTouched(trimmed,
-    [this](int e, const FinalElement& final)
-    { return this->IsBelowFloor(e, this->MeasureOf(final)); });
+    [&](int e, const FinalElement& final)
+    { return this->IsBelowFloor(e, this->MeasureOf(trimmed, e, final)); });
 }
 
 std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double worth) const
 {
   return this->FindTouched(trimmed,
-    [this, worth](int e, const FinalElement& final)
+    [&](int e, const FinalElement& final)
     {
+      if (this->IsExempt(trimmed, e))
+      {
+        return false;
+      }
       const double now = WorthOf(this->TheBand, final.Node, final.Points, final.Count);
       const auto before = [&]
       { return ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count); };
@@ -281,7 +291,7 @@ BandQuality::Shortage BandQuality::MeasureShortage(const TrimmedBand& trimmed) c
   for (const int e : this->FindBelowFloor(trimmed))
   {
     const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-    const double missing = this->FloorOf(e) - this->MeasureOf(final);
+    const double missing = this->FloorOf(e) - this->MeasureOf(trimmed, e, final);
     shortage.Sum += missing;
     shortage.Largest = std::max(shortage.Largest, missing);
   }

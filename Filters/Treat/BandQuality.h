@@ -77,7 +77,7 @@ public:
 
 private:
   double FloorOf(int element) const;
-  double MeasureOf(const FinalElement& final) const;
+  double MeasureOf(const TrimmedBand& trimmed, int element, const FinalElement& final) const;
   bool IsBelowFloor(int element, double measured) const;
   bool IsExempt(const TrimmedBand& trimmed, int element) const;
   /// Touched kept elements that are not exempt and pass a test.
