@@ -402,20 +402,44 @@ std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
   return pieces;
 }
 
+namespace
+{
+/// What several ranks are given alike each has for itself: VTK's data objects are not to be read by
+/// several threads at once, and ranks share no memory.
+template <typename Data>
+std::vector<vtkSmartPointer<Data>> ForEachRank(const std::vector<vtkSmartPointer<Data>>& given)
+{
+  std::vector<vtkSmartPointer<Data>> own;
+  for (const auto& data : given)
+  {
+    own.push_back(data);
+    if (std::find(given.begin(), given.begin() + own.size() - 1, data) !=
+      given.begin() + own.size() - 1)
+    {
+      own.back().TakeReference(data->NewInstance());
+      own.back()->DeepCopy(data);
+    }
+  }
+  return own;
+}
+}
+
 PiecesOutcome TrimPieces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces,
   const std::vector<vtkSmartPointer<vtkDataObject>>& surfaces, const TrimOptions& options,
   const FilterAction& before, const FilterAction& again)
 {
   const int ranks = static_cast<int>(pieces.size());
   const auto controllers = MakeThreadRanks(ranks);
+  const auto ownPieces = ForEachRank(pieces);
+  const auto ownSurfaces = ForEachRank(surfaces);
   std::vector<vtkSmartPointer<vtkTrimHexahedralGrid>> filters;
   for (int rank = 0; rank < ranks; ++rank)
   {
     auto filter = vtkSmartPointer<vtkTrimHexahedralGrid>::New();
     SetOptions(filter, options);
     filter->SetController(controllers[rank]);
-    filter->SetInputDataObject(0, pieces[rank]);
-    filter->SetInputDataObject(1, surfaces[rank]);
+    filter->SetInputDataObject(0, ownPieces[rank]);
+    filter->SetInputDataObject(1, ownSurfaces[rank]);
     if (before)
     {
       before(rank, filter);
