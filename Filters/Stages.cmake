@@ -25,8 +25,10 @@ add_library(NURBSTrimStages STATIC
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
   Treat/ColumnChoices.cxx
+  Treat/CreaseNodes.cxx
   Treat/ElementWorth.cxx
   Treat/FloorClimb.cxx
+  Treat/GuardedMesh.cxx
   Treat/Jacobian.cxx
   Treat/JointRelaxation.cxx
   Treat/LeastSquaresStep.cxx

@@ -29,6 +29,9 @@ constexpr double SameSideCosine = 0.7071;
 constexpr double InsideSlack = 1e-9;
 /// A corner nearer to the surface than this many of its shortest edges is right beside it.
 constexpr double BesideCut = 0.5;
+/// Steps to a sharp edge of the surface, and how much nearer to it each looks for its sides.
+constexpr int MostCreaseSteps = 8;
+constexpr double CreaseApproach = 0.1;
 /// Sine up to which a border counts as straight or level.
 constexpr double StraightSine = 1e-9;
 
@@ -636,6 +639,46 @@ bool NodeMover::Constrained(
     return move.Found;
   }
   return this->NearestFacet(freedom, x, place, nullptr);
+}
+
+bool NodeMover::MeetCrease(
+  int node, NodeFreedom& freedom, nurbs::Foot a, nurbs::Foot b, Vec3& place) const
+{
+  const ConstraintKind kind = freedom.Constraint.Kind;
+  if (kind != ConstraintKind::Free && kind != ConstraintKind::Faces)
+  {
+    return false;
+  }
+  Vec3& x = place;
+  double moved = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < MostCreaseSteps && moved > 0.1 * this->Precision; ++i)
+  {
+    // Where the surface bends without an edge the normals come together.
+    Vec3 on = x, normal = a.Normal.cross(b.Normal).normalized();
+    if (a.Normal.dot(b.Normal) > CreaseCosine ||
+      (kind == ConstraintKind::Faces && !this->NearestFacet(freedom, x, on, &normal)))
+    {
+      return false;
+    }
+    Eigen::Matrix3d m;
+    m.row(0) = a.Normal;
+    m.row(1) = b.Normal;
+    m.row(2) = normal;
+    if (std::abs(m.determinant()) < SmallestSine)
+    {
+      return false;
+    }
+    const Vec3 step =
+      m.inverse() * Vec3(a.Normal.dot(a.Point - x), b.Normal.dot(b.Point - x), normal.dot(on - x));
+    x += step;
+    moved = step.norm();
+    // The tangent planes are those of places nearer and nearer to the edge.
+    a = this->Surface.ClosestPoint(x + CreaseApproach * (a.Point - x));
+    b = this->Surface.ClosestPoint(x + CreaseApproach * (b.Point - x));
+  }
+  return moved <= 0.1 * this->Precision &&
+    this->Surface.ClosestPoint(x).Distance <= 0.1 * this->Precision &&
+    (x - this->TheBand.Point[node]).norm() <= this->Reach(node);
 }
 
 /// The nearest place on the faces that a node may come to lie on, and, if asked for, their normal

@@ -26,6 +26,10 @@ enum class Correction : unsigned char
 /// No node moves farther than this many of its longest edges: columns that the cut has chosen lean.
 constexpr double LongestMoveByCut = 5.0;
 
+/// Cosine of the angle between normals from which an edge of the surface counts as sharp: 20
+/// degrees.
+constexpr double CreaseCosine = 0.94;
+
 struct NodeMove
 {
   bool Found = false;
@@ -114,6 +118,16 @@ public:
   /// The place nearest to x where the node may be: on its faces, and on the surface if it is on
   /// the cut. False if there is none.
   bool Constrained(int node, NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const;
+
+  /**
+   * The place of a node on a sharp edge of the surface: on both sides of it, and on the faces that
+   * hold the node.
+   *
+   * @param a, b feet on either side of the edge, not far from it.
+   * @param[in,out] place where the node is.
+   * @return false if there is no sharp edge between them, or the node may not be there.
+   */
+  bool MeetCrease(int node, NodeFreedom& freedom, nurbs::Foot a, nurbs::Foot b, Vec3& place) const;
 
 private:
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;

@@ -11,7 +11,8 @@
 namespace trim
 {
 
-inline void AddUnique(std::vector<int>& list, int value)
+template <typename Value>
+void AddUnique(std::vector<Value>& list, const Value& value)
 {
   if (std::find(list.begin(), list.end(), value) == list.end())
   {

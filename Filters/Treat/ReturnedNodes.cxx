@@ -1,6 +1,6 @@
 #include "ReturnedNodes.h"
 
-#include "CoincidentNodes.h"
+#include "GuardedMesh.h"
 #include "JointRelaxation.h"
 
 #include <algorithm>
@@ -25,28 +25,19 @@ constexpr int WayHalvings = 6;
 constexpr int ApproachSweeps = 4;
 constexpr double LeastStep = 0.02;
 
-class Returner : private RelaxedMesh
+class Returner : private GuardedMesh
 {
 public:
   Returner(const RelaxationCase& given, const BandQuality& quality, double least,
     const std::function<bool()>& aborted, std::vector<char>& fixed, std::vector<char>& onCut,
     Moves& moves)
-    : RelaxedMesh(given, moves)
+    : GuardedMesh(given, quality, moves)
     , Given(given)
-    , Measure(quality)
     , Least(least)
     , Aborted(aborted)
     , Fixed(fixed)
     , Boundary(onCut)
-    , Users(given.TheBand.NumberOfNodes(), 0)
   {
-    for (const auto& element : this->Elements)
-    {
-      for (int i = 0; i < element.Count; ++i)
-      {
-        ++this->Users[element.Node[i]];
-      }
-    }
   }
 
   bool Run(const std::vector<int>& left)
@@ -94,13 +85,6 @@ private:
     Correction By = Correction::None;
   };
 
-  /// What an element is not to fall below.
-  struct Standard
-  {
-    double Quality;
-    double EdgeShare; ///< see ShortestEdgeShare: a good shape may still have an edge of no length
-  };
-
   /// Tries each of the nodes and forgets those that returned; false if there were none.
   bool Sweep(std::vector<int>& nodes, bool (Returner::*attempt)(int))
   {
@@ -138,7 +122,7 @@ private:
   bool Return(int node)
   {
     const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<Standard> before = this->StandardsOf(elements);
+    const std::vector<Standard> before = this->StandardsOf(elements, this->Limit);
     const Vec3 from = this->TheMoves.Position[node];
     double best = -1.0;
     Place found;
@@ -146,7 +130,7 @@ private:
     {
       this->TheMoves.Position[node] = place.At;
       const double lowest = this->LowestOf(elements, before);
-      if (lowest > best && !IsCoincident(this->TheBand, this->TheMoves, this->Users, node))
+      if (lowest > best && !this->IsCoincident(node))
       {
         best = lowest;
         found = place;
@@ -178,7 +162,7 @@ private:
       rest = std::min(rest, (1.0 - LeastStep) * (place.At - from).norm());
     }
     const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<Standard> before = this->StandardsOf(elements);
+    const std::vector<Standard> before = this->StandardsOf(elements, this->Limit);
     Vec3 best = from;
     for (const Place& place : places)
     {
@@ -212,8 +196,7 @@ private:
         continue;
       }
       this->TheMoves.Position[node] = AsStored(this->TheBand, at);
-      if (this->LowestOf(elements, before) >= 0.0 &&
-        !IsCoincident(this->TheBand, this->TheMoves, this->Users, node))
+      if (this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node))
       {
         gone += step;
         reached = this->TheMoves.Position[node];
@@ -221,35 +204,6 @@ private:
     }
     this->TheMoves.Position[node] = from;
     return reached;
-  }
-
-  std::vector<Standard> StandardsOf(const std::vector<int>& elements) const
-  {
-    std::vector<Standard> list;
-    for (const int e : elements)
-    {
-      list.push_back({ std::min(this->Limit, this->Quality(e)),
-        std::min(LeastEdgeShare, this->ShortestEdgeShare(e)) });
-    }
-    return list;
-  }
-
-  /// The lowest of elements, -1 if one is invalid or below its standard.
-  double LowestOf(const std::vector<int>& elements, const std::vector<Standard>& standards) const
-  {
-    double lowest = 2.0;
-    for (std::size_t i = 0; i < elements.size(); ++i)
-    {
-      const int e = elements[i];
-      const double now = this->Quality(e);
-      if (now < standards[i].Quality || this->ShortestEdgeShare(e) < standards[i].EdgeShare ||
-        this->Measure.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
-      {
-        return -1.0;
-      }
-      lowest = std::min(lowest, now);
-    }
-    return lowest;
   }
 
   void Put(int node, const Place& place)
@@ -271,7 +225,7 @@ private:
     nodes.push_back(node);
     const State before = this->StateOf(nodes);
     const std::vector<int> elements = this->ElementsAt(nodes);
-    const std::vector<Standard> standards = this->StandardsOf(elements);
+    const std::vector<Standard> standards = this->StandardsOf(elements, this->Limit);
     const char boundary = this->Boundary[node];
     for (const Place& place : this->PlacesFor(node))
     {
@@ -332,56 +286,12 @@ private:
     return false;
   }
 
-  /// What the relaxation changes.
-  struct State
-  {
-    std::vector<int> Nodes;
-    std::vector<Vec3> Position;
-    std::vector<Correction> Applied;
-  };
-
-  State StateOf(const std::vector<int>& nodes) const
-  {
-    State state{ nodes, this->PositionsOf(nodes), {} };
-    for (const int n : nodes)
-    {
-      state.Applied.push_back(this->TheMoves.Applied[n]);
-    }
-    return state;
-  }
-
-  void Restore(const State& state)
-  {
-    this->RelaxedMesh::Place(state.Nodes, state.Position);
-    for (std::size_t i = 0; i < state.Nodes.size(); ++i)
-    {
-      this->TheMoves.Applied[state.Nodes[i]] = state.Applied[i];
-    }
-  }
-
-  /// Whether a node that moved coincides with another one.
-  bool HasCoincident(const State& before) const
-  {
-    for (std::size_t i = 0; i < before.Nodes.size(); ++i)
-    {
-      const int n = before.Nodes[i];
-      if (this->TheMoves.Position[n] != before.Position[i] &&
-        IsCoincident(this->TheBand, this->TheMoves, this->Users, n))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
   const RelaxationCase& Given;
-  const BandQuality& Measure;
   const double Least;
   const std::function<bool()>& Aborted;
   std::vector<char>& Fixed;
   std::vector<char>& Boundary;
-  std::vector<int> Users; ///< how many elements use a node
-  double Limit = 0;       ///< elements that are above it do not fall below
+  double Limit = 0; ///< elements that are above it do not fall below
   int Relaxations = 0;
 };
 

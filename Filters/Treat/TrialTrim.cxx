@@ -1,5 +1,6 @@
 #include "TrialTrim.h"
 
+#include "CreaseNodes.h"
 #include "JointRelaxation.h"
 
 #include <algorithm>
@@ -290,6 +291,21 @@ void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, Trimmed
 {
   this->RelaxRound(
     set, this->Quality.FindShortOf(trimmed, goal), PolishedGoal, Brief, trimmed, onCutToo);
+}
+
+void TrialTrim::FollowCreases(
+  const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+{
+  if (this->Options.QualityFloor <= 0.0 || this->Options.CorrectionType == Correction::Eliminate)
+  {
+    return;
+  }
+  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  Shapes shapes = this->ShapesOf(set, trimmed, true);
+  const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
+    shapes.OnCut };
+  PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted, shapes.Fixed,
+    trimmed.NodeMoves);
 }
 
 void TrialTrim::ReturnLeft(

@@ -87,6 +87,11 @@ public:
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
 
+  /// Takes nodes of the new boundary to the sharp edges that it passes, if a floor is asked for at
+  /// all and the elements stand it.
+  void FollowCreases(
+    const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+
   /// Pillars that should go to the surface, as they lie beyond it, though no facet of the cut is at
   /// them: a surface that leans by more than an element has such.
   std::vector<char> FindPillarsBehind(const TrimmedBand& trimmed) const;

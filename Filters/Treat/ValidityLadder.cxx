@@ -56,6 +56,7 @@ public:
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
     this->Trial.Polish(this->At.Set, trimmed);
+    this->Trial.FollowCreases(this->At.Set, aborted, trimmed);
     trimmed.RescuedBy = this->At.Rungs;
     trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
     return trimmed;

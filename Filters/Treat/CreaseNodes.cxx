@@ -1,0 +1,191 @@
+#include "CreaseNodes.h"
+
+#include "AddUnique.h"
+#include "GuardedMesh.h"
+#include "JointRelaxation.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace trim
+{
+namespace
+{
+
+/// Elements at a sharp edge are relaxed to this, if they can reach it.
+constexpr double CreaseGoal = 0.5;
+/// A node has no farther to go than this many times the way to the node on the other side.
+constexpr double LongestWay = 1.0;
+/// A node nearer than this share of it is there.
+constexpr double NoWay = 1e-6;
+
+class CreaseFollower : private GuardedMesh
+{
+public:
+  CreaseFollower(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+    const BandQuality& quality, double least, std::vector<char>& fixed, Moves& moves)
+    : GuardedMesh(given, quality, moves)
+    , Given(given)
+    , Surface(surface)
+    , Least(least)
+    , Fixed(fixed)
+    , IsThere(given.TheBand.NumberOfNodes(), 0)
+  {
+  }
+
+  bool Run(const std::function<bool()>& aborted)
+  {
+    bool any = false;
+    for (const auto& [pillars, nodes] : this->FindNeighbours())
+    {
+      const bool there = this->IsThere[nodes.front().first] || this->IsThere[nodes.front().second];
+      any |= !there && !aborted() && this->Follow(nodes);
+    }
+    return any;
+  }
+
+private:
+  /// Nodes of one pillar and those of another that edges join them with.
+  using Neighbours = std::vector<std::pair<int, int>>;
+
+  struct Way
+  {
+    std::vector<int> Nodes;
+    std::vector<Vec3> To;
+    double Length = 0.0; ///< of the longest, against the way to the other node
+  };
+
+  bool IsOnSurface(int node) const { return this->OnCut[node] && !this->TheMoves.Left[node]; }
+
+  /// Pillars beside each other on the new boundary, by their smallest nodes.
+  std::map<std::pair<int, int>, Neighbours> FindNeighbours() const
+  {
+    std::map<std::pair<int, int>, Neighbours> found;
+    for (const auto& element : this->Elements)
+    {
+      const auto& topology = TopologyOf(element.Count);
+      for (int i = 0; element.Count > 0 && i < topology.NumberOfEdges; ++i)
+      {
+        int a = element.Node[topology.Edges[i].First];
+        int b = element.Node[topology.Edges[i].Second];
+        if (this->IsOnSurface(a) && this->IsOnSurface(b) && this->Mover.IsLateral(a, b))
+        {
+          if (this->Mover.PillarOf(a) > this->Mover.PillarOf(b))
+          {
+            std::swap(a, b);
+          }
+          AddUnique(
+            found[{ this->Mover.PillarOf(a), this->Mover.PillarOf(b) }], std::make_pair(a, b));
+        }
+      }
+    }
+    return found;
+  }
+
+  /// Takes one of two pillars to the sharp edge between them; false if there is none, or neither
+  /// can go there.
+  bool Follow(const Neighbours& nodes)
+  {
+    const auto normal = [this](int n)
+    { return this->Surface.ClosestPoint(this->TheMoves.Position[n]).Normal; };
+    if (normal(nodes.front().first).dot(normal(nodes.front().second)) > CreaseCosine)
+    {
+      return false;
+    }
+    std::vector<Way> ways;
+    for (const bool first : { true, false })
+    {
+      Way way;
+      if (this->FindWay(nodes, first, way))
+      {
+        if (way.Length < NoWay)
+        {
+          this->SetThere(way.Nodes, true);
+          return false;
+        }
+        ways.push_back(way);
+      }
+    }
+    std::sort(
+      ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.Length < b.Length; });
+    return std::any_of(ways.begin(), ways.end(), [this](const Way& way) { return this->Go(way); });
+  }
+
+  /// @param first which of two neighbours is to go.
+  bool FindWay(const Neighbours& nodes, bool first, Way& way)
+  {
+    for (const auto& [a, b] : nodes)
+    {
+      const int node = first ? a : b;
+      const Vec3& from = this->TheMoves.Position[node];
+      const Vec3& other = this->TheMoves.Position[first ? b : a];
+      Vec3 to = from;
+      if (this->Fixed[node] ||
+        !this->Mover.MeetCrease(node, this->FreedomOf(node), this->Surface.ClosestPoint(from),
+          this->Surface.ClosestPoint(other), to))
+      {
+        return false;
+      }
+      way.Nodes.push_back(node);
+      way.To.push_back(AsStored(this->TheBand, to));
+      way.Length = std::max(way.Length, (to - from).norm() / (other - from).norm());
+    }
+    return way.Length <= LongestWay;
+  }
+
+  bool Go(const Way& way)
+  {
+    const std::vector<int> at = this->ElementsAt(way.Nodes);
+    std::vector<int> nodes = this->NodesRound(at, RelaxedRings);
+    nodes.insert(nodes.end(), way.Nodes.begin(), way.Nodes.end());
+    const State before = this->StateOf(nodes);
+    const std::vector<int> elements = this->ElementsAt(nodes);
+    const std::vector<Standard> standards = this->StandardsOf(elements, this->Least);
+    this->Place(way.Nodes, way.To);
+    this->TellMoved(way.Nodes);
+    this->SetThere(way.Nodes, true);
+    const bool good =
+      std::all_of(at.begin(), at.end(), [this](int e) { return this->Quality(e) >= CreaseGoal; });
+    if (!good)
+    {
+      const RelaxationGoal goal{ CreaseGoal, this->Least, Brief };
+      Relax(this->Given, at, goal, this->TheMoves);
+      RelaxJointly(this->Given, at, goal, this->TheMoves);
+    }
+    if (this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before))
+    {
+      return true;
+    }
+    this->Restore(before);
+    this->SetThere(way.Nodes, false);
+    return false;
+  }
+
+  /// What is on a sharp edge stays there.
+  void SetThere(const std::vector<int>& nodes, bool there)
+  {
+    for (const int node : nodes)
+    {
+      this->IsThere[node] = there;
+      this->Fixed[node] = there;
+    }
+  }
+
+  const RelaxationCase& Given;
+  const nurbs::TrimmingSurface& Surface;
+  const double Least;
+  std::vector<char>& Fixed;
+  std::vector<char> IsThere; ///< by node: on a sharp edge
+};
+
+}
+
+bool PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+  const BandQuality& quality, double least, const std::function<bool()>& aborted,
+  std::vector<char>& fixed, Moves& moves)
+{
+  return CreaseFollower(given, surface, quality, least, fixed, moves).Run(aborted);
+}
+
+}

@@ -1,0 +1,35 @@
+/**
+ * @file CreaseNodes.h
+ * @brief Nodes of the new boundary go to the sharp edges of the surface that it passes, so that it
+ * does not cut across the corners of the trimming contour.
+ */
+#ifndef CreaseNodes_h
+#define CreaseNodes_h
+
+#include "BandQuality.h"
+#include "RelaxedMesh.h"
+
+#include <functional>
+#include <vector>
+
+namespace trim
+{
+
+/**
+ * Of two pillars beside each other on the new boundary, on either side of a sharp edge, takes that
+ * to the edge which has less far to go, or the other one, and relaxes the nodes round it, if no
+ * element becomes invalid by it or falls below the least; else nothing changes there.
+ *
+ * @param least scaled Jacobian that no element falls below.
+ * @param aborted true ends the work; the result is then of no use.
+ * @param[in,out] fixed what `given` refers to: nodes on sharp edges stay there.
+ * @param[in,out] moves nodes that are moved get Correction::Relax.
+ * @return false if none went.
+ */
+bool PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+  const BandQuality& quality, double least, const std::function<bool()>& aborted,
+  std::vector<char>& fixed, Moves& moves);
+
+}
+
+#endif

@@ -1,0 +1,91 @@
+#include "GuardedMesh.h"
+
+#include "CoincidentNodes.h"
+
+#include <algorithm>
+
+namespace trim
+{
+
+GuardedMesh::GuardedMesh(const RelaxationCase& given, const BandQuality& quality, Moves& moves)
+  : RelaxedMesh(given, moves)
+  , Measure(quality)
+  , Users(given.TheBand.NumberOfNodes(), 0)
+{
+  for (const auto& element : this->Elements)
+  {
+    for (int i = 0; i < element.Count; ++i)
+    {
+      ++this->Users[element.Node[i]];
+    }
+  }
+}
+
+std::vector<GuardedMesh::Standard> GuardedMesh::StandardsOf(
+  const std::vector<int>& elements, double limit) const
+{
+  std::vector<Standard> list;
+  for (const int e : elements)
+  {
+    list.push_back(
+      { std::min(limit, this->Quality(e)), std::min(LeastEdgeShare, this->ShortestEdgeShare(e)) });
+  }
+  return list;
+}
+
+double GuardedMesh::LowestOf(
+  const std::vector<int>& elements, const std::vector<Standard>& standards) const
+{
+  double lowest = 2.0;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    const int e = elements[i];
+    const double now = this->Quality(e);
+    if (now < standards[i].Quality || this->ShortestEdgeShare(e) < standards[i].EdgeShare ||
+      this->Measure.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
+    {
+      return -1.0;
+    }
+    lowest = std::min(lowest, now);
+  }
+  return lowest;
+}
+
+bool GuardedMesh::IsCoincident(int node) const
+{
+  return trim::IsCoincident(this->TheBand, this->TheMoves, this->Users, node);
+}
+
+GuardedMesh::State GuardedMesh::StateOf(const std::vector<int>& nodes) const
+{
+  State state{ nodes, this->PositionsOf(nodes), {} };
+  for (const int n : nodes)
+  {
+    state.Applied.push_back(this->TheMoves.Applied[n]);
+  }
+  return state;
+}
+
+void GuardedMesh::Restore(const State& state)
+{
+  this->Place(state.Nodes, state.Position);
+  for (std::size_t i = 0; i < state.Nodes.size(); ++i)
+  {
+    this->TheMoves.Applied[state.Nodes[i]] = state.Applied[i];
+  }
+}
+
+bool GuardedMesh::HasCoincident(const State& before) const
+{
+  for (std::size_t i = 0; i < before.Nodes.size(); ++i)
+  {
+    const int n = before.Nodes[i];
+    if (this->TheMoves.Position[n] != before.Position[i] && this->IsCoincident(n))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}

@@ -1,0 +1,60 @@
+/**
+ * @file GuardedMesh.h
+ * @brief The elements at the cut while nodes are put elsewhere: what the elements are held to, and
+ * the way back.
+ */
+#ifndef GuardedMesh_h
+#define GuardedMesh_h
+
+#include "BandQuality.h"
+#include "RelaxedMesh.h"
+
+#include <vector>
+
+namespace trim
+{
+
+class GuardedMesh : public RelaxedMesh
+{
+public:
+  /// @param quality says which elements are invalid; must outlive it.
+  GuardedMesh(const RelaxationCase& given, const BandQuality& quality, Moves& moves);
+
+  /// What an element is not to fall below.
+  struct Standard
+  {
+    double Quality;
+    double EdgeShare; ///< see ShortestEdgeShare: a good shape may still have an edge of no length
+  };
+
+  /// What elements have, but no more than a scaled Jacobian, and than little of their edges.
+  std::vector<Standard> StandardsOf(const std::vector<int>& elements, double limit) const;
+
+  /// The lowest of elements, -1 if one is invalid or below its standard.
+  double LowestOf(const std::vector<int>& elements, const std::vector<Standard>& standards) const;
+
+  /// Whether a node lies where another one is.
+  bool IsCoincident(int node) const;
+
+  /// What a relaxation changes.
+  struct State
+  {
+    std::vector<int> Nodes;
+    std::vector<Vec3> Position;
+    std::vector<Correction> Applied;
+  };
+
+  State StateOf(const std::vector<int>& nodes) const;
+  void Restore(const State& state);
+
+  /// Whether a node that moved coincides with another one.
+  bool HasCoincident(const State& before) const;
+
+private:
+  const BandQuality& Measure;
+  std::vector<int> Users; ///< how many elements use a node
+};
+
+}
+
+#endif
