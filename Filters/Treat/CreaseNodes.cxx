@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace trim
@@ -19,6 +20,32 @@ constexpr double CreaseGoal = 0.5;
 constexpr double LongestWay = 1.0;
 /// A node nearer than this share of it is there.
 constexpr double NoWay = 1e-6;
+
+/// Whether a surface may bend sharply at parameters of one direction.
+bool MayBend(const std::vector<double>& knots, int degree)
+{
+  // Between the ends, as many equal knots as the degree.
+  for (std::size_t i = degree + 1; i + 2 * degree < knots.size(); ++i)
+  {
+    if (knots[i] == knots[i + degree - 1])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the surface may have sharp edges: faces that meet, also one with itself, or knots.
+bool MayHaveCreases(const nurbs::TrimmingSurface& surface)
+{
+  const nurbs::NurbsSurface& face = surface.Face(0);
+  const auto point = [&face](int i, int j) -> Vec3
+  { return face.ControlPoints[i + face.CountU * j].head<3>(); };
+  const bool closed = point(0, 0).isApprox(point(face.CountU - 1, 0)) ||
+    point(0, 0).isApprox(point(0, face.CountV - 1));
+  return surface.NumberOfFaces() > 1 || closed || MayBend(face.KnotsU, face.DegreeU) ||
+    MayBend(face.KnotsV, face.DegreeV);
+}
 
 class CreaseFollower : private GuardedMesh
 {
@@ -87,9 +114,8 @@ private:
   /// can go there.
   bool Follow(const Neighbours& nodes)
   {
-    const auto normal = [this](int n)
-    { return this->Surface.ClosestPoint(this->TheMoves.Position[n]).Normal; };
-    if (normal(nodes.front().first).dot(normal(nodes.front().second)) > CreaseCosine)
+    if (this->NormalAt(nodes.front().first).dot(this->NormalAt(nodes.front().second)) >
+      CreaseCosine)
     {
       return false;
     }
@@ -110,6 +136,15 @@ private:
     std::sort(
       ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.Length < b.Length; });
     return std::any_of(ways.begin(), ways.end(), [this](const Way& way) { return this->Go(way); });
+  }
+
+  /// Of the surface, where a node was when it was asked for first.
+  const Vec3& NormalAt(int node)
+  {
+    const auto known = this->Normals.find(node);
+    return known != this->Normals.end()
+      ? known->second
+      : this->Normals[node] = this->Surface.ClosestPoint(this->TheMoves.Position[node]).Normal;
   }
 
   /// @param first which of two neighbours is to go.
@@ -177,6 +212,7 @@ private:
   const double Least;
   std::vector<char>& Fixed;
   std::vector<char> IsThere; ///< by node: on a sharp edge
+  std::unordered_map<int, Vec3> Normals;
 };
 
 }
@@ -185,7 +221,8 @@ bool PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& sur
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
   std::vector<char>& fixed, Moves& moves)
 {
-  return CreaseFollower(given, surface, quality, least, fixed, moves).Run(aborted);
+  return MayHaveCreases(surface) &&
+    CreaseFollower(given, surface, quality, least, fixed, moves).Run(aborted);
 }
 
 }

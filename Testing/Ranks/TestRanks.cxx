@@ -131,7 +131,7 @@ void TestPermuted()
   };
   const Vec3 element(1, 1, 0.4);
   const Mesh mesh = Sheet(24, 18, 2, element, plain);
-  for (const char* kind : { "wavy", "contour" })
+  for (const char* kind : { "wavy", "contour", "rectangle" })
   {
     compare(kind, mesh, Sheet(24, 18, 2, element, permuted), SurfaceOf(kind, mesh));
   }
@@ -150,7 +150,7 @@ int main(int argc, char* argv[])
   const auto argument = [&](int i) { return std::string(argc > i ? argv[i] : "all"); };
   const int ranks = argc > 1 ? std::atoi(argv[1]) : 2;
   std::vector<std::string> kinds = SurfaceKinds();
-  kinds.push_back("leaning");
+  kinds.insert(kinds.end(), { "leaning", "rectangle" });
   std::size_t turn = 0;
   for (const std::string& meshName : Chosen(argument(2), MeshNames()))
   {
