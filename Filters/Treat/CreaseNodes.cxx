@@ -61,15 +61,17 @@ public:
   {
   }
 
-  bool Run(const std::function<bool()>& aborted)
+  std::vector<char> Run(const std::function<bool()>& aborted)
   {
-    bool any = false;
     for (const auto& [pillars, nodes] : this->FindNeighbours())
     {
       const bool there = this->IsThere[nodes.front().first] || this->IsThere[nodes.front().second];
-      any |= !there && !aborted() && this->Follow(nodes);
+      if (!there && !aborted())
+      {
+        this->Follow(nodes);
+      }
     }
-    return any;
+    return this->IsThere;
   }
 
 private:
@@ -110,14 +112,13 @@ private:
     return found;
   }
 
-  /// Takes one of two pillars to the sharp edge between them; false if there is none, or neither
-  /// can go there.
-  bool Follow(const Neighbours& nodes)
+  /// Takes one of two pillars to the sharp edge between them, if there is one and it can go there.
+  void Follow(const Neighbours& nodes)
   {
     if (this->NormalAt(nodes.front().first).dot(this->NormalAt(nodes.front().second)) >
       CreaseCosine)
     {
-      return false;
+      return;
     }
     std::vector<Way> ways;
     for (const bool first : { true, false })
@@ -128,14 +129,16 @@ private:
         if (way.Length < NoWay)
         {
           this->SetThere(way.Nodes, true);
-          return false;
+          return;
         }
         ways.push_back(way);
       }
     }
     std::sort(
       ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.Length < b.Length; });
-    return std::any_of(ways.begin(), ways.end(), [this](const Way& way) { return this->Go(way); });
+    for (auto way = ways.begin(); way != ways.end() && !this->Go(*way); ++way)
+    {
+    }
   }
 
   /// Of the surface, where a node was when it was asked for first.
@@ -217,12 +220,13 @@ private:
 
 }
 
-bool PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
   std::vector<char>& fixed, Moves& moves)
 {
-  return MayHaveCreases(surface) &&
-    CreaseFollower(given, surface, quality, least, fixed, moves).Run(aborted);
+  return MayHaveCreases(surface)
+    ? CreaseFollower(given, surface, quality, least, fixed, moves).Run(aborted)
+    : std::vector<char>();
 }
 
 }

@@ -24,9 +24,9 @@ namespace trim
  * @param aborted true ends the work; the result is then of no use.
  * @param[in,out] fixed what `given` refers to: nodes on sharp edges stay there.
  * @param[in,out] moves nodes that are moved get Correction::Relax.
- * @return false if none went.
+ * @return by node: those on sharp edges; empty: the surface has none.
  */
-bool PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
   std::vector<char>& fixed, Moves& moves);
 

@@ -304,8 +304,8 @@ void TrialTrim::FollowCreases(
   Shapes shapes = this->ShapesOf(set, trimmed, true);
   const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
     shapes.OnCut };
-  PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted, shapes.Fixed,
-    trimmed.NodeMoves);
+  trimmed.OnCrease = PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted,
+    shapes.Fixed, trimmed.NodeMoves);
 }
 
 void TrialTrim::ReturnLeft(

@@ -37,6 +37,7 @@ struct TrimmedBand
   std::vector<int> BelowFloor; ///< valid elements that stayed below the quality floor
   std::vector<int> Invalid;    ///< elements that no rung could save; empty as a rule
   std::vector<char> Moving;    ///< nodes that have to lie on the new boundary
+  std::vector<char> OnCrease;  ///< nodes on sharp edges of the surface; empty: none are
 };
 
 /// Nodes and positions of a band element as it is after the trim.

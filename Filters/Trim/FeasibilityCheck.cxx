@@ -185,7 +185,8 @@ private:
     {
       return Feasibility::Inclined;
     }
-    return cut && this->IsCurved(probe) ? Feasibility::Curved : Feasibility::Fine;
+    return cut && this->IsCurved(probe) && !this->IsAtFollowedEdge(probe) ? Feasibility::Curved
+                                                                          : Feasibility::Fine;
   }
 
   bool IsInclined(const Probe& probe) const
@@ -204,8 +205,8 @@ private:
     return foot.Kind == FootKind::Interior && box.contains(foot.Point);
   }
 
-  /// By the curvature at the feet; and, for edges of the surface and bends that no foot hits, by
-  /// the turn of the normal between two feet.
+  /// By the curvature at the feet; and, for sharp edges of the surface and bends that no foot hits,
+  /// by the turn of the normal between two feet.
   bool IsCurved(const Probe& probe) const
   {
     for (int i = 0; i < probe.Count; ++i)
@@ -229,6 +230,23 @@ private:
       }
     }
     return false;
+  }
+
+  /// Whether a node of the element or of one next to it went to a sharp edge of the surface.
+  bool IsAtFollowedEdge(const Probe& probe) const
+  {
+    const int element = this->ElementOf(probe.Cell);
+    if (element < 0 || this->Result.Near->Trimmed.OnCrease.empty())
+    {
+      return false;
+    }
+    const auto isThere = [this](int n) { return this->Result.Near->Trimmed.OnCrease[n] != 0; };
+    return this->HasNode(element,
+      [&](int node)
+      {
+        const auto at = this->Result.Near->Mesh.ElementsOfNode(node);
+        return std::any_of(at.begin(), at.end(), [&](int e) { return this->HasNode(e, isThere); });
+      });
   }
 
   /// In a sheet of the line in which surface and skin meet (its curvature is the surface's normal
