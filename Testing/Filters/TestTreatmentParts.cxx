@@ -1,12 +1,14 @@
 /**
  * @file TestTreatmentParts.cxx
  * @brief What the ladder relies on, by itself: a decision that is taken again, the bound of the
- * scaled Jacobian, the step of least squares.
+ * scaled Jacobian, the step of least squares, the worth of an element, the way to a sharp edge.
  */
 #include "Decision.h"
+#include "ElementWorth.h"
 #include "Expect.h"
 #include "Jacobian.h"
 #include "LeastSquaresStep.h"
+#include "NodeMover.h"
 #include "SampleSurfaces.h"
 #include "Status.h"
 
@@ -45,6 +47,11 @@ public:
   {
     return Decision(
       this->Mesh, this->Structure, this->Shares, this->Mesh.NodeStatus, this->Surface, 0.5, true);
+  }
+
+  NodeMover MoverTo(const nurbs::TrimmingSurface& surface) const
+  {
+    return NodeMover(this->Mesh, this->Structure, this->Mesh.NodeStatus, surface, 1e-8);
   }
 
   const Band Mesh;
@@ -220,6 +227,78 @@ void CheckStep()
       normal.fullPivLu().solve(dense.transpose() * misses), "as by dense normal equations");
   }
 }
+
+/// An element whose edges along one direction shrink keeps its shape, but not its worth.
+void CheckWorth()
+{
+  const CutBlock block;
+  const BandElement& element = block.Mesh.Elements.front();
+  ElementPoints points;
+  const Vec3& corner = block.Mesh.Point[element.Node[0]];
+  for (const double share : { 1.0, 0.2, 0.1, 0.01 })
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      points[i] = block.Mesh.Point[element.Node[i]];
+      points[i][0] = corner[0] + share * (points[i][0] - corner[0]);
+    }
+    const double worth = std::min(1.0, EdgeWorth * share);
+    const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
+    Expect(near(ShortestEdgeShare(block.Mesh, element.Node, points, 8), share), "share of an edge");
+    Expect(near(ScaledJacobian(points, 8), 1.0), "the shape is as good as ever");
+    Expect(near(WorthOf(block.Mesh, element.Node, points, 8), worth), "worth by its edges");
+    Expect(share == 1.0 || WorthOf(block.Mesh, element.Node, points, 8, nullptr, 1.1) <= 1.1,
+      "what is below a limit is below it");
+    std::vector<char> fixed(block.Mesh.NumberOfNodes(), 1);
+    Expect(near(WorthOf(block.Mesh, element.Node, points, 8, &fixed), 1.0),
+      "edges that cannot change do not count");
+    fixed[element.Node[0]] = 0;
+    Expect(near(WorthOf(block.Mesh, element.Node, points, 8, &fixed), worth), "others do");
+  }
+  std::swap(points[0], points[1]);
+  Expect(WorthOf(block.Mesh, element.Node, points, 8) < 0.0, "what is inside out is worth nothing");
+}
+
+/// The rim of a can, and the side of a tube, where there is no edge.
+void CheckCrease()
+{
+  constexpr double radius = 4.0, top = 3.3;
+  const CutBlock block;
+  const nurbs::TrimmingSurface can(
+    { samples::Revolve(
+      1, { 0, 0, 0.5, 1, 1 }, { Vec3(radius, -9, 1), Vec3(radius, top, 1), Vec3(0, top, 1) }) },
+    0.0);
+  const NodeMover mover = block.MoverTo(can);
+  int met = 0;
+  for (int n = 0; n < block.Mesh.NumberOfNodes(); ++n)
+  {
+    const Vec3& from = block.Mesh.Point[n];
+    const double r = std::hypot(from[0], from[1]);
+    NodeFreedom freedom = mover.FreedomOf(n);
+    if (freedom.Constraint.Kind != ConstraintKind::Free || std::abs(r - radius) > 0.8 ||
+      std::abs(from[2] - top) > 0.8)
+    {
+      continue;
+    }
+    // The neighbour is a little farther round the rim.
+    const Vec3 out = Vec3(from[0], from[1], 0) / r, round = Vec3(-out[1], out[0], 0);
+    const auto side = can.ClosestPoint((radius + 0.1) * out + Vec3(0, 0, top - 0.7));
+    const auto lid = can.ClosestPoint((radius - 0.6) * out + 0.3 * round + Vec3(0, 0, top + 0.1));
+    Vec3 place = from;
+    Expect(mover.MeetCrease(n, freedom, side, lid, place), "a node meets the rim");
+    Expect(std::abs(std::hypot(place[0], place[1]) - radius) < 1e-8, "on the side of the can");
+    Expect(std::abs(place[2] - top) < 1e-8, "and on its lid");
+    Expect((place - from).norm() < 1.2 * std::hypot(r - radius, from[2] - top) + 0.05,
+      "not far round it");
+    ++met;
+    const auto beside = can.ClosestPoint(radius * (out + 0.5 * round) + Vec3(0, 0, top - 0.7));
+    place = from;
+    Expect(side.Normal.dot(beside.Normal) < CreaseCosine, "the side turns");
+    Expect(!mover.MeetCrease(n, freedom, side, beside, place), "but has no edge");
+  }
+  Expect(met > 5, "there are nodes near the rim: " + std::to_string(met));
+}
+
 }
 
 int main()
@@ -227,6 +306,8 @@ int main()
   CheckDecisionAgain();
   CheckBound();
   CheckStep();
+  CheckWorth();
+  CheckCrease();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
