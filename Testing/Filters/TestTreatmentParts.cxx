@@ -282,7 +282,7 @@ void CheckCrease()
     }
     // The neighbour is a little farther round the rim.
     const Vec3 out = Vec3(from[0], from[1], 0) / r, round = Vec3(-out[1], out[0], 0);
-    const auto side = can.ClosestPoint((radius + 0.1) * out + Vec3(0, 0, top - 0.7));
+    const auto side = can.ClosestPoint((radius + 0.1) * out - 0.5 * round + Vec3(0, 0, top - 0.7));
     const auto lid = can.ClosestPoint((radius - 0.6) * out + 0.3 * round + Vec3(0, 0, top + 0.1));
     Vec3 place = from;
     Expect(mover.MeetCrease(n, freedom, side, lid, place), "a node meets the rim");
