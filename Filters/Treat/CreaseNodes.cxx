@@ -16,8 +16,9 @@ namespace
 
 /// Elements at a sharp edge are relaxed to this, if they can reach it.
 constexpr double CreaseGoal = 0.5;
-/// A node has no farther to go than this many times the way to the node on the other side.
-constexpr double LongestWay = 1.0;
+/// A node has no farther to go than this many times the way to the node on the other side: to the
+/// tip of an angle of 30 degrees.
+constexpr double LongestWay = 2.0;
 /// A node nearer than this share of it is there.
 constexpr double NoWay = 1e-6;
 
