@@ -19,14 +19,14 @@
  * - ElementStatus (unsigned char, cells): 0 keep, 1 eliminate, 2 to treat;
  * - EliminatedFraction (float, cells): the share of the element beyond the surface;
  * - Displacement (3 floats, points): how far the correction moved the node;
- * - CorrectionApplied (unsigned char, points): 0 none, 2 type II, 3 type III, 4 relaxed (a node
- *   behind the cut, moved for the quality of the elements there);
+ * - CorrectionApplied (unsigned char, points): 0 none, 2 type II, 3 type III, 4 relaxed (moved for
+ *   the quality of the elements there) or taken to a sharp edge of the surface;
  * - Rescue (unsigned char, cells): how an element that would have become invalid was saved, 0 not
  *   needed, 1 relaxation, 2 other treatment, 3 other correction, 4 other fate, 5 nodes left off the
  *   surface;
  * - Feasibility (unsigned char, cells): where the surface breaks an assumption of the method, 0
- *   nowhere, 1 sharp bend, 2 inclined to the skin, 3 narrow hole, 4 edge crossed twice, 5 cut-out
- *   not opened (see Findings.h);
+ *   nowhere, 1 sharp bend, or an edge without a node, 2 inclined to the skin, 3 narrow hole, 4 edge
+ * crossed twice, 5 cut-out not opened (see Findings.h);
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
  *   surface, 3 invalid, 4 invalid as it came;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
