@@ -5,6 +5,7 @@
 #include "JointRelaxation.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -62,9 +63,10 @@ public:
   {
   }
 
-  std::vector<char> Run(const std::function<bool()>& aborted)
+  NodesAtCreases Run(const std::function<bool()>& aborted)
   {
-    for (const auto& [pillars, nodes] : this->FindNeighbours())
+    const auto neighbours = this->FindNeighbours();
+    for (const auto& [pillars, nodes] : neighbours)
     {
       const bool there = this->IsThere[nodes.front().first] || this->IsThere[nodes.front().second];
       if (!there && !aborted())
@@ -72,7 +74,7 @@ public:
         this->Follow(nodes);
       }
     }
-    return this->IsThere;
+    return { this->IsThere, this->FindBeside(neighbours) };
   }
 
 private:
@@ -89,9 +91,11 @@ private:
   bool IsOnSurface(int node) const { return this->OnCut[node] && !this->TheMoves.Left[node]; }
 
   /// Pillars beside each other on the new boundary, by their smallest nodes.
-  std::map<std::pair<int, int>, Neighbours> FindNeighbours() const
+  using NeighbourMap = std::map<std::pair<int, int>, Neighbours>;
+
+  NeighbourMap FindNeighbours() const
   {
-    std::map<std::pair<int, int>, Neighbours> found;
+    NeighbourMap found;
     for (const auto& element : this->Elements)
     {
       const auto& topology = TopologyOf(element.Count);
@@ -113,19 +117,44 @@ private:
     return found;
   }
 
+  /// See NodesAtCreases.
+  std::vector<char> FindBeside(const NeighbourMap& neighbours) const
+  {
+    std::vector<char> beside(this->IsThere.size(), 0);
+    for (const auto& [a, b] : this->Missed)
+    {
+      beside[a] = beside[b] = !this->IsThere[a] && !this->IsThere[b];
+    }
+    const std::vector<char> next = beside;
+    for (const auto& [pillars, nodes] : neighbours)
+    {
+      for (const auto& [a, b] : nodes)
+      {
+        beside[a] |= next[b];
+        beside[b] |= next[a];
+      }
+    }
+    return beside;
+  }
+
   /// Takes one of two pillars to the sharp edge between them, if there is one and it can go there.
   void Follow(const Neighbours& nodes)
   {
-    if (this->NormalAt(nodes.front().first).dot(this->NormalAt(nodes.front().second)) >
-      CreaseCosine)
+    // An edge that leans may pass them in some layers only.
+    const auto across = std::find_if(nodes.begin(), nodes.end(),
+      [this](const auto& pair)
+      { return this->NormalAt(pair.first).dot(this->NormalAt(pair.second)) < CreaseCosine; });
+    if (across == nodes.end())
     {
       return;
     }
+    const std::array<nurbs::Foot, 2> sides{ this->FootOf(across->first),
+      this->FootOf(across->second) };
     std::vector<Way> ways;
     for (const bool first : { true, false })
     {
       Way way;
-      if (this->FindWay(nodes, first, way))
+      if (this->FindWay(nodes, first, sides, way))
       {
         if (way.Length < NoWay)
         {
@@ -137,8 +166,10 @@ private:
     }
     std::sort(
       ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.Length < b.Length; });
-    for (auto way = ways.begin(); way != ways.end() && !this->Go(*way); ++way)
+    if (!ways.empty() &&
+      std::none_of(ways.begin(), ways.end(), [this](const Way& way) { return this->Go(way); }))
     {
+      this->Missed.insert(this->Missed.end(), nodes.begin(), nodes.end());
     }
   }
 
@@ -146,23 +177,35 @@ private:
   const Vec3& NormalAt(int node)
   {
     const auto known = this->Normals.find(node);
-    return known != this->Normals.end()
-      ? known->second
-      : this->Normals[node] = this->Surface.ClosestPoint(this->TheMoves.Position[node]).Normal;
+    return known != this->Normals.end() ? known->second
+                                        : this->Normals[node] = this->FootOf(node).Normal;
+  }
+
+  nurbs::Foot FootOf(int node) const
+  {
+    return this->Surface.ClosestPoint(this->TheMoves.Position[node]);
   }
 
   /// @param first which of two neighbours is to go.
-  bool FindWay(const Neighbours& nodes, bool first, Way& way)
+  /// @param sides feet on either side of the edge, in some layer.
+  bool FindWay(
+    const Neighbours& nodes, bool first, const std::array<nurbs::Foot, 2>& sides, Way& way)
   {
     for (const auto& [a, b] : nodes)
     {
       const int node = first ? a : b;
       const Vec3& from = this->TheMoves.Position[node];
       const Vec3& other = this->TheMoves.Position[first ? b : a];
+      const nurbs::Foot here = this->FootOf(node);
+      nurbs::Foot there = this->FootOf(first ? b : a);
+      if (here.Normal.dot(there.Normal) > CreaseCosine)
+      {
+        const bool isFirst = here.Normal.dot(sides[0].Normal) > here.Normal.dot(sides[1].Normal);
+        there = sides[isFirst ? 1 : 0];
+      }
       Vec3 to = from;
       if (this->Fixed[node] ||
-        !this->Mover.MeetCrease(node, this->FreedomOf(node), this->Surface.ClosestPoint(from),
-          this->Surface.ClosestPoint(other), to))
+        !this->Mover.MeetCrease(node, this->FreedomOf(node), here, there, to))
       {
         return false;
       }
@@ -217,17 +260,18 @@ private:
   std::vector<char>& Fixed;
   std::vector<char> IsThere; ///< by node: on a sharp edge
   std::unordered_map<int, Vec3> Normals;
+  Neighbours Missed; ///< beside a sharp edge that none of them could go to
 };
 
 }
 
-std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+NodesAtCreases PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
   std::vector<char>& fixed, Moves& moves)
 {
   return MayHaveCreases(surface)
     ? CreaseFollower(given, surface, quality, least, fixed, moves).Run(aborted)
-    : std::vector<char>();
+    : NodesAtCreases();
 }
 
 }

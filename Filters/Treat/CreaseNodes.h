@@ -15,6 +15,13 @@
 namespace trim
 {
 
+/// Nodes by their places at the sharp edges of the surface.
+struct NodesAtCreases
+{
+  std::vector<char> There;  ///< by node: on a sharp edge; empty: the surface has none
+  std::vector<char> Beside; ///< by node: next to one that none could go to, or beside such a node
+};
+
 /**
  * Of two pillars beside each other on the new boundary, on either side of a sharp edge, takes that
  * to the edge which has less far to go, or the other one, and relaxes the nodes round it, if no
@@ -24,9 +31,8 @@ namespace trim
  * @param aborted true ends the work; the result is then of no use.
  * @param[in,out] fixed what `given` refers to: nodes on sharp edges stay there.
  * @param[in,out] moves nodes that are moved get Correction::Relax.
- * @return by node: those on sharp edges; empty: the surface has none.
  */
-std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+NodesAtCreases PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
   std::vector<char>& fixed, Moves& moves);
 

@@ -1,6 +1,5 @@
 #include "TrialTrim.h"
 
-#include "CreaseNodes.h"
 #include "JointRelaxation.h"
 
 #include <algorithm>
@@ -301,10 +300,64 @@ void TrialTrim::FollowCreases(
     return;
   }
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  NodesAtCreases found = this->PutOnCreases(set, aborted, trimmed);
+  // The middle node of a pentahedron may be in the way: then it is dropped.
+  const auto isBeside = [&found](int n) { return found.Beside[n] != 0; };
+  if (this->Options.Treatment == Optimization::Degenerate &&
+    std::find(found.Beside.begin(), found.Beside.end(), 1) != found.Beside.end())
+  {
+    Faults faults = this->FaultsOf(trimmed);
+    for (const auto& wedges : FindDroppable(
+           this->TheBand, this->TheColumns, this->NodeStatus, trimmed.Kept, trimmed.Treated))
+    {
+      if (!aborted() && isBeside(wedges.front().Dropped[0]))
+      {
+        this->DropAtCrease(set, wedges, aborted, faults, found, trimmed);
+      }
+    }
+  }
+  trimmed.OnCrease = std::move(found.There);
+}
+
+/// Drops edges if that lets a node go to a sharp edge.
+void TrialTrim::DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
+  const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& found,
+  TrimmedBand& trimmed) const
+{
+  const auto count = [](const std::vector<char>& nodes)
+  { return std::count(nodes.begin(), nodes.end(), 1); };
+  NodesAtCreases now;
+  const bool dropped = this->Try(faults, trimmed,
+    [&]
+    {
+      const Moves moves = trimmed.NodeMoves;
+      const Pentahedra treated = trimmed.Treated;
+      if (!DropEdges(wedges, trimmed.Treated))
+      {
+        return false;
+      }
+      now = this->PutOnCreases(set, aborted, trimmed);
+      if (count(now.There) > count(found.There))
+      {
+        return true;
+      }
+      trimmed.NodeMoves = moves;
+      trimmed.Treated = treated;
+      return false;
+    });
+  if (dropped)
+  {
+    found = std::move(now);
+  }
+}
+
+NodesAtCreases TrialTrim::PutOnCreases(
+  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+{
   Shapes shapes = this->ShapesOf(set, trimmed, true);
   const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
     shapes.OnCut };
-  trimmed.OnCrease = PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted,
+  return trim::PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted,
     shapes.Fixed, trimmed.NodeMoves);
 }
 

@@ -6,6 +6,7 @@
 #define TrialTrim_h
 
 #include "BandQuality.h"
+#include "CreaseNodes.h"
 #include "Decision.h"
 #include "Progress.h"
 #include "Relaxation.h"
@@ -129,6 +130,11 @@ private:
     const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropAndRelax(
     const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
+  void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
+    const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& found,
+    TrimmedBand& trimmed) const;
+  NodesAtCreases PutOnCreases(
+    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   /// What a RelaxationCase refers to.
   struct Shapes
   {

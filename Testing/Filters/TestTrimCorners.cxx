@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 using namespace judge;
 
@@ -67,10 +66,13 @@ std::vector<Line> EdgesOf(const Surface& rectangle)
   return edges;
 }
 
-bool IsIn(const Frame& box, const Vec3& p)
+bool IsIn(const Mesh& mesh, const Vec3& p)
 {
-  const Vec3 from = p - box.Centre;
-  return std::abs(from[0]) < 0.98 * box.HalfX && std::abs(from[1]) < 0.98 * box.HalfY;
+  const Frame& box = mesh.Box;
+  const double x = std::abs(p[0] - box.Centre[0]) / box.HalfX;
+  const double y = std::abs(p[1] - box.Centre[1]) / box.HalfY;
+  const bool isRound = mesh.Name == "dome";
+  return isRound ? std::hypot(x, y) < 0.9 : std::max(x, y) < 0.98;
 }
 
 int CountNodesOn(vtkUnstructuredGrid* grid, const Line& line)
@@ -108,7 +110,7 @@ Tally TrimWithRectangle(const Mesh& mesh, const Placement& at, const TrimOptions
     const Vec3 a = edges[i].AtHeight(mesh.Box.Centre[2]);
     const Vec3 b = edges[(i + 1) % edges.size()].AtHeight(mesh.Box.Centre[2]);
     area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-    if (IsIn(mesh.Box, a))
+    if (IsIn(mesh, a))
     {
       const int nodes = CountNodesOn(outcome.Case.Trimmed, edges[i]);
       ++tally.Edges;
@@ -132,10 +134,7 @@ Tally TrimWithRectangle(const Mesh& mesh, const Placement& at, const TrimOptions
 
 void CheckRectangles()
 {
-  // Some corners are outside the round dome, others in its bend.
-  for (const auto& [name, least] :
-    { std::pair{ "sheet1", 0.93 }, std::pair{ "sheet2", 0.93 }, std::pair{ "sheet3", 0.93 },
-      std::pair{ "perturbed", 0.93 }, std::pair{ "irregular", 0.93 }, std::pair{ "dome", 0.7 } })
+  for (const char* name : { "sheet1", "sheet2", "sheet3", "perturbed", "irregular", "dome" })
   {
     const Mesh mesh = MakeMesh(name);
     Tally sum;
@@ -158,8 +157,8 @@ void CheckRectangles()
       }
     }
     std::printf("%s: nodes on %d of %d sharp edges\n", name, sum.Followed, sum.Edges);
-    Expect(sum.Edges >= 70, "too few sharp edges");
-    Expect(sum.Followed >= least * sum.Edges, "sharp edges are cut across");
+    Expect(sum.Edges >= 60, "too few sharp edges");
+    Expect(sum.Followed >= 0.98 * sum.Edges, "sharp edges are cut across");
   }
 }
 
