@@ -173,7 +173,9 @@ private:
     {
       return Feasibility::NotOpened;
     }
-    if (twice)
+    // A tip that a node went to is not lost.
+    const bool followed = (twice || cut) && this->IsAtFollowedEdge(probe);
+    if (twice && !followed)
     {
       return Feasibility::CrossedTwice;
     }
@@ -185,8 +187,7 @@ private:
     {
       return Feasibility::Inclined;
     }
-    return cut && this->IsCurved(probe) && !this->IsAtFollowedEdge(probe) ? Feasibility::Curved
-                                                                          : Feasibility::Fine;
+    return cut && !followed && this->IsCurved(probe) ? Feasibility::Curved : Feasibility::Fine;
   }
 
   bool IsInclined(const Probe& probe) const
