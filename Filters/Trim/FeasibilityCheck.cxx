@@ -174,8 +174,7 @@ private:
       return Feasibility::NotOpened;
     }
     // A tip that a node went to is not lost.
-    const bool followed = (twice || cut) && this->IsAtFollowedEdge(probe);
-    if (twice && !followed)
+    if (twice && !this->IsAtFollowedEdge(probe))
     {
       return Feasibility::CrossedTwice;
     }
@@ -187,7 +186,8 @@ private:
     {
       return Feasibility::Inclined;
     }
-    return cut && !followed && this->IsCurved(probe) ? Feasibility::Curved : Feasibility::Fine;
+    return cut && this->IsCurved(probe) && !this->IsAtFollowedEdge(probe) ? Feasibility::Curved
+                                                                          : Feasibility::Fine;
   }
 
   bool IsInclined(const Probe& probe) const
