@@ -37,44 +37,40 @@ bool MayBend(const std::vector<double>& knots, int degree)
   return false;
 }
 
-/// Whether the surface may have sharp edges: faces that meet, also one with itself, or knots.
-bool MayHaveCreases(const nurbs::TrimmingSurface& surface)
-{
-  const nurbs::NurbsSurface& face = surface.Face(0);
-  const auto point = [&face](int i, int j) -> Vec3
-  { return face.ControlPoints[i + face.CountU * j].head<3>(); };
-  const bool closed = point(0, 0).isApprox(point(face.CountU - 1, 0)) ||
-    point(0, 0).isApprox(point(0, face.CountV - 1));
-  return surface.NumberOfFaces() > 1 || closed || MayBend(face.KnotsU, face.DegreeU) ||
-    MayBend(face.KnotsV, face.DegreeV);
-}
-
 class CreaseFollower : private GuardedMesh
 {
 public:
   CreaseFollower(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
-    const BandQuality& quality, double least, std::vector<char>& fixed, Moves& moves)
+    const BandQuality& quality, double least, std::vector<char>& fixed, Moves& moves,
+    NodesAtCreases& nodes)
     : GuardedMesh(given, quality, moves)
     , Given(given)
     , Surface(surface)
     , Least(least)
     , Fixed(fixed)
-    , IsThere(given.TheBand.NumberOfNodes(), 0)
+    , Nodes(nodes)
   {
+    this->Nodes.There.resize(given.TheBand.NumberOfNodes(), 0);
+    for (std::size_t n = 0; n < fixed.size(); ++n)
+    {
+      fixed[n] |= this->Nodes.There[n];
+    }
   }
 
-  NodesAtCreases Run(const std::function<bool()>& aborted)
+  void Run(const std::vector<char>& among, const std::function<bool()>& aborted)
   {
     const auto neighbours = this->FindNeighbours();
     for (const auto& [pillars, nodes] : neighbours)
     {
-      const bool there = this->IsThere[nodes.front().first] || this->IsThere[nodes.front().second];
-      if (!there && !aborted())
+      const bool asked = among.empty() ||
+        std::any_of(nodes.begin(), nodes.end(),
+          [&among](const auto& pair) { return among[pair.first] || among[pair.second]; });
+      if (asked && !this->IsThere(nodes.front()) && !aborted())
       {
         this->Follow(nodes);
       }
     }
-    return { this->IsThere, this->FindBeside(neighbours) };
+    this->Nodes.Beside = this->FindBeside(neighbours);
   }
 
 private:
@@ -117,13 +113,18 @@ private:
     return found;
   }
 
+  bool IsThere(const std::pair<int, int>& pair) const
+  {
+    return this->Nodes.There[pair.first] || this->Nodes.There[pair.second];
+  }
+
   /// See NodesAtCreases.
   std::vector<char> FindBeside(const NeighbourMap& neighbours) const
   {
-    std::vector<char> beside(this->IsThere.size(), 0);
-    for (const auto& [a, b] : this->Missed)
+    std::vector<char> beside(this->Nodes.There.size(), 0);
+    for (const auto& pair : this->Missed)
     {
-      beside[a] = beside[b] = !this->IsThere[a] && !this->IsThere[b];
+      beside[pair.first] = beside[pair.second] = !this->IsThere(pair);
     }
     const std::vector<char> next = beside;
     for (const auto& [pillars, nodes] : neighbours)
@@ -249,7 +250,7 @@ private:
   {
     for (const int node : nodes)
     {
-      this->IsThere[node] = there;
+      this->Nodes.There[node] = there;
       this->Fixed[node] = there;
     }
   }
@@ -258,20 +259,30 @@ private:
   const nurbs::TrimmingSurface& Surface;
   const double Least;
   std::vector<char>& Fixed;
-  std::vector<char> IsThere; ///< by node: on a sharp edge
+  NodesAtCreases& Nodes;
   std::unordered_map<int, Vec3> Normals;
   Neighbours Missed; ///< beside a sharp edge that none of them could go to
 };
 
 }
 
-NodesAtCreases PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+void PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
-  std::vector<char>& fixed, Moves& moves)
+  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, NodesAtCreases& nodes)
 {
-  return MayHaveCreases(surface)
-    ? CreaseFollower(given, surface, quality, least, fixed, moves).Run(aborted)
-    : NodesAtCreases();
+  CreaseFollower(given, surface, quality, least, fixed, moves, nodes).Run(among, aborted);
+}
+
+bool MayHaveCreases(const nurbs::TrimmingSurface& surface)
+{
+  // Between faces, where one meets itself, or at knots.
+  const nurbs::NurbsSurface& face = surface.Face(0);
+  const auto point = [&face](int i, int j) -> Vec3
+  { return face.ControlPoints[i + face.CountU * j].head<3>(); };
+  const bool closed = point(0, 0).isApprox(point(face.CountU - 1, 0)) ||
+    point(0, 0).isApprox(point(0, face.CountV - 1));
+  return surface.NumberOfFaces() > 1 || closed || MayBend(face.KnotsU, face.DegreeU) ||
+    MayBend(face.KnotsV, face.DegreeV);
 }
 
 }

@@ -30,11 +30,16 @@ struct NodesAtCreases
  * @param least scaled Jacobian that no element falls below.
  * @param aborted true ends the work; the result is then of no use.
  * @param[in,out] fixed what `given` refers to: nodes on sharp edges stay there.
+ * @param among by node: only pillars beside each other one of which has such a node; empty: all.
  * @param[in,out] moves nodes that are moved get Correction::Relax.
+ * @param[in,out] nodes those that are there stay, and more come; the others are found anew.
  */
-NodesAtCreases PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+void PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
-  std::vector<char>& fixed, Moves& moves);
+  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, NodesAtCreases& nodes);
+
+/// Whether a surface may have sharp edges at all.
+bool MayHaveCreases(const nurbs::TrimmingSurface& surface);
 
 }
 

@@ -295,70 +295,72 @@ void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, Trimmed
 void TrialTrim::FollowCreases(
   const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
-  if (this->Options.QualityFloor <= 0.0 || this->Options.CorrectionType == Correction::Eliminate)
+  if (this->Options.QualityFloor <= 0.0 || this->Options.CorrectionType == Correction::Eliminate ||
+    !MayHaveCreases(this->Surface))
   {
     return;
   }
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  NodesAtCreases found = this->PutOnCreases(set, aborted, trimmed);
-  // The middle node of a pentahedron may be in the way: then it is dropped.
-  const auto isBeside = [&found](int n) { return found.Beside[n] != 0; };
+  NodesAtCreases nodes;
+  this->PutOnCreases(set, {}, aborted, nodes, trimmed);
+  const std::vector<char> missed = nodes.Beside;
   if (this->Options.Treatment == Optimization::Degenerate &&
-    std::find(found.Beside.begin(), found.Beside.end(), 1) != found.Beside.end())
+    std::find(missed.begin(), missed.end(), 1) != missed.end())
   {
+    // The middle node of a pentahedron may be in the way: then it is dropped.
     Faults faults = this->FaultsOf(trimmed);
+    int tried = 0;
     for (const auto& wedges : FindDroppable(
            this->TheBand, this->TheColumns, this->NodeStatus, trimmed.Kept, trimmed.Treated))
     {
-      if (!aborted() && isBeside(wedges.front().Dropped[0]))
+      if (missed[wedges.front().Dropped[0]] && tried++ < MostDrops && !aborted())
       {
-        this->DropAtCrease(set, wedges, aborted, faults, found, trimmed);
+        this->DropAtCrease(set, wedges, aborted, faults, nodes, trimmed);
       }
     }
   }
-  trimmed.OnCrease = std::move(found.There);
+  trimmed.OnCrease = std::move(nodes.There);
 }
 
-/// Drops edges if that lets a node go to a sharp edge.
+/// Drops edges if that lets a node beside them go to a sharp edge.
 void TrialTrim::DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-  const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& found,
+  const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& nodes,
   TrimmedBand& trimmed) const
 {
-  const auto count = [](const std::vector<char>& nodes)
-  { return std::count(nodes.begin(), nodes.end(), 1); };
-  NodesAtCreases now;
+  std::vector<char> beside(this->TheBand.NumberOfNodes(), 0);
+  for (const auto& wedge : wedges)
+  {
+    std::for_each(wedge.Node.begin(), wedge.Node.begin() + 6, [&beside](int n) { beside[n] = 1; });
+  }
+  const Moves moves = trimmed.NodeMoves;
+  const Pentahedra treated = trimmed.Treated;
+  const NodesAtCreases before = nodes;
   const bool dropped = this->Try(faults, trimmed,
     [&]
     {
-      const Moves moves = trimmed.NodeMoves;
-      const Pentahedra treated = trimmed.Treated;
       if (!DropEdges(wedges, trimmed.Treated))
       {
         return false;
       }
-      now = this->PutOnCreases(set, aborted, trimmed);
-      if (count(now.There) > count(found.There))
-      {
-        return true;
-      }
-      trimmed.NodeMoves = moves;
-      trimmed.Treated = treated;
-      return false;
+      this->PutOnCreases(set, beside, aborted, nodes, trimmed);
+      return nodes.There != before.There;
     });
-  if (dropped)
+  if (!dropped)
   {
-    found = std::move(now);
+    trimmed.NodeMoves = moves;
+    trimmed.Treated = treated;
+    nodes = before;
   }
 }
 
-NodesAtCreases TrialTrim::PutOnCreases(
-  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+void TrialTrim::PutOnCreases(const Choices& set, const std::vector<char>& among,
+  const std::function<bool()>& aborted, NodesAtCreases& nodes, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
   const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
     shapes.OnCut };
-  return trim::PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted,
-    shapes.Fixed, trimmed.NodeMoves);
+  trim::PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted, among,
+    shapes.Fixed, trimmed.NodeMoves, nodes);
 }
 
 void TrialTrim::ReturnLeft(

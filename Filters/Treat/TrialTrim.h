@@ -131,10 +131,10 @@ private:
   bool DropAndRelax(
     const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
   void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-    const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& found,
+    const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& nodes,
     TrimmedBand& trimmed) const;
-  NodesAtCreases PutOnCreases(
-    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  void PutOnCreases(const Choices& set, const std::vector<char>& among,
+    const std::function<bool()>& aborted, NodesAtCreases& nodes, TrimmedBand& trimmed) const;
   /// What a RelaxationCase refers to.
   struct Shapes
   {
