@@ -50,8 +50,8 @@ public:
   /// Kept elements that the trim made invalid, ascending.
   std::vector<int> FindInvalid(const TrimmedBand& trimmed) const;
 
-  /// Touched elements below the floor that holds for them; straight corners are exempt, unless all
-  /// were to become wedges.
+  /// Touched elements below the floor that holds for them; the shape of those with a straight
+  /// corner is exempt, unless all were to become wedges.
   std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const;
 
   /// Touched elements worth less than this, and than what they were before.
@@ -80,7 +80,7 @@ private:
   double MeasureOf(const TrimmedBand& trimmed, int element, const FinalElement& final) const;
   bool IsBelowFloor(int element, double measured) const;
   bool IsExempt(const TrimmedBand& trimmed, int element) const;
-  /// Touched kept elements that are not exempt and pass a test.
+  /// Touched kept elements that pass a test.
   template <typename Test>
   std::vector<int> FindTouched(const TrimmedBand& trimmed, const Test& test) const;
   bool IsSpoiled(const TrimmedBand& trimmed, int element, const std::vector<char>& coincides) const;

@@ -42,22 +42,22 @@ class CreaseFollower : private GuardedMesh
 public:
   CreaseFollower(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
     const BandQuality& quality, double least, std::vector<char>& fixed, Moves& moves,
-    NodesAtCreases& nodes)
+    std::vector<char>& there)
     : GuardedMesh(given, quality, moves)
     , Given(given)
     , Surface(surface)
     , Least(least)
     , Fixed(fixed)
-    , Nodes(nodes)
+    , There(there)
   {
-    this->Nodes.There.resize(given.TheBand.NumberOfNodes(), 0);
+    this->There.resize(given.TheBand.NumberOfNodes(), 0);
     for (std::size_t n = 0; n < fixed.size(); ++n)
     {
-      fixed[n] |= this->Nodes.There[n];
+      fixed[n] |= this->There[n];
     }
   }
 
-  void Run(const std::vector<char>& among, const std::function<bool()>& aborted)
+  std::vector<char> Run(const std::vector<char>& among, const std::function<bool()>& aborted)
   {
     const auto neighbours = this->FindNeighbours();
     for (const auto& [pillars, nodes] : neighbours)
@@ -70,7 +70,7 @@ public:
         this->Follow(nodes);
       }
     }
-    this->Nodes.Beside = this->FindBeside(neighbours);
+    return this->FindBeside(neighbours);
   }
 
 private:
@@ -115,13 +115,13 @@ private:
 
   bool IsThere(const std::pair<int, int>& pair) const
   {
-    return this->Nodes.There[pair.first] || this->Nodes.There[pair.second];
+    return this->There[pair.first] || this->There[pair.second];
   }
 
-  /// See NodesAtCreases.
+  /// Nodes next to a sharp edge that was missed, and those beside them.
   std::vector<char> FindBeside(const NeighbourMap& neighbours) const
   {
-    std::vector<char> beside(this->Nodes.There.size(), 0);
+    std::vector<char> beside(this->There.size(), 0);
     for (const auto& pair : this->Missed)
     {
       beside[pair.first] = beside[pair.second] = !this->IsThere(pair);
@@ -250,7 +250,7 @@ private:
   {
     for (const int node : nodes)
     {
-      this->Nodes.There[node] = there;
+      this->There[node] = there;
       this->Fixed[node] = there;
     }
   }
@@ -259,18 +259,18 @@ private:
   const nurbs::TrimmingSurface& Surface;
   const double Least;
   std::vector<char>& Fixed;
-  NodesAtCreases& Nodes;
+  std::vector<char>& There; ///< by node: on a sharp edge
   std::unordered_map<int, Vec3> Normals;
   Neighbours Missed; ///< beside a sharp edge that none of them could go to
 };
 
 }
 
-void PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
-  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, NodesAtCreases& nodes)
+  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, std::vector<char>& there)
 {
-  CreaseFollower(given, surface, quality, least, fixed, moves, nodes).Run(among, aborted);
+  return CreaseFollower(given, surface, quality, least, fixed, moves, there).Run(among, aborted);
 }
 
 bool MayHaveCreases(const nurbs::TrimmingSurface& surface)

@@ -15,13 +15,6 @@
 namespace trim
 {
 
-/// Nodes by their places at the sharp edges of the surface.
-struct NodesAtCreases
-{
-  std::vector<char> There;  ///< by node: on a sharp edge; empty: the surface has none
-  std::vector<char> Beside; ///< by node: next to one that none could go to, or beside such a node
-};
-
 /**
  * Of two pillars beside each other on the new boundary, on either side of a sharp edge, takes that
  * to the edge which has less far to go, or the other one, and relaxes the nodes round it, if no
@@ -32,11 +25,12 @@ struct NodesAtCreases
  * @param[in,out] fixed what `given` refers to: nodes on sharp edges stay there.
  * @param among by node: only pillars beside each other one of which has such a node; empty: all.
  * @param[in,out] moves nodes that are moved get Correction::Relax.
- * @param[in,out] nodes those that are there stay, and more come; the others are found anew.
+ * @param[in,out] there by node: on a sharp edge; those that are stay, and more come. Empty: none.
+ * @return by node: next to a sharp edge that none could go to, or beside such a node.
  */
-void PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
+std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
   const BandQuality& quality, double least, const std::function<bool()>& aborted,
-  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, NodesAtCreases& nodes);
+  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, std::vector<char>& there);
 
 /// Whether a surface may have sharp edges at all.
 bool MayHaveCreases(const nurbs::TrimmingSurface& surface);

@@ -9,7 +9,7 @@ namespace trim
 
 GuardedMesh::GuardedMesh(const RelaxationCase& given, const BandQuality& quality, Moves& moves)
   : RelaxedMesh(given, moves)
-  , Measure(quality)
+  , Validity(quality)
   , Users(given.TheBand.NumberOfNodes(), 0)
 {
   for (const auto& element : this->Elements)
@@ -27,8 +27,7 @@ std::vector<GuardedMesh::Standard> GuardedMesh::StandardsOf(
   std::vector<Standard> list;
   for (const int e : elements)
   {
-    list.push_back(
-      { std::min(limit, this->Quality(e)), std::min(LeastEdgeShare, this->ShortestEdgeShare(e)) });
+    list.push_back({ std::min(limit, this->Quality(e)), this->EdgeShareToKeep(e) });
   }
   return list;
 }
@@ -42,7 +41,7 @@ double GuardedMesh::LowestOf(
     const int e = elements[i];
     const double now = this->Quality(e);
     if (now < standards[i].Quality || this->ShortestEdgeShare(e) < standards[i].EdgeShare ||
-      this->Measure.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
+      this->Validity.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
     {
       return -1.0;
     }

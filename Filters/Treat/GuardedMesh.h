@@ -51,7 +51,7 @@ public:
   bool HasCoincident(const State& before) const;
 
 private:
-  const BandQuality& Measure;
+  const BandQuality& Validity;
   std::vector<int> Users; ///< how many elements use a node
 };
 

@@ -327,7 +327,8 @@ private:
       { elements.begin() + (atFloor - qualities.begin()), elements.end() }, {}, {}, {}, true };
     if (qualities.front() < EdgeWorth * LeastEdgeShare)
     {
-      places.EdgeShares = this->ShortEdgeShares(elements);
+      std::transform(elements.begin(), elements.end(), std::back_inserter(places.EdgeShares),
+        [this](int e) { return this->EdgeShareToKeep(e); });
     }
     for (const int node : nodes)
     {
@@ -434,15 +435,6 @@ private:
     }
     best = quality;
     return true;
-  }
-
-  /// The shortest edges of elements, if they have little of their lengths left.
-  std::vector<double> ShortEdgeShares(const std::vector<int>& elements) const
-  {
-    std::vector<double> shares;
-    std::transform(elements.begin(), elements.end(), std::back_inserter(shares),
-      [this](int e) { return std::min(LeastEdgeShare, this->ShortestEdgeShare(e)); });
-    return shares;
   }
 
   /// Whether an edge vanishes, or nearly does more than before.

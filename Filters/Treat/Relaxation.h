@@ -4,9 +4,9 @@
  * cut, and the nodes of the rings behind it within their layer.
  *
  * The nodes of a pillar together, then each alone, try steps in their own directions and the way
- * their neighbours went, and keep what raises the smallest scaled Jacobian of the elements round
- * them. Skin nodes stay on the skin, boundary nodes on the surface, border nodes on their border
- * where it is straight; others and corners stay where they are.
+ * their neighbours went, and keep what raises the lowest worth (ElementWorth.h) of the elements
+ * round them. Skin nodes stay on the skin, boundary nodes on the surface, border nodes on their
+ * border where it is straight; others and corners stay where they are.
  */
 #ifndef Relaxation_h
 #define Relaxation_h
@@ -36,7 +36,7 @@ constexpr RelaxationEffort Decisive{ 10, 1e-3, true, true };
 /// What elements are relaxed to where no floor is asked for.
 constexpr double SmallestGoal = 0.05;
 
-/// What the relaxation is after, by scaled Jacobian.
+/// What the relaxation is after, by worth; see ElementWorth.h.
 struct RelaxationGoal
 {
   double Quality; ///< to be reached by the active elements, if possible
@@ -45,7 +45,7 @@ struct RelaxationGoal
 };
 
 /**
- * Relaxes the nodes round the elements whose scaled Jacobian is below the goal.
+ * Relaxes the nodes round the elements that are worth less than the goal.
  *
  * @param active elements that should reach the goal, ascending.
  * @param[in,out] moves positions; nodes that are moved get Correction::Relax.

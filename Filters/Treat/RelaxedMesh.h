@@ -9,6 +9,7 @@
 #include "ElementWorth.h"
 #include "Moves.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -73,6 +74,12 @@ public:
 
   /// How much of its length that edge of an element has left which lost most.
   double ShortestEdgeShare(int element) const;
+
+  /// The share that its edges are to keep: what they have, but no more than little.
+  double EdgeShareToKeep(int element) const
+  {
+    return std::min(LeastEdgeShare, this->ShortestEdgeShare(element));
+  }
 
   bool Uses(int element, int node) const;
 

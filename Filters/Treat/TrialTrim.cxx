@@ -1,5 +1,6 @@
 #include "TrialTrim.h"
 
+#include "CreaseNodes.h"
 #include "JointRelaxation.h"
 
 #include <algorithm>
@@ -301,9 +302,7 @@ void TrialTrim::FollowCreases(
     return;
   }
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  NodesAtCreases nodes;
-  this->PutOnCreases(set, {}, aborted, nodes, trimmed);
-  const std::vector<char> missed = nodes.Beside;
+  const std::vector<char> missed = this->PutOnCreases(set, {}, aborted, trimmed);
   if (this->Options.Treatment == Optimization::Degenerate &&
     std::find(missed.begin(), missed.end(), 1) != missed.end())
   {
@@ -315,52 +314,46 @@ void TrialTrim::FollowCreases(
     {
       if (missed[wedges.front().Dropped[0]] && tried++ < MostDrops && !aborted())
       {
-        this->DropAtCrease(set, wedges, aborted, faults, nodes, trimmed);
+        this->DropAtCrease(set, wedges, aborted, faults, trimmed);
       }
     }
   }
-  trimmed.OnCrease = std::move(nodes.There);
 }
 
 /// Drops edges if that lets a node beside them go to a sharp edge.
 void TrialTrim::DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-  const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& nodes,
-  TrimmedBand& trimmed) const
+  const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const
 {
   std::vector<char> beside(this->TheBand.NumberOfNodes(), 0);
   for (const auto& wedge : wedges)
   {
     std::for_each(wedge.Node.begin(), wedge.Node.begin() + 6, [&beside](int n) { beside[n] = 1; });
   }
-  const Moves moves = trimmed.NodeMoves;
-  const Pentahedra treated = trimmed.Treated;
-  const NodesAtCreases before = nodes;
-  const bool dropped = this->Try(faults, trimmed,
+  const std::vector<char> before = trimmed.OnCrease;
+  const bool helped = this->Try(faults, trimmed,
     [&]
     {
       if (!DropEdges(wedges, trimmed.Treated))
       {
         return false;
       }
-      this->PutOnCreases(set, beside, aborted, nodes, trimmed);
-      return nodes.There != before.There;
+      this->PutOnCreases(set, beside, aborted, trimmed);
+      return trimmed.OnCrease != before;
     });
-  if (!dropped)
+  if (!helped)
   {
-    trimmed.NodeMoves = moves;
-    trimmed.Treated = treated;
-    nodes = before;
+    trimmed.OnCrease = before;
   }
 }
 
-void TrialTrim::PutOnCreases(const Choices& set, const std::vector<char>& among,
-  const std::function<bool()>& aborted, NodesAtCreases& nodes, TrimmedBand& trimmed) const
+std::vector<char> TrialTrim::PutOnCreases(const Choices& set, const std::vector<char>& among,
+  const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
   const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
     shapes.OnCut };
-  trim::PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted, among,
-    shapes.Fixed, trimmed.NodeMoves, nodes);
+  return trim::PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted,
+    among, shapes.Fixed, trimmed.NodeMoves, trimmed.OnCrease);
 }
 
 void TrialTrim::ReturnLeft(
@@ -471,25 +464,24 @@ TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed) const
     goal.MeasureShortage(trimmed) };
 }
 
-/// Does something that may have changed the band; undoes it if it spoiled an element.
+/// Does something to the band; undoes it if it was no help or spoiled an element.
 template <typename Action>
 bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const
 {
-  const Moves moves = trimmed.NodeMoves;
-  const Pentahedra treated = trimmed.Treated;
-  if (!action())
+  Moves moves = trimmed.NodeMoves;
+  Pentahedra treated = trimmed.Treated;
+  if (action())
   {
-    return false;
+    const Faults now = this->FaultsOf(trimmed);
+    if (now.Invalid <= faults.Invalid && now.BelowFloor <= faults.BelowFloor &&
+      now.OfGoal.Sum <= faults.OfGoal.Sum && now.OfGoal.Largest <= faults.OfGoal.Largest)
+    {
+      faults = now;
+      return true;
+    }
   }
-  const Faults now = this->FaultsOf(trimmed);
-  if (now.Invalid <= faults.Invalid && now.BelowFloor <= faults.BelowFloor &&
-    now.OfGoal.Sum <= faults.OfGoal.Sum && now.OfGoal.Largest <= faults.OfGoal.Largest)
-  {
-    faults = now;
-    return true;
-  }
-  trimmed.NodeMoves = moves;
-  trimmed.Treated = treated;
+  trimmed.NodeMoves = std::move(moves);
+  trimmed.Treated = std::move(treated);
   return false;
 }
 

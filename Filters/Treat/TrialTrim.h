@@ -6,7 +6,6 @@
 #define TrialTrim_h
 
 #include "BandQuality.h"
-#include "CreaseNodes.h"
 #include "Decision.h"
 #include "Progress.h"
 #include "Relaxation.h"
@@ -131,10 +130,10 @@ private:
   bool DropAndRelax(
     const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
   void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-    const std::function<bool()>& aborted, Faults& faults, NodesAtCreases& nodes,
-    TrimmedBand& trimmed) const;
-  void PutOnCreases(const Choices& set, const std::vector<char>& among,
-    const std::function<bool()>& aborted, NodesAtCreases& nodes, TrimmedBand& trimmed) const;
+    const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
+  /// @return nodes beside sharp edges that were missed.
+  std::vector<char> PutOnCreases(const Choices& set, const std::vector<char>& among,
+    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   /// What a RelaxationCase refers to.
   struct Shapes
   {

@@ -247,8 +247,10 @@ void CheckWorth()
     Expect(near(ShortestEdgeShare(block.Mesh, element.Node, points, 8), share), "share of an edge");
     Expect(near(ScaledJacobian(points, 8), 1.0), "the shape is as good as ever");
     Expect(near(WorthOf(block.Mesh, element.Node, points, 8), worth), "worth by its edges");
-    Expect(share == 1.0 || WorthOf(block.Mesh, element.Node, points, 8, nullptr, 1.1) <= 1.1,
-      "what is below a limit is below it");
+    const auto withLimit = [&](double limit)
+    { return WorthOf(block.Mesh, element.Node, points, 8, nullptr, limit); };
+    Expect(near(withLimit(worth - 1e-3), worth), "what is above a limit is exact");
+    Expect(withLimit(worth + 1e-3) < worth + 1e-3, "what is below a limit is below it");
     std::vector<char> fixed(block.Mesh.NumberOfNodes(), 1);
     Expect(near(WorthOf(block.Mesh, element.Node, points, 8, &fixed), 1.0),
       "edges that cannot change do not count");

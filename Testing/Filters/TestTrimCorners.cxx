@@ -3,6 +3,7 @@
  * @brief Sharp edges of the trimming surface: the new boundary has a node there on each layer, and
  * does not cut across.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 #include "SplineData.h"
 
@@ -10,7 +11,6 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkPointData.h>
 
 #include <cmath>
 #include <cstdio>
@@ -19,17 +19,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool condition, const char* what)
-{
-  if (!condition)
-  {
-    std::printf("FAIL %s\n", what);
-    ++Wrong;
-  }
-}
-
 struct Line
 {
   Vec3 A, B;
@@ -85,11 +74,6 @@ int CountNodesOn(vtkUnstructuredGrid* grid, const Line& line)
   return count;
 }
 
-double SummaryOf(vtkUnstructuredGrid* grid, const char* name)
-{
-  return grid->GetFieldData()->GetArray(name)->GetComponent(0, 0);
-}
-
 struct Tally
 {
   int Edges = 0, Followed = 0;
@@ -123,7 +107,8 @@ Tally TrimWithRectangle(const Mesh& mesh, const Placement& at, const TrimOptions
   {
     const double inside = std::abs(area) * 2 * mesh.Box.HalfZ;
     const double whole = 8 * mesh.Box.HalfX * mesh.Box.HalfY * mesh.Box.HalfZ;
-    const double volume = SummaryOf(outcome.Case.Trimmed, "Volume");
+    const double volume =
+      outcome.Case.Trimmed->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
     Expect(std::min(std::abs(volume - inside), std::abs(volume - (whole - inside))) < 1e-9 * whole,
       "the volume is not that of the rectangle");
     Expect(CountWarned(outcome, "where the surface has an edge") == 0 &&

@@ -410,14 +410,13 @@ template <typename Data>
 std::vector<vtkSmartPointer<Data>> ForEachRank(const std::vector<vtkSmartPointer<Data>>& given)
 {
   std::vector<vtkSmartPointer<Data>> own;
-  for (const auto& data : given)
+  for (auto data = given.begin(); data != given.end(); ++data)
   {
-    own.push_back(data);
-    if (std::find(given.begin(), given.begin() + own.size() - 1, data) !=
-      given.begin() + own.size() - 1)
+    own.push_back(*data);
+    if (std::find(given.begin(), data, *data) != data)
     {
-      own.back().TakeReference(data->NewInstance());
-      own.back()->DeepCopy(data);
+      own.back().TakeReference((*data)->NewInstance());
+      own.back()->DeepCopy(*data);
     }
   }
   return own;

@@ -41,17 +41,6 @@ Surface SurfaceOf(const std::string& kind, const Mesh& mesh)
   return MakeSurface(kind == "leaning" ? "cylinder" : kind, mesh.Box, at);
 }
 
-std::vector<vtkSmartPointer<vtkDataObject>> Copies(vtkDataObject* data, std::size_t count)
-{
-  std::vector<vtkSmartPointer<vtkDataObject>> copies;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    copies.push_back(vtkSmartPointer<vtkDataObject>::Take(data->NewInstance()));
-    copies.back()->DeepCopy(data);
-  }
-  return copies;
-}
-
 std::string DifferenceOfOffcuts(const Mesh& mesh, const Outcome& whole, const PiecesOutcome& parts)
 {
   if (whole.Offcut->GetNumberOfCells() == 0)
@@ -76,7 +65,7 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   const Outcome whole = RunTrim(marked, surface, options);
   Rescued += !Rescues(whole.Case.Trimmed).empty();
   const auto pieces = Divide(mesh, marked.Grid, partition, ranks);
-  const PiecesOutcome parts = TrimPieces(pieces, Copies(surface.Data, pieces.size()), options);
+  const PiecesOutcome parts = TrimPieces(pieces, { pieces.size(), surface.Data }, options);
   if (whole.Errors.size() != parts.Errors.size() || whole.Warnings.size() != parts.Warnings.size())
   {
     Fail(
