@@ -7,28 +7,21 @@
 
 #include "TrimmingSurface.h"
 
+#include <optional>
+
 namespace trim
 {
 using nurbs::Vec3;
 
-struct EdgeCrossing
-{
-  bool Found = false;
-  double K = 0;       ///< of the crossing nearest to A, as A + K (B - A)
-  double BeyondK = 0; ///< share of the edge that lies on the eliminated side, 0..1
-  int Count = 0;      ///< how often the edge meets the surface
-  Vec3 Point = Vec3::Zero();
-};
-
 /**
- * Crossing of an edge whose ends lie on different sides.
+ * Share of an edge from an eliminated end to a kept one that lies beyond the surface, 0 to 1; none
+ * if the edge does not meet it.
  *
- * @param aIsKept which side A lies on; B lies on the other.
  * @param gap distance up to which a gap between two faces counts as closed: where the edge
  * slips through one, the place where the signed distance changes its sign is taken.
  */
-EdgeCrossing CrossEdge(
-  const nurbs::TrimmingSurface& surface, const Vec3& a, const Vec3& b, bool aIsKept, double gap);
+std::optional<double> CrossEdge(
+  const nurbs::TrimmingSurface& surface, const Vec3& eliminated, const Vec3& kept, double gap);
 
 }
 

@@ -83,9 +83,9 @@ void CutEdges::Cross(const Band& band, const nurbs::TrimmingSurface& surface, do
     {
       for (Id i = begin; i < end; ++i)
       {
-        const auto [a, b] = this->Edges[i];
-        const auto crossing = CrossEdge(surface, band.Point[a], band.Point[b], false, gap);
-        this->Shares[i] = crossing.Found ? crossing.BeyondK : Missed;
+        const auto [eliminated, kept] = this->Edges[i];
+        this->Shares[i] =
+          CrossEdge(surface, band.Point[eliminated], band.Point[kept], gap).value_or(Missed);
       }
     });
 }
