@@ -43,12 +43,10 @@ int CornerOf(const BandFace& face, int node)
 
 }
 
-NodeMover::NodeMover(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision)
+NodeMover::NodeMover(
+  const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface, double precision)
   : TheBand(band)
   , TheColumns(columns)
-  , NodeStatus(nodeStatus)
   , Surface(surface)
   , Precision(precision)
 {
@@ -102,7 +100,7 @@ void NodeMover::WalkRidge(int node, int firstEdge, const Visit& visit) const
       return;
     }
     walked += (this->TheBand.Point[to] - this->TheBand.Point[from]).norm();
-    const auto next = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, to);
+    const auto next = ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, to);
     if (next.Kind != ConstraintKind::Ridge || next.RidgeEdges.size() != 2 || next.SharpCorner)
     {
       return;
@@ -115,7 +113,7 @@ void NodeMover::WalkRidge(int node, int firstEdge, const Visit& visit) const
 NodeMove NodeMover::SlideAlongRidge(int node, const NodeConstraint& constraint) const
 {
   NodeMove move;
-  if (constraint.SharpCorner && this->NodeStatus[node] == NodeKeep)
+  if (constraint.SharpCorner && this->TheBand.NodeStatus[node] == NodeKeep)
   {
     // A corner that is kept stays: moving it would cut it off.
     return move;
@@ -171,7 +169,7 @@ NodeMove NodeMover::EndAtCorner(int node) const
   const NodeConstraint constraint = this->FreedomOf(node).Constraint;
   if (isCorner(node, constraint))
   {
-    move.Found = this->NodeStatus[node] == NodeKeep;
+    move.Found = this->TheBand.NodeStatus[node] == NodeKeep;
     move.Target = this->TheBand.Point[node];
     return move;
   }
@@ -437,7 +435,8 @@ bool NodeMover::Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot
 
 std::vector<int> NodeMover::SlidingEdges(int node) const
 {
-  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
   std::vector<int> edges;
   if (constraint.Kind == ConstraintKind::Ridge || constraint.Kind == ConstraintKind::Fixed)
   {
@@ -482,14 +481,15 @@ NodeMove NodeMover::SlideAlong(int node, int edge) const
 
 bool NodeMover::MayRelax(int node, bool onCut) const
 {
-  const auto constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  const auto constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
   // Asked of the faces themselves: the constraint forgets those that are cut off.
   if (!this->TheColumns.IsOnBorder(this->TheBand, node))
   {
     return constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Free;
   }
   const bool slides =
-    (constraint.Kind == ConstraintKind::Faces && this->NodeStatus[node] != NodeEliminate) ||
+    (constraint.Kind == ConstraintKind::Faces && this->TheBand.NodeStatus[node] != NodeEliminate) ||
     (constraint.Kind == ConstraintKind::Ridge && !onCut);
   return slides && this->IsStraight(node, constraint);
 }
@@ -529,7 +529,8 @@ bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
 NodeFreedom NodeMover::FreedomOf(int node) const
 {
   NodeFreedom freedom;
-  freedom.Constraint = ConstrainNode(this->TheBand, this->TheColumns, this->NodeStatus, node);
+  freedom.Constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
   return freedom;
 }
 

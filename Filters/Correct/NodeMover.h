@@ -60,8 +60,8 @@ public:
   /**
    * @param precision absolute distance to which a position is on the surface.
    */
-  NodeMover(const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus,
-    const nurbs::TrimmingSurface& surface, double precision);
+  NodeMover(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
+    double precision);
 
   /// Type II: P1 on the surface, P2 on the skin facet, P3 = line(N, P2) with S (eqs. 16, 17).
   /// Nodes on a ridge slide along it, by type III.
@@ -161,7 +161,6 @@ private:
 
   const Band& TheBand;
   const Columns& TheColumns;
-  const std::vector<unsigned char>& NodeStatus;
   const nurbs::TrimmingSurface& Surface;
   double Precision;
 };

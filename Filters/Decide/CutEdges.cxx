@@ -38,9 +38,8 @@ void ForEdgesOf(int count, const Take& take)
 
 }
 
-CutEdges::CutEdges(const Band& band, const std::vector<unsigned char>& status,
-  const nurbs::TrimmingSurface& surface, double gap)
-  : Status(status)
+CutEdges::CutEdges(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
+  : Status(band.NodeStatus)
 {
   this->ListEdges(band);
   this->Cross(band, surface, gap);

@@ -25,11 +25,10 @@ class CutEdges
 {
 public:
   /**
-   * @param status node statuses of the band (NodeStatus).
+   * @param band must outlive it.
    * @param gap see CrossEdge.
    */
-  CutEdges(const Band& band, const std::vector<unsigned char>& status,
-    const nurbs::TrimmingSurface& surface, double gap);
+  CutEdges(const Band& band, const nurbs::TrimmingSurface& surface, double gap);
 
   /// Share of the edge from an eliminated node to one that is not, which lies beyond.
   double Beyond(int eliminated, int other) const;

@@ -28,12 +28,10 @@ constexpr std::size_t MostInPattern = 64;
 }
 
 Decision::Decision(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double threshold, bool movesNodes)
+  const nurbs::TrimmingSurface& surface, double threshold, bool movesNodes)
   : TheBand(band)
   , TheColumns(columns)
   , Shares(shares)
-  , NodeStatus(nodeStatus)
   , Surface(surface)
   , Threshold(threshold)
   , MovesNodes(movesNodes)
@@ -94,9 +92,9 @@ void Decision::FindInnerNodes()
 
 void Decision::SetColumn(int column, char to, std::vector<char>& kept) const
 {
-  for (auto* e = this->Members.begin(column); e != this->Members.end(column); ++e)
+  for (const int e : this->ElementsOf(column))
   {
-    kept[*e] = to;
+    kept[e] = to;
   }
 }
 
@@ -123,8 +121,8 @@ void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<c
       const int pillar = this->TheColumns.Pillar[face.Node[i]];
       side[1] = std::min(side[1], pillar);
       side[2] = std::max(side[2], pillar);
-      keeps |= this->NodeStatus[face.Node[i]] == NodeKeep;
-      eliminates |= this->NodeStatus[face.Node[i]] == NodeEliminate;
+      keeps |= this->TheBand.NodeStatus[face.Node[i]] == NodeKeep;
+      eliminates |= this->TheBand.NodeStatus[face.Node[i]] == NodeEliminate;
     }
     const bool lost = !keeps && eliminates;
     const auto known = lostSides.emplace(side, lost);
@@ -142,7 +140,7 @@ void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<c
 /// Kept columns whose nodes all go to the surface and leave nothing between them.
 bool Decision::EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept)
 {
-  const auto moving = FindMovingNodes(this->TheBand, kept, this->NodeStatus);
+  const auto moving = FindMovingNodes(this->TheBand, kept);
   bool changed = false;
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
@@ -155,7 +153,7 @@ bool Decision::EliminateCollapsing(const std::vector<Fate>& fate, std::vector<ch
     bool all = true;
     for (int i = 0; i < element.Count && all; ++i)
     {
-      all = moving[element.Node[i]] || this->NodeStatus[element.Node[i]] == NodeOnSurface;
+      all = moving[element.Node[i]] || this->TheBand.NodeStatus[element.Node[i]] == NodeOnSurface;
     }
     if (all && this->Collapses(e))
     {
@@ -261,16 +259,14 @@ bool Decision::MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) 
   return false;
 }
 
-bool MeasureShares(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<unsigned char>& elementStatus,
-  const nurbs::TrimmingSurface& surface, double gap, VolumeShares& shares,
-  std::array<int, 2>& missedEdge)
+bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
+  double gap, VolumeShares& shares, std::array<int, 2>& missedEdge)
 {
   const int count = band.NumberOfElements();
   shares.Element.assign(count, 0.0);
   shares.Column.assign(count, 0.0);
   std::vector<double> volume(count, 0.0);
-  const CutEdges edges(band, nodeStatus, surface, gap);
+  const CutEdges edges(band, surface, gap);
   missedEdge = edges.FindMissed();
   if (missedEdge[0] >= 0)
   {
@@ -281,11 +277,11 @@ bool MeasureShares(const Band& band, const Columns& columns,
     {
       for (Id e = begin; e < end; ++e)
       {
-        const auto volumes = MeasureEliminated(band, static_cast<int>(e), nodeStatus, edges);
+        const auto volumes = MeasureEliminated(band, static_cast<int>(e), edges);
         volume[e] = volumes.Total;
-        shares.Element[e] = elementStatus[e] == ElementKeep ? 0.0
-          : elementStatus[e] == ElementEliminate            ? 1.0
-                                                            : volumes.Fraction();
+        shares.Element[e] = band.ElementStatus[e] == ElementKeep ? 0.0
+          : band.ElementStatus[e] == ElementEliminate            ? 1.0
+                                                                 : volumes.Fraction();
       }
     });
   std::vector<double> total(count, 0.0);
@@ -303,20 +299,19 @@ bool MeasureShares(const Band& band, const Columns& columns,
   return true;
 }
 
-std::vector<char> FindMovingNodes(
-  const Band& band, const std::vector<char>& kept, const std::vector<unsigned char>& nodeStatus)
+std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept)
 {
   std::vector<char> moving(band.NumberOfNodes(), 0);
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
     bool touchesKept = false;
-    bool touchesEliminated = nodeStatus[n] == NodeEliminate;
+    bool touchesEliminated = band.NodeStatus[n] == NodeEliminate;
     for (const int e : band.ElementsOfNode(n))
     {
       touchesKept |= kept[e] != 0;
       touchesEliminated |= kept[e] == 0;
     }
-    moving[n] = touchesKept && touchesEliminated && nodeStatus[n] != NodeOnSurface;
+    moving[n] = touchesKept && touchesEliminated && band.NodeStatus[n] != NodeOnSurface;
   }
   return moving;
 }

@@ -36,14 +36,12 @@ struct VolumeShares
 /**
  * V^e of all band elements and the shares of their columns.
  *
- * @param elementStatus ElementStatus of the band elements.
+ * @param gap see CrossEdge.
  * @return false if an edge joins kept and eliminated nodes without meeting the surface;
  * missedEdge then holds its band nodes.
  */
-bool MeasureShares(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<unsigned char>& elementStatus,
-  const nurbs::TrimmingSurface& surface, double gap, VolumeShares& shares,
-  std::array<int, 2>& missedEdge);
+bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
+  double gap, VolumeShares& shares, std::array<int, 2>& missedEdge);
 
 /**
  * Decides by volume or by the fate set, then mends what cannot become a mesh: elements that
@@ -60,12 +58,17 @@ public:
   /// @param threshold EliminationFraction: a column goes when its share is larger.
   /// @param movesNodes false for type I, where no element is deformed.
   Decision(const Band& band, const Columns& columns, const VolumeShares& shares,
-    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-    double threshold, bool movesNodes);
+    const nurbs::TrimmingSurface& surface, double threshold, bool movesNodes);
 
   /// @param fate by column (index: smallest element of the column).
   /// @return for each band element whether it is kept.
   std::vector<char> Take(const std::vector<Fate>& fate);
+
+  /// Of a column, ascending.
+  Band::Range ElementsOf(int column) const
+  {
+    return { this->Members.begin(column), this->Members.end(column) };
+  }
 
 private:
   void FindInnerNodes();
@@ -80,7 +83,6 @@ private:
   const Band& TheBand;
   const Columns& TheColumns;
   const VolumeShares& Shares;
-  const std::vector<unsigned char>& NodeStatus;
   const nurbs::TrimmingSurface& Surface;
   double Threshold;
   bool MovesNodes;
@@ -96,8 +98,7 @@ private:
  * Nodes that have to lie on the new boundary: those that kept and eliminated elements share,
  * on either side of the surface, and eliminated nodes of kept elements.
  */
-std::vector<char> FindMovingNodes(
-  const Band& band, const std::vector<char>& kept, const std::vector<unsigned char>& nodeStatus);
+std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept);
 
 /// A face between a kept element and an eliminated one.
 inline bool IsCutFace(const BandFace& face, const std::vector<char>& kept)

@@ -90,11 +90,10 @@ ElementVolumes Measure(const std::array<Tetrahedron, N>& tetrahedra, const Band&
 
 }
 
-ElementVolumes MeasureEliminated(
-  const Band& band, int element, const std::vector<unsigned char>& status, const CutEdges& edges)
+ElementVolumes MeasureEliminated(const Band& band, int element, const CutEdges& edges)
 {
   const auto& e = band.Elements[element];
-  const ElementEdges ofElement{ e, status, edges };
+  const ElementEdges ofElement{ e, band.NodeStatus, edges };
   return e.Count == 8 ? Measure(HexahedronTetrahedra, band, e, ofElement)
                       : Measure(WedgeTetrahedra, band, e, ofElement);
 }

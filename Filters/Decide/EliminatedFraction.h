@@ -20,13 +20,8 @@ struct ElementVolumes
   double Fraction() const { return this->Total > 0.0 ? this->Eliminated / this->Total : 0.0; }
 };
 
-/**
- * Volumes of one element.
- *
- * @param status node statuses of the band (NodeStatus).
- */
-ElementVolumes MeasureEliminated(
-  const Band& band, int element, const std::vector<unsigned char>& status, const CutEdges& edges);
+/// Volumes of one element.
+ElementVolumes MeasureEliminated(const Band& band, int element, const CutEdges& edges);
 
 }
 

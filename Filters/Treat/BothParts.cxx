@@ -17,10 +17,10 @@ constexpr double LargestShare = 0.85;
 class Demander
 {
 public:
-  Demander(const Band& band, const Columns& columns, const VolumeShares& shares, Demands& demands)
-    : TheBand(band)
-    , TheColumns(columns)
-    , Shares(shares)
+  Demander(const TrimCase& given, Demands& demands)
+    : TheBand(given.TheBand)
+    , TheColumns(given.TheColumns)
+    , Shares(given.Shares)
     , TheDemands(demands)
   {
   }
@@ -68,17 +68,17 @@ private:
 
 }
 
-BothParts ClimbForBothParts(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const Progress& progress)
+BothParts ClimbForBothParts(
+  const TrimCase& given, const LadderOptions& options, const Progress& progress)
 {
+  const Band& band = given.TheBand;
   LadderOptions demanding = options;
   demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
-  const NodeMover mover(band, columns, nodeStatus, surface, precision);
+  const NodeMover mover(band, given.TheColumns, given.Surface, given.Precision);
   const BandQuality quality(band, options.Treatment, options.QualityFloor);
   const double goal = std::max(options.QualityFloor, SmallestGoal);
-  Demander demander(band, columns, shares, demanding.ForOffcut);
+  Demander demander(given, demanding.ForOffcut);
   BothParts parts;
   LadderPosition position;
   double done = 0.0;
@@ -86,14 +86,13 @@ BothParts ClimbForBothParts(const Band& band, const Columns& columns, const Volu
   {
     // Mostly there is one round; each takes half of what is left.
     const double next = 0.5 * (done + 1.0);
-    parts.Kept = ClimbLadder(band, columns, shares, nodeStatus, surface, precision, demanding,
-      Part(progress, done, next), position);
+    parts.Kept = ClimbLadder(given, demanding, Part(progress, done, next), position);
     done = next;
     if (progress(done))
     {
       return parts;
     }
-    parts.Rest = FitOffcut(band, columns, mover, parts.Kept, quality, goal);
+    parts.Rest = FitOffcut(band, given.TheColumns, mover, parts.Kept, quality, goal);
     if (!demander.Add(parts, round < RoundsOfFates))
     {
       break;

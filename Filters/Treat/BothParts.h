@@ -22,9 +22,8 @@ struct BothParts
 };
 
 /// See ClimbLadder.
-BothParts ClimbForBothParts(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const Progress& progress);
+BothParts ClimbForBothParts(
+  const TrimCase& given, const LadderOptions& options, const Progress& progress);
 
 }
 

@@ -7,29 +7,27 @@
 namespace trim
 {
 
-ColumnChoices::ColumnChoices(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, LadderPosition& position)
-  : TheBand(band)
-  , TheColumns(columns)
-  , Shares(shares)
+ColumnChoices::ColumnChoices(
+  const TrimCase& given, const LadderOptions& options, LadderPosition& position)
+  : TheBand(given.TheBand)
+  , TheColumns(given.TheColumns)
+  , Shares(given.Shares)
   , Options(options)
-  , Quality(band, options.Treatment, options.QualityFloor)
-  , Aimed(band, options.Treatment, options.AimedQuality(), Measure::Worth)
-  , Trial(band, columns, shares, nodeStatus, surface, precision, options)
-  , Members(columns.Elements())
-  , PillarNodes(columns.Nodes())
+  , Quality(given.TheBand, options.Treatment, options.QualityFloor)
+  , Aimed(given.TheBand, options.Treatment, options.AimedQuality(), Measure::Worth)
+  , Trial(given, options)
+  , PillarNodes(given.TheColumns.Nodes())
   , At(position)
 {
   if (!this->At.Rungs.empty())
   {
     return;
   }
-  this->At.Rungs.assign(band.NumberOfElements(), Rung::None);
-  this->At.Disturbed.assign(band.NumberOfElements(), 0);
-  this->At.Set.Fates.assign(band.NumberOfElements(), Fate::ByVolume);
-  this->At.Set.Corrections.assign(band.NumberOfNodes(), PillarChoice());
-  this->At.Set.Treatments.assign(band.NumberOfNodes(), TreatmentChoice::AsAsked);
+  this->At.Rungs.assign(this->TheBand.NumberOfElements(), Rung::None);
+  this->At.Disturbed.assign(this->TheBand.NumberOfElements(), 0);
+  this->At.Set.Fates.assign(this->TheBand.NumberOfElements(), Fate::ByVolume);
+  this->At.Set.Corrections.assign(this->TheBand.NumberOfNodes(), PillarChoice());
+  this->At.Set.Treatments.assign(this->TheBand.NumberOfNodes(), TreatmentChoice::AsAsked);
 }
 
 bool ColumnChoices::TakeInside(const TrimmedBand& trimmed, const std::vector<int>& columns)

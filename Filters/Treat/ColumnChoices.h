@@ -33,11 +33,8 @@ constexpr double SmallestCornerShare = 0.01;
 class ColumnChoices
 {
 public:
-  /// @param precision absolute distance up to which a node is on the surface.
   /// @param[in,out] position what is chosen; an empty one is filled.
-  ColumnChoices(const Band& band, const Columns& columns, const VolumeShares& shares,
-    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-    double precision, const LadderOptions& options, LadderPosition& position);
+  ColumnChoices(const TrimCase& given, const LadderOptions& options, LadderPosition& position);
 
   /// The first rung: pillars of columns and round them that are behind the cut stay there; false if
   /// there are no others.
@@ -89,9 +86,9 @@ public:
   template <typename Action>
   void ForNodes(int column, const Action& action) const
   {
-    for (const int* e = this->Members.begin(column); e != this->Members.end(column); ++e)
+    for (const int e : this->Trial.ElementsOf(column))
     {
-      const auto& element = this->TheBand.Elements[*e];
+      const auto& element = this->TheBand.Elements[e];
       std::for_each(element.Node.begin(), element.Node.begin() + element.Count, action);
     }
   }
@@ -116,7 +113,6 @@ public:
   BandQuality Quality;
   BandQuality Aimed; ///< at what is aimed at short of leaving nodes off
   TrialTrim Trial;
-  const Band::Lists Members;     ///< elements of each column
   const Band::Lists PillarNodes; ///< nodes of each pillar
   LadderPosition& At;
 };

@@ -103,8 +103,7 @@ std::array<int, 2> EndsOf(const Band& band, const ExposedEdge& edge)
 
 /// Faces on the border of the mesh that lie beyond the surface; in a sheet in all its layers, so
 /// that they turn into one wedge each or none does.
-std::vector<char> FindLostSides(
-  const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus)
+std::vector<char> FindLostSides(const Band& band, const Columns& columns)
 {
   std::vector<char> lost(band.Faces.size(), 0);
   using Side = std::array<int, 3>; // column and its two pillars
@@ -127,7 +126,7 @@ std::vector<char> FindLostSides(
     {
       continue;
     }
-    lost[f] = GoesWhole(face, nodeStatus);
+    lost[f] = GoesWhole(face, band.NodeStatus);
     if (!lost[f] && columns.HasThickness(face.Element[0]))
     {
       staying.insert(sideOf(face));
@@ -142,11 +141,11 @@ std::vector<char> FindLostSides(
 
 /// Faces of the new boundary: between kept and eliminated elements, and, if asked for, sides on
 /// the border of the mesh that lie beyond the surface.
-std::vector<char> BoundaryFaces(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, bool lostSides)
+std::vector<char> BoundaryFaces(
+  const Band& band, const Columns& columns, const std::vector<char>& kept, bool lostSides)
 {
   std::vector<char> ofBoundary =
-    lostSides ? FindLostSides(band, columns, nodeStatus) : std::vector<char>(band.Faces.size(), 0);
+    lostSides ? FindLostSides(band, columns) : std::vector<char>(band.Faces.size(), 0);
   for (std::size_t f = 0; f < band.Faces.size(); ++f)
   {
     ofBoundary[f] |= IsCutFace(band.Faces[f], kept);
@@ -413,20 +412,19 @@ const ReplacedElement* FindWedge(const Pentahedra& treated, int element)
 }
 
 Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, Optimization asked,
-  const std::vector<TreatmentChoice>& choice, Moves& moves)
+  const std::vector<char>& kept, const Treatments& treatments, Moves& moves)
 {
   Pentahedra result;
   result.Exposed.assign(band.NumberOfElements(), 0);
   result.FlatCorner.assign(band.NumberOfElements(), 0);
   std::vector<char> isWedge(band.NumberOfElements(), 0);
   // A straight corner that stays is one between facets of the cut.
-  const bool lostSides = asked == Optimization::Degenerate;
+  const bool lostSides = treatments.Asked == Optimization::Degenerate;
   for (const auto& pillar :
-    GroupExposed(band, columns, kept, BoundaryFaces(band, columns, nodeStatus, kept, lostSides)))
+    GroupExposed(band, columns, kept, BoundaryFaces(band, columns, kept, lostSides)))
   {
     const auto& edges = pillar.Edges;
-    const auto chosen = ChoiceFor(band, columns, pillar, choice);
+    const auto chosen = ChoiceFor(band, columns, pillar, treatments.Choice);
     for (const auto& edge : edges)
     {
       result.Exposed[columns.Column[edge.Element]] = 1;
@@ -441,7 +439,7 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
       continue;
     }
     result.Count += static_cast<int>(edges.size());
-    auto treatment = Resolve(asked, chosen);
+    auto treatment = Resolve(treatments.Asked, chosen);
     if (treatment == Optimization::Distribute ||
       (treatment != Optimization::None && !pillar.Droppable))
     {
@@ -467,12 +465,11 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
 }
 
 std::vector<std::vector<ReplacedElement>> FindDroppable(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept,
-  const Pentahedra& treated)
+  const std::vector<char>& kept, const Pentahedra& treated)
 {
   std::vector<std::vector<ReplacedElement>> found;
   for (const auto& pillar :
-    GroupExposed(band, columns, kept, BoundaryFaces(band, columns, nodeStatus, kept, true)))
+    GroupExposed(band, columns, kept, BoundaryFaces(band, columns, kept, true)))
   {
     const bool flat = std::any_of(pillar.Edges.begin(), pillar.Edges.end(),
       [&](const ExposedEdge& edge) { return treated.FlatCorner[edge.Element] != 0; });

@@ -53,20 +53,23 @@ struct Pentahedra
 /// The wedge that an element became, or null.
 const ReplacedElement* FindWedge(const Pentahedra& treated, int element);
 
+/// What becomes of the pentahedra.
+struct Treatments
+{
+  Optimization Asked;
+  const std::vector<TreatmentChoice>& Choice; ///< by pillar (index: smallest node of the pillar)
+};
+
 /**
  * Finds the pentahedra of the kept elements and treats them; moves is changed where nodes are
  * distributed.
- *
- * @param choice by pillar (index: smallest node of the pillar).
  */
 Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, Optimization asked,
-  const std::vector<TreatmentChoice>& choice, Moves& moves);
+  const std::vector<char>& kept, const Treatments& treatments, Moves& moves);
 
 /// The wedges that would be left without an edge A-B that was not treated, pillar by pillar.
 std::vector<std::vector<ReplacedElement>> FindDroppable(const Band& band, const Columns& columns,
-  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept,
-  const Pentahedra& treated);
+  const std::vector<char>& kept, const Pentahedra& treated);
 
 /// Drops edges; false if an element of theirs has become a wedge meanwhile.
 bool DropEdges(const std::vector<ReplacedElement>& wedges, Pentahedra& treated);

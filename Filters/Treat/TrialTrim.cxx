@@ -26,18 +26,15 @@ constexpr int MostDrops = 100;
 
 }
 
-TrialTrim::TrialTrim(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options)
-  : TheBand(band)
-  , TheColumns(columns)
-  , NodeStatus(nodeStatus)
-  , Surface(surface)
+TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
+  : TheBand(given.TheBand)
+  , TheColumns(given.TheColumns)
+  , Surface(given.Surface)
   , Options(options)
-  , Quality(band, options.Treatment, options.QualityFloor)
-  , Mover(band, columns, nodeStatus, surface, precision)
-  , TheDecision(band, columns, shares, nodeStatus, surface, options.EliminationFraction,
-      options.CorrectionType != Correction::Eliminate)
+  , Quality(given.TheBand, options.Treatment, options.QualityFloor)
+  , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision)
+  , TheDecision(given.TheBand, given.TheColumns, given.Shares, given.Surface,
+      options.EliminationFraction, options.CorrectionType != Correction::Eliminate)
 {
 }
 
@@ -130,15 +127,15 @@ TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal,
   }
   else
   {
-    trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept, this->NodeStatus);
+    trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept);
   }
   set = this->ForDecision(std::move(set), trimmed);
   trimmed.NodeMoves = MoveNodes(this->TheBand, this->TheColumns, this->Mover, trimmed.Moving,
     this->Options.CorrectionType, set.Corrections);
   if (this->Options.CorrectionType != Correction::Eliminate)
   {
-    trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
-      this->NodeStatus, trimmed.Kept, this->Options.Treatment, set.Treatments, trimmed.NodeMoves);
+    trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
+      { this->Options.Treatment, set.Treatments }, trimmed.NodeMoves);
     trimmed.Unrelaxed = trimmed.NodeMoves;
     this->RelaxBad(set, goal, from, promises, trimmed);
   }
@@ -309,8 +306,8 @@ void TrialTrim::FollowCreases(
     // The middle node of a pentahedron may be in the way: then it is dropped.
     Faults faults = this->FaultsOf(trimmed);
     int tried = 0;
-    for (const auto& wedges : FindDroppable(
-           this->TheBand, this->TheColumns, this->NodeStatus, trimmed.Kept, trimmed.Treated))
+    for (const auto& wedges :
+      FindDroppable(this->TheBand, this->TheColumns, trimmed.Kept, trimmed.Treated))
     {
       if (missed[wedges.front().Dropped[0]] && tried++ < MostDrops && !aborted())
       {
@@ -508,7 +505,7 @@ bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& a
   bool dropped = false;
   int tried = 0;
   for (const auto& wedges :
-    FindDroppable(this->TheBand, this->TheColumns, this->NodeStatus, trimmed.Kept, trimmed.Treated))
+    FindDroppable(this->TheBand, this->TheColumns, trimmed.Kept, trimmed.Treated))
   {
     const bool helps = std::any_of(wedges.begin(), wedges.end(),
       [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });

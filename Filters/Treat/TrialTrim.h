@@ -6,10 +6,10 @@
 #define TrialTrim_h
 
 #include "BandQuality.h"
-#include "Decision.h"
 #include "Progress.h"
 #include "Relaxation.h"
 #include "ReturnedNodes.h"
+#include "TrimCase.h"
 #include "TrimmedBand.h"
 
 #include <algorithm>
@@ -66,10 +66,7 @@ using Promise = std::function<bool(const TrimmedBand&)>;
 class TrialTrim
 {
 public:
-  /// @param precision absolute distance up to which a node is on the surface.
-  TrialTrim(const Band& band, const Columns& columns, const VolumeShares& shares,
-    const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-    double precision, const LadderOptions& options);
+  TrialTrim(const TrimCase& given, const LadderOptions& options);
 
   /// The demands go before the choices.
   /// @param goal what elements are relaxed to.
@@ -98,6 +95,8 @@ public:
 
   /// Whether a node may go to a corner of the model instead of to the surface.
   bool MayEndAtCorner(int node) const { return this->Mover.EndAtCorner(node).Found; }
+
+  Band::Range ElementsOf(int column) const { return this->TheDecision.ElementsOf(column); }
 
 private:
   /// @param atCut by pillar.
@@ -146,7 +145,6 @@ private:
 
   const Band& TheBand;
   const Columns& TheColumns;
-  const std::vector<unsigned char>& NodeStatus;
   const nurbs::TrimmingSurface& Surface;
   const LadderOptions& Options;
   BandQuality Quality;

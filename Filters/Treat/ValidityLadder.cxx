@@ -265,13 +265,10 @@ private:
 
 }
 
-TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const Progress& progress,
-  LadderPosition& position)
+TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
+  const Progress& progress, LadderPosition& position)
 {
-  return Ladder(band, columns, shares, nodeStatus, surface, precision, options, position)
-    .Climb(progress);
+  return Ladder(given, options, position).Climb(progress);
 }
 
 }

@@ -24,14 +24,11 @@ namespace trim
 {
 
 /**
- * @param precision absolute distance up to which a node is on the surface.
  * @param progress where it ends the work, the result is of no use.
  * @param[in,out] position where the climb starts, and where it ended.
  */
-TrimmedBand ClimbLadder(const Band& band, const Columns& columns, const VolumeShares& shares,
-  const std::vector<unsigned char>& nodeStatus, const nurbs::TrimmingSurface& surface,
-  double precision, const LadderOptions& options, const Progress& progress,
-  LadderPosition& position);
+TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
+  const Progress& progress, LadderPosition& position);
 
 }
 

@@ -22,18 +22,17 @@ constexpr double HighestFloor = 0.5;
 void Climb(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const LadderOptions& options, bool produceOffcut, const Progress& progress)
 {
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
   if (produceOffcut)
   {
-    BothParts parts = ClimbForBothParts(near.Mesh, near.Structure, near.Shares,
-      near.Mesh.NodeStatus, surface, precision, options, progress);
+    BothParts parts = ClimbForBothParts(given, options, progress);
     near.Trimmed = std::move(parts.Kept);
     near.Rest = std::move(parts.Rest);
   }
   else
   {
     LadderPosition foot;
-    near.Trimmed = ClimbLadder(near.Mesh, near.Structure, near.Shares, near.Mesh.NodeStatus,
-      surface, precision, options, progress, foot);
+    near.Trimmed = ClimbLadder(given, options, progress, foot);
   }
   near.NodesLeft = FindNodesLeft(near, surface, precision);
 }

@@ -38,20 +38,18 @@ public:
     , Structure(NoColumns(this->Mesh, {}))
   {
     std::array<int, 2> missed;
-    Expect(MeasureShares(this->Mesh, this->Structure, this->Mesh.NodeStatus,
-             this->Mesh.ElementStatus, this->Surface, 0.0, this->Shares, missed),
+    Expect(MeasureShares(this->Mesh, this->Structure, this->Surface, 0.0, this->Shares, missed),
       "the plane cuts the block");
   }
 
   Decision NewDecision() const
   {
-    return Decision(
-      this->Mesh, this->Structure, this->Shares, this->Mesh.NodeStatus, this->Surface, 0.5, true);
+    return Decision(this->Mesh, this->Structure, this->Shares, this->Surface, 0.5, true);
   }
 
   NodeMover MoverTo(const nurbs::TrimmingSurface& surface) const
   {
-    return NodeMover(this->Mesh, this->Structure, this->Mesh.NodeStatus, surface, 1e-8);
+    return NodeMover(this->Mesh, this->Structure, surface, 1e-8);
   }
 
   const Band Mesh;
