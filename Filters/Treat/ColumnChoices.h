@@ -29,10 +29,9 @@ constexpr double SmallestShare = 0.15;
 /// The same for what is kept so that a corner of the model need not move.
 constexpr double SmallestCornerShare = 0.01;
 
-/// What it is given must outlive it.
-class ColumnChoices
+/// What the climbs of the ladder have in common. What it is given must outlive it.
+struct ColumnChoices
 {
-public:
   /// @param[in,out] position what is chosen; an empty one is filled.
   ColumnChoices(const TrimCase& given, const LadderOptions& options, LadderPosition& position);
 

@@ -22,11 +22,11 @@ constexpr double FloorMargin = 1.1;
 constexpr int GradualRounds = 8;
 constexpr double GradualWay = 0.7;
 
-class FloorClimb : private ColumnChoices
+class FloorClimb
 {
 public:
-  explicit FloorClimb(const ColumnChoices& choices)
-    : ColumnChoices(choices)
+  explicit FloorClimb(ColumnChoices& choices)
+    : TheChoices(choices)
   {
   }
 
@@ -34,19 +34,19 @@ public:
   /// to the aim. A trial is kept only where it helps and spoils nothing.
   void RaiseToFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
-    if (!this->Aimed.FindBelowFloor(trimmed).empty())
+    if (!this->TheChoices.Aimed.FindBelowFloor(trimmed).empty())
     {
       this->TryForFloor(trimmed, nullptr);
     }
-    else if (this->Quality.FindBelowFloor(trimmed).empty())
+    else if (this->TheChoices.Quality.FindBelowFloor(trimmed).empty())
     {
       return;
     }
     this->TakeInsideForFloor(trimmed);
-    std::vector<char> tried(this->TheBand.NumberOfElements(), 0);
+    std::vector<char> tried(this->TheChoices.TheBand.NumberOfElements(), 0);
     for (int trial = 0; trial < MostFloorTrials && !aborted(); ++trial)
     {
-      const std::vector<int> below = this->Quality.FindBelowFloor(trimmed);
+      const std::vector<int> below = this->TheChoices.Quality.FindBelowFloor(trimmed);
       int column = this->NextColumn(below, tried);
       if (column < 0)
       {
@@ -70,16 +70,16 @@ public:
     bool anew = false;
     for (int round = 0; !aborted(); ++round)
     {
-      const std::vector<int> below = this->Quality.FindBelowFloor(trimmed);
+      const std::vector<int> below = this->TheChoices.Quality.FindBelowFloor(trimmed);
       bool changed = false;
-      std::vector<char> seen(this->TheBand.NumberOfNodes(), 0);
+      std::vector<char> seen(this->TheChoices.TheBand.NumberOfNodes(), 0);
       for (const int e : below)
       {
         changed |= this->LeaveForFloor(trimmed, e, round, seen);
       }
       for (std::size_t i = 0; anew && !changed && i < below.size(); ++i)
       {
-        changed = this->LeaveWhole(below[i]);
+        changed = this->TheChoices.LeaveWhole(below[i]);
       }
       if (!changed && (anew || below.empty()))
       {
@@ -88,8 +88,9 @@ public:
       // Places that were relaxed for other choices may keep an element below the floor: then from
       // the start.
       anew |= !changed;
-      trimmed = this->Trial.Make(this->At.Set, this->Aimed, anew ? nullptr : &trimmed);
-      this->LeaveInvalid(this->Aimed, anew, trimmed, aborted);
+      trimmed = this->TheChoices.Trial.Make(
+        this->TheChoices.At.Set, this->TheChoices.Aimed, anew ? nullptr : &trimmed);
+      this->TheChoices.LeaveInvalid(this->TheChoices.Aimed, anew, trimmed, aborted);
     }
   }
 
@@ -99,11 +100,12 @@ private:
   {
     for (int round = 0; round < MostFloorTrials; ++round)
     {
-      const Choices before = this->At.Set;
-      const auto columns = this->ColumnsOf(this->Quality.FindBelowFloor(trimmed));
-      if (!this->TakeInside(trimmed, columns) || !this->TryForFloor(trimmed, &trimmed))
+      const Choices before = this->TheChoices.At.Set;
+      const auto columns =
+        this->TheChoices.ColumnsOf(this->TheChoices.Quality.FindBelowFloor(trimmed));
+      if (!this->TheChoices.TakeInside(trimmed, columns) || !this->TryForFloor(trimmed, &trimmed))
       {
-        this->At.Set = before;
+        this->TheChoices.At.Set = before;
         return;
       }
     }
@@ -112,17 +114,18 @@ private:
   /// The first column of a list of elements that was not tried; -1: none.
   int NextColumn(const std::vector<int>& elements, const std::vector<char>& tried) const
   {
-    const auto next = std::find_if(
-      elements.begin(), elements.end(), [&](int e) { return !tried[this->TheColumns.Column[e]]; });
-    return next == elements.end() ? -1 : this->TheColumns.Column[*next];
+    const auto next = std::find_if(elements.begin(), elements.end(),
+      [&](int e) { return !tried[this->TheChoices.TheColumns.Column[e]]; });
+    return next == elements.end() ? -1 : this->TheChoices.TheColumns.Column[*next];
   }
 
   /// Elements below the aim, if they are of a few columns only: a border that is short of it all
   /// along is not worth the time.
   std::vector<int> FindFewShort(const TrimmedBand& trimmed) const
   {
-    const std::vector<int> below = this->Aimed.FindBelowFloor(trimmed);
-    return this->ColumnsOf(below).size() <= MostAimedColumns ? below : std::vector<int>();
+    const std::vector<int> below = this->TheChoices.Aimed.FindBelowFloor(trimmed);
+    return this->TheChoices.ColumnsOf(below).size() <= MostAimedColumns ? below
+                                                                        : std::vector<int>();
   }
 
   /// Climbs the rungs of one column until it reaches the aim.
@@ -130,14 +133,14 @@ private:
   {
     for (const Rung rung : { Rung::Correction, Rung::Fate, Rung::FateAround })
     {
-      const LadderPosition before = this->At;
+      const LadderPosition before = this->TheChoices.At;
       if ((!otherFates && rung != Rung::Correction) || !this->SetForFloor(trimmed, column, rung) ||
         !this->TryForFloor(trimmed, &trimmed))
       {
-        this->At = before;
+        this->TheChoices.At = before;
         continue;
       }
-      this->At.Rungs[column] = rung;
+      this->TheChoices.At.Rungs[column] = rung;
       if (!this->IsShort(trimmed, column))
       {
         return;
@@ -148,9 +151,9 @@ private:
   /// Whether a column has an element below the aim.
   bool IsShort(const TrimmedBand& trimmed, int column) const
   {
-    const std::vector<int> below = this->Aimed.FindBelowFloor(trimmed);
-    return std::any_of(
-      below.begin(), below.end(), [&](int e) { return this->TheColumns.Column[e] == column; });
+    const std::vector<int> below = this->TheChoices.Aimed.FindBelowFloor(trimmed);
+    return std::any_of(below.begin(), below.end(),
+      [&](int e) { return this->TheChoices.TheColumns.Column[e] == column; });
   }
 
   /// Sets one rung for a column below the floor; false if it has no such choice.
@@ -159,24 +162,24 @@ private:
     switch (rung)
     {
       case Rung::Correction:
-        this->ForMovingPillars(trimmed, column,
+        this->TheChoices.ForMovingPillars(trimmed, column,
           [&](int pillar)
           {
-            if (this->At.Set.Corrections[pillar].Correction == CorrectionChoice::AsAsked)
+            if (this->TheChoices.At.Set.Corrections[pillar].Correction == CorrectionChoice::AsAsked)
             {
-              this->At.Set.Corrections[pillar].Correction = CorrectionChoice::Other;
+              this->TheChoices.At.Set.Corrections[pillar].Correction = CorrectionChoice::Other;
             }
           });
         return true;
       case Rung::Fate:
-        if (this->Shares.Column[column] < SmallestShare)
+        if (this->TheChoices.Shares.Column[column] < SmallestShare)
         {
           return false;
         }
-        this->At.Set.Fates[column] = Fate::Eliminate;
+        this->TheChoices.At.Set.Fates[column] = Fate::Eliminate;
         return true;
       default:
-        return this->KeepAround(trimmed, column, false);
+        return this->TheChoices.KeepAround(trimmed, column, false);
     }
   }
 
@@ -184,23 +187,24 @@ private:
   /// @param from see TrialTrim::Make.
   bool TryForFloor(TrimmedBand& trimmed, const TrimmedBand* from) const
   {
-    const int left = this->CountLeft(trimmed);
-    const double before = this->Quality.MeasureShortage(trimmed).Sum;
+    const int left = this->TheChoices.CountLeft(trimmed);
+    const double before = this->TheChoices.Quality.MeasureShortage(trimmed).Sum;
     const auto promises = [&](const TrimmedBand& trial)
     {
-      return this->CountLeft(trial) <= left &&
-        this->Quality.MeasureShortage(trial).Sum <=
-        MostPromising * before + this->Options.QualityFloor;
+      return this->TheChoices.CountLeft(trial) <= left &&
+        this->TheChoices.Quality.MeasureShortage(trial).Sum <=
+        MostPromising * before + this->TheChoices.Options.QualityFloor;
     };
-    TrimmedBand other = this->Trial.Make(this->At.Set, this->Aimed, from, promises);
-    other.Invalid = this->Quality.FindInvalid(other);
-    if (other.Invalid.size() > trimmed.Invalid.size() || this->CountLeft(other) > left)
+    TrimmedBand other =
+      this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Aimed, from, promises);
+    other.Invalid = this->TheChoices.Quality.FindInvalid(other);
+    if (other.Invalid.size() > trimmed.Invalid.size() || this->TheChoices.CountLeft(other) > left)
     {
       return false;
     }
-    const double after = this->Quality.MeasureShortage(other).Sum;
-    const auto aimedBefore = this->Aimed.MeasureShortage(trimmed);
-    const auto aimedAfter = this->Aimed.MeasureShortage(other);
+    const double after = this->TheChoices.Quality.MeasureShortage(other).Sum;
+    const auto aimedBefore = this->TheChoices.Aimed.MeasureShortage(trimmed);
+    const auto aimedAfter = this->TheChoices.Aimed.MeasureShortage(other);
     if (after > before || aimedAfter.Largest > aimedBefore.Largest ||
       (after > LeastProgress * before && aimedAfter.Sum > LeastProgress * aimedBefore.Sum))
     {
@@ -215,8 +219,8 @@ private:
   /// @param seen pillars of columns that had their turn in this round.
   bool LeaveForFloor(const TrimmedBand& trimmed, int element, int round, std::vector<char>& seen)
   {
-    const int column = this->TheColumns.Column[element];
-    const std::vector<int> pillars = this->PillarsToLeave(trimmed, column);
+    const int column = this->TheChoices.TheColumns.Column[element];
+    const std::vector<int> pillars = this->TheChoices.PillarsToLeave(trimmed, column);
     const bool gradual = round < GradualRounds;
     // Of neighbours the first one: it may help the others.
     const bool waits = gradual &&
@@ -229,30 +233,32 @@ private:
     {
       return true;
     }
-    this->At.Rungs[column] = Rung::Left;
-    const double least = FloorMargin * this->Options.QualityFloor;
-    const double aim = this->Aimed.GetFloor();
+    this->TheChoices.At.Rungs[column] = Rung::Left;
+    const double least = FloorMargin * this->TheChoices.Options.QualityFloor;
+    const double aim = this->TheChoices.Aimed.GetFloor();
     if (gradual &&
-      ((aim > least && this->LeaveBest(trimmed, column, pillars, aim)) ||
-        this->LeaveBest(trimmed, column, pillars, least)))
+      ((aim > least && this->TheChoices.LeaveBest(trimmed, column, pillars, aim)) ||
+        this->TheChoices.LeaveBest(trimmed, column, pillars, least)))
     {
       return true;
     }
-    this->LeaveOnWay(pillars, gradual ? GradualWay : 0.0);
-    return !pillars.empty() || this->LeaveCorners(element);
+    this->TheChoices.LeaveOnWay(pillars, gradual ? GradualWay : 0.0);
+    return !pillars.empty() || this->TheChoices.LeaveCorners(element);
   }
+
+  ColumnChoices& TheChoices;
 };
 
 }
 
 void RaiseToFloor(
-  const ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed)
+  ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed)
 {
   FloorClimb(choices).RaiseToFloor(trimmed, aborted);
 }
 
 void LeaveBelowFloor(
-  const ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed)
+  ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed)
 {
   FloorClimb(choices).LeaveBelowFloor(trimmed, aborted);
 }

@@ -115,8 +115,8 @@ Choices TrialTrim::ForDecision(Choices set, const TrimmedBand& trimmed) const
   return set;
 }
 
-TrimmedBand TrialTrim::Make(const Choices& choices, const BandQuality& goal,
-  const TrimmedBand* from, const Promise& promises) const
+TrimmedBand TrialTrim::Make(
+  const Choices& choices, const BandQuality& goal, const TrimmedBand* from, const Promise& promises)
 {
   Choices set = this->WithDemands(choices);
   TrimmedBand trimmed;

@@ -73,7 +73,7 @@ public:
   /// @param from another trial: only round what it has otherwise is relaxed anew.
   /// @param promises asked after a brief relaxation; where it does not, that was all.
   TrimmedBand Make(const Choices& choices, const BandQuality& goal,
-    const TrimmedBand* from = nullptr, const Promise& promises = {}) const;
+    const TrimmedBand* from = nullptr, const Promise& promises = {});
 
   /// Takes nodes that were left off to the surface after all, or drops them, where the elements
   /// round them stand it.
@@ -149,7 +149,7 @@ private:
   const LadderOptions& Options;
   BandQuality Quality;
   NodeMover Mover;
-  mutable Decision TheDecision; ///< keeps what it finds out
+  Decision TheDecision;
 };
 
 }

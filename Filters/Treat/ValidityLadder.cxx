@@ -16,58 +16,64 @@ constexpr int LongestClimb = 40;
 /// Shares of the whole work, about.
 constexpr double Climbed = 0.2, Raised = 0.4, Left = 0.6, Returned = 0.9;
 
-class Ladder : private ColumnChoices
+class Ladder
 {
 public:
-  using ColumnChoices::ColumnChoices;
+  Ladder(const TrimCase& given, const LadderOptions& options, LadderPosition& position)
+    : TheChoices(given, options, position)
+  {
+  }
 
   TrimmedBand Climb(const Progress& progress)
   {
     const auto aborted = [&progress] { return progress(-1.0); };
-    TrimmedBand trimmed = this->Trial.Make(this->At.Set, this->Quality);
+    TrimmedBand trimmed =
+      this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Quality);
     int climb = 0;
     for (; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
     {
-      trimmed.Invalid = this->Quality.FindInvalid(trimmed);
+      trimmed.Invalid = this->TheChoices.Quality.FindInvalid(trimmed);
       const std::vector<int> bad = this->FindBadColumns(trimmed);
-      if (std::all_of(
-            bad.begin(), bad.end(), [this](int c) { return this->At.Rungs[c] == Rung::Left; }))
+      if (std::all_of(bad.begin(), bad.end(),
+            [this](int c) { return this->TheChoices.At.Rungs[c] == Rung::Left; }))
       {
         break;
       }
-      if (!this->TakeInside(trimmed, bad))
+      if (!this->TheChoices.TakeInside(trimmed, bad))
       {
         for (const int column : bad)
         {
           this->StepUp(trimmed, column);
         }
       }
-      trimmed = this->Trial.Make(this->At.Set, this->Quality, &trimmed);
+      trimmed =
+        this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Quality, &trimmed);
     }
     if (climb > 0)
     {
       this->RelaxAnew(trimmed);
     }
-    this->LeaveInvalid(this->Quality, true, trimmed, aborted);
+    this->TheChoices.LeaveInvalid(this->TheChoices.Quality, true, trimmed, aborted);
     progress(Climbed);
-    RaiseToFloor(*this, aborted, trimmed);
+    RaiseToFloor(this->TheChoices, aborted, trimmed);
     progress(Raised);
-    LeaveBelowFloor(*this, aborted, trimmed);
+    LeaveBelowFloor(this->TheChoices, aborted, trimmed);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
-    this->Trial.Polish(this->At.Set, trimmed);
-    this->Trial.FollowCreases(this->At.Set, aborted, trimmed);
-    trimmed.RescuedBy = this->At.Rungs;
-    trimmed.BelowFloor = this->Quality.FindBelowFloor(trimmed);
+    this->TheChoices.Trial.Polish(this->TheChoices.At.Set, trimmed);
+    this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+    trimmed.RescuedBy = this->TheChoices.At.Rungs;
+    trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
     return trimmed;
   }
 
 private:
   /// Places that were relaxed for other choices may be no good ones for those that it ended with.
-  void RelaxAnew(TrimmedBand& trimmed) const
+  void RelaxAnew(TrimmedBand& trimmed)
   {
-    TrimmedBand anew = this->Trial.Make(this->At.Set, this->Quality);
-    anew.Invalid = this->Quality.FindInvalid(anew);
+    TrimmedBand anew =
+      this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Quality);
+    anew.Invalid = this->TheChoices.Quality.FindInvalid(anew);
     if (anew.Invalid.size() <= trimmed.Invalid.size())
     {
       trimmed = std::move(anew);
@@ -78,30 +84,30 @@ private:
   /// leaving if they have a node left in the end, else by another way to the surface.
   void ReturnLeft(TrimmedBand& trimmed, const Progress& progress)
   {
-    if (std::all_of(
-          this->At.Rungs.begin(), this->At.Rungs.end(), [](Rung r) { return r == Rung::None; }))
+    if (std::all_of(this->TheChoices.At.Rungs.begin(), this->TheChoices.At.Rungs.end(),
+          [](Rung r) { return r == Rung::None; }))
     {
       return;
     }
-    this->Trial.ReturnLeft(this->At.Set, progress, trimmed);
-    const std::vector<int> users = CountUsers(this->TheBand, trimmed);
-    std::vector<char> hasLeft(this->TheBand.NumberOfElements(), 0);
-    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    this->TheChoices.Trial.ReturnLeft(this->TheChoices.At.Set, progress, trimmed);
+    const std::vector<int> users = CountUsers(this->TheChoices.TheBand, trimmed);
+    std::vector<char> hasLeft(this->TheChoices.TheBand.NumberOfElements(), 0);
+    for (int e = 0; e < this->TheChoices.TheBand.NumberOfElements(); ++e)
     {
-      const auto& element = this->TheBand.Elements[e];
-      hasLeft[this->TheColumns.Column[e]] |=
+      const auto& element = this->TheChoices.TheBand.Elements[e];
+      hasLeft[this->TheChoices.TheColumns.Column[e]] |=
         std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
-          [&](int n) { return users[n] > 0 && this->IsLeft(trimmed, n); });
+          [&](int n) { return users[n] > 0 && this->TheChoices.IsLeft(trimmed, n); });
     }
-    for (std::size_t c = 0; c < this->At.Rungs.size(); ++c)
+    for (std::size_t c = 0; c < this->TheChoices.At.Rungs.size(); ++c)
     {
-      if (this->At.Rungs[c] != Rung::None && hasLeft[c])
+      if (this->TheChoices.At.Rungs[c] != Rung::None && hasLeft[c])
       {
-        this->At.Rungs[c] = Rung::Left;
+        this->TheChoices.At.Rungs[c] = Rung::Left;
       }
-      else if (this->At.Rungs[c] == Rung::Left)
+      else if (this->TheChoices.At.Rungs[c] == Rung::Left)
       {
-        this->At.Rungs[c] = Rung::Correction;
+        this->TheChoices.At.Rungs[c] = Rung::Correction;
       }
     }
   }
@@ -109,9 +115,9 @@ private:
   std::vector<int> FindBadColumns(const TrimmedBand& trimmed) const
   {
     std::vector<int> elements = trimmed.Invalid;
-    for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+    for (int e = 0; e < this->TheChoices.TheBand.NumberOfElements(); ++e)
     {
-      const auto& element = this->TheBand.Elements[e];
+      const auto& element = this->TheChoices.TheBand.Elements[e];
       for (int i = 0; trimmed.Kept[e] && i < element.Count; ++i)
       {
         if (trimmed.NodeMoves.Failed[element.Node[i]])
@@ -121,31 +127,31 @@ private:
         }
       }
     }
-    return this->ColumnsOf(elements);
+    return this->TheChoices.ColumnsOf(elements);
   }
 
   bool HasInvalid(const TrimmedBand& trimmed, int column) const
   {
     return std::any_of(trimmed.Invalid.begin(), trimmed.Invalid.end(),
-      [&](int e) { return this->TheColumns.Column[e] == column; });
+      [&](int e) { return this->TheChoices.TheColumns.Column[e] == column; });
   }
 
   /// Another correction for a pillar, if it is not behind the cut.
   void Turn(int pillar, CorrectionChoice choice)
   {
-    auto& set = this->At.Set.Corrections[pillar].Correction;
+    auto& set = this->TheChoices.At.Set.Corrections[pillar].Correction;
     set = set == CorrectionChoice::Inside ? set : choice;
   }
 
   /// Lets the nodes of a column that found no place stay where they were.
   void LeaveFailed(const TrimmedBand& trimmed, int column)
   {
-    this->ForNodes(column,
+    this->TheChoices.ForNodes(column,
       [&](int node)
       {
         if (trimmed.NodeMoves.Failed[node])
         {
-          this->LeaveOnWay({ this->TheColumns.Pillar[node] }, 0.0);
+          this->TheChoices.LeaveOnWay({ this->TheChoices.TheColumns.Pillar[node] }, 0.0);
         }
       });
   }
@@ -156,14 +162,14 @@ private:
   {
     bool only = !this->HasInvalid(trimmed, column);
     std::vector<int> pillars, placed;
-    this->ForNodes(column,
+    this->TheChoices.ForNodes(column,
       [&](int node)
       {
-        const int pillar = this->TheColumns.Pillar[node];
+        const int pillar = this->TheChoices.TheColumns.Pillar[node];
         if (only && trimmed.NodeMoves.Failed[node])
         {
-          only =
-            !this->At.Set.Corrections[pillar].MayEndAtCorner && this->Trial.MayEndAtCorner(node);
+          only = !this->TheChoices.At.Set.Corrections[pillar].MayEndAtCorner &&
+            this->TheChoices.Trial.MayEndAtCorner(node);
         }
         AddUnique(trimmed.NodeMoves.Failed[node] ? pillars : placed, pillar);
       });
@@ -173,7 +179,7 @@ private:
         { return std::find(placed.begin(), placed.end(), pillar) != placed.end(); });
     for (std::size_t i = 0; only && i < pillars.size(); ++i)
     {
-      this->At.Set.Corrections[pillars[i]].MayEndAtCorner = true;
+      this->TheChoices.At.Set.Corrections[pillars[i]].MayEndAtCorner = true;
     }
     return only;
   }
@@ -181,14 +187,14 @@ private:
   /// Undoes the rung that did not help and takes the next one.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
-    const bool mayChange = !this->At.Disturbed[column];
-    switch (this->At.Rungs[column])
+    const bool mayChange = !this->TheChoices.At.Disturbed[column];
+    switch (this->TheChoices.At.Rungs[column])
     {
       case Rung::None:
         // A border node without a place, mostly a corner that is kept: with the elements round
         // it kept it need not move.
-        this->At.Rungs[column] = Rung::FateFirst;
-        if (this->KeepAround(trimmed, column, true))
+        this->TheChoices.At.Rungs[column] = Rung::FateFirst;
+        if (this->TheChoices.KeepAround(trimmed, column, true))
         {
           return;
         }
@@ -198,69 +204,72 @@ private:
         {
           return;
         }
-        this->At.Rungs[column] = Rung::Treatment;
+        this->TheChoices.At.Rungs[column] = Rung::Treatment;
         if (trimmed.Treated.Exposed.size() && trimmed.Treated.Exposed[column])
         {
-          const auto other = this->Options.Treatment == Optimization::Degenerate
+          const auto other = this->TheChoices.Options.Treatment == Optimization::Degenerate
             ? TreatmentChoice::Distribute
             : TreatmentChoice::Degenerate;
-          this->ForMovingPillars(
-            trimmed, column, [&](int pillar) { this->At.Set.Treatments[pillar] = other; });
+          this->TheChoices.ForMovingPillars(trimmed, column,
+            [&](int pillar) { this->TheChoices.At.Set.Treatments[pillar] = other; });
           return;
         }
         [[fallthrough]];
       case Rung::Treatment:
-        this->At.Rungs[column] = Rung::Correction;
-        this->ForMovingPillars(trimmed, column,
+        this->TheChoices.At.Rungs[column] = Rung::Correction;
+        this->TheChoices.ForMovingPillars(trimmed, column,
           [&](int pillar)
           {
-            this->At.Set.Treatments[pillar] = TreatmentChoice::AsAsked;
+            this->TheChoices.At.Set.Treatments[pillar] = TreatmentChoice::AsAsked;
             this->Turn(pillar, CorrectionChoice::Other);
           });
         return;
       case Rung::Correction:
-        this->ForMovingPillars(
+        this->TheChoices.ForMovingPillars(
           trimmed, column, [&](int pillar) { this->Turn(pillar, CorrectionChoice::AsAsked); });
-        this->At.Rungs[column] = Rung::Fate;
-        if (mayChange && this->At.Set.Fates[column] == Fate::ByVolume &&
-          this->Shares.Column[column] >= SmallestShare)
+        this->TheChoices.At.Rungs[column] = Rung::Fate;
+        if (mayChange && this->TheChoices.At.Set.Fates[column] == Fate::ByVolume &&
+          this->TheChoices.Shares.Column[column] >= SmallestShare)
         {
-          this->At.Set.Fates[column] = Fate::Eliminate;
-          this->DisturbAround(column);
+          this->TheChoices.At.Set.Fates[column] = Fate::Eliminate;
+          this->TheChoices.DisturbAround(column);
           return;
         }
         [[fallthrough]];
       case Rung::Fate:
-        this->At.Set.Fates[column] = Fate::ByVolume;
-        this->At.Rungs[column] = Rung::FateAround;
-        if (mayChange && this->KeepAround(trimmed, column, false))
+        this->TheChoices.At.Set.Fates[column] = Fate::ByVolume;
+        this->TheChoices.At.Rungs[column] = Rung::FateAround;
+        if (mayChange && this->TheChoices.KeepAround(trimmed, column, false))
         {
           return;
         }
         [[fallthrough]];
       default:
-        this->GiveBack(column);
-        this->At.Set.Fates[column] = Fate::ByVolume;
-        this->At.Rungs[column] = Rung::Left;
+        this->TheChoices.GiveBack(column);
+        this->TheChoices.At.Set.Fates[column] = Fate::ByVolume;
+        this->TheChoices.At.Rungs[column] = Rung::Left;
         if (!this->HasInvalid(trimmed, column))
         {
           this->LeaveFailed(trimmed, column);
           return;
         }
-        if (this->LeaveBest(trimmed, column, this->PillarsToLeave(trimmed, column),
-              std::max(this->Aimed.GetFloor(), SmallestGoal)))
+        if (this->TheChoices.LeaveBest(trimmed, column,
+              this->TheChoices.PillarsToLeave(trimmed, column),
+              std::max(this->TheChoices.Aimed.GetFloor(), SmallestGoal)))
         {
           return;
         }
-        this->ForMovingPillars(trimmed, column,
+        this->TheChoices.ForMovingPillars(trimmed, column,
           [&](int pillar)
           {
-            this->At.Set.Corrections[pillar].Correction = CorrectionChoice::Leave;
-            this->At.Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
+            this->TheChoices.At.Set.Corrections[pillar].Correction = CorrectionChoice::Leave;
+            this->TheChoices.At.Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
           });
         return;
     }
   }
+
+  ColumnChoices TheChoices;
 };
 
 }
