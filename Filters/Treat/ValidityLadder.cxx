@@ -184,16 +184,80 @@ private:
     return only;
   }
 
-  /// Undoes the rung that did not help and takes the next one.
+  /// The other treatment for the pentahedra of a column; false if it has none.
+  bool TreatOtherwise(const TrimmedBand& trimmed, int column)
+  {
+    if (trimmed.Treated.Exposed.empty() || !trimmed.Treated.Exposed[column])
+    {
+      return false;
+    }
+    const auto other = this->TheChoices.Options.Treatment == Optimization::Degenerate
+      ? TreatmentChoice::Distribute
+      : TreatmentChoice::Degenerate;
+    this->TheChoices.ForMovingPillars(
+      trimmed, column, [&](int pillar) { this->TheChoices.At.Set.Treatments[pillar] = other; });
+    return true;
+  }
+
+  /// The other correction for a column, and again the treatment that was asked for.
+  void CorrectOtherwise(const TrimmedBand& trimmed, int column)
+  {
+    this->TheChoices.ForMovingPillars(trimmed, column,
+      [&](int pillar)
+      {
+        this->TheChoices.At.Set.Treatments[pillar] = TreatmentChoice::AsAsked;
+        this->Turn(pillar, CorrectionChoice::Other);
+      });
+  }
+
+  /// Eliminates a column whose fate was not set; false if too little of it lies beyond the surface.
+  bool Eliminate(int column)
+  {
+    Fate& fate = this->TheChoices.At.Set.Fates[column];
+    if (fate != Fate::ByVolume || this->TheChoices.Shares.Column[column] < SmallestShare)
+    {
+      return false;
+    }
+    fate = Fate::Eliminate;
+    this->TheChoices.DisturbAround(column);
+    return true;
+  }
+
+  /// Leaves nodes of a column off the surface: those that found no place, or, where an element is
+  /// invalid, as few as that takes.
+  void LeaveNodes(const TrimmedBand& trimmed, int column)
+  {
+    if (!this->HasInvalid(trimmed, column))
+    {
+      this->LeaveFailed(trimmed, column);
+      return;
+    }
+    if (this->TheChoices.LeaveBest(trimmed, column,
+          this->TheChoices.PillarsToLeave(trimmed, column),
+          std::max(this->TheChoices.Aimed.GetFloor(), SmallestGoal)))
+    {
+      return;
+    }
+    this->TheChoices.ForMovingPillars(trimmed, column,
+      [&](int pillar)
+      {
+        this->TheChoices.At.Set.Corrections[pillar].Correction = CorrectionChoice::Leave;
+        this->TheChoices.At.Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
+      });
+  }
+
+  /// Undoes the rung that did not help and takes the next one that there is.
   void StepUp(const TrimmedBand& trimmed, int column)
   {
     const bool mayChange = !this->TheChoices.At.Disturbed[column];
-    switch (this->TheChoices.At.Rungs[column])
+    Rung& rung = this->TheChoices.At.Rungs[column];
+    Fate& fate = this->TheChoices.At.Set.Fates[column];
+    switch (rung)
     {
       case Rung::None:
         // A border node without a place, mostly a corner that is kept: with the elements round
         // it kept it need not move.
-        this->TheChoices.At.Rungs[column] = Rung::FateFirst;
+        rung = Rung::FateFirst;
         if (this->TheChoices.KeepAround(trimmed, column, true))
         {
           return;
@@ -204,41 +268,28 @@ private:
         {
           return;
         }
-        this->TheChoices.At.Rungs[column] = Rung::Treatment;
-        if (trimmed.Treated.Exposed.size() && trimmed.Treated.Exposed[column])
+        rung = Rung::Treatment;
+        if (this->TreatOtherwise(trimmed, column))
         {
-          const auto other = this->TheChoices.Options.Treatment == Optimization::Degenerate
-            ? TreatmentChoice::Distribute
-            : TreatmentChoice::Degenerate;
-          this->TheChoices.ForMovingPillars(trimmed, column,
-            [&](int pillar) { this->TheChoices.At.Set.Treatments[pillar] = other; });
           return;
         }
         [[fallthrough]];
       case Rung::Treatment:
-        this->TheChoices.At.Rungs[column] = Rung::Correction;
-        this->TheChoices.ForMovingPillars(trimmed, column,
-          [&](int pillar)
-          {
-            this->TheChoices.At.Set.Treatments[pillar] = TreatmentChoice::AsAsked;
-            this->Turn(pillar, CorrectionChoice::Other);
-          });
+        rung = Rung::Correction;
+        this->CorrectOtherwise(trimmed, column);
         return;
       case Rung::Correction:
         this->TheChoices.ForMovingPillars(
           trimmed, column, [&](int pillar) { this->Turn(pillar, CorrectionChoice::AsAsked); });
-        this->TheChoices.At.Rungs[column] = Rung::Fate;
-        if (mayChange && this->TheChoices.At.Set.Fates[column] == Fate::ByVolume &&
-          this->TheChoices.Shares.Column[column] >= SmallestShare)
+        rung = Rung::Fate;
+        if (mayChange && this->Eliminate(column))
         {
-          this->TheChoices.At.Set.Fates[column] = Fate::Eliminate;
-          this->TheChoices.DisturbAround(column);
           return;
         }
         [[fallthrough]];
       case Rung::Fate:
-        this->TheChoices.At.Set.Fates[column] = Fate::ByVolume;
-        this->TheChoices.At.Rungs[column] = Rung::FateAround;
+        fate = Fate::ByVolume;
+        rung = Rung::FateAround;
         if (mayChange && this->TheChoices.KeepAround(trimmed, column, false))
         {
           return;
@@ -246,25 +297,9 @@ private:
         [[fallthrough]];
       default:
         this->TheChoices.GiveBack(column);
-        this->TheChoices.At.Set.Fates[column] = Fate::ByVolume;
-        this->TheChoices.At.Rungs[column] = Rung::Left;
-        if (!this->HasInvalid(trimmed, column))
-        {
-          this->LeaveFailed(trimmed, column);
-          return;
-        }
-        if (this->TheChoices.LeaveBest(trimmed, column,
-              this->TheChoices.PillarsToLeave(trimmed, column),
-              std::max(this->TheChoices.Aimed.GetFloor(), SmallestGoal)))
-        {
-          return;
-        }
-        this->TheChoices.ForMovingPillars(trimmed, column,
-          [&](int pillar)
-          {
-            this->TheChoices.At.Set.Corrections[pillar].Correction = CorrectionChoice::Leave;
-            this->TheChoices.At.Set.Treatments[pillar] = TreatmentChoice::LeaveCorner;
-          });
+        fate = Fate::ByVolume;
+        rung = Rung::Left;
+        this->LeaveNodes(trimmed, column);
         return;
     }
   }
