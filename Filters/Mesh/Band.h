@@ -63,7 +63,6 @@ public:
 
   int NumberOfNodes() const { return static_cast<int>(this->GlobalNode.size()); }
   int NumberOfElements() const { return static_cast<int>(this->Elements.size()); }
-  int HaloRing() const { return this->Halo; }
   bool InHalo(int element) const { return this->Elements[element].Ring >= this->Halo; }
 
   /// A list per item, in two flat arrays.
