@@ -200,9 +200,9 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
   return true;
 }
 
-/// Gives nodes of far patches the side of their patch; returns, ascending, those that still have
+/// Gives nodes of far clusters the side of their cluster; returns, ascending, those that still have
 /// none.
-std::vector<Id> AssignSidesOfPatches(
+std::vector<Id> AssignSidesOfClusters(
   const HexMesh& mesh, const MeshBlocks& blocks, NodeClassification& result)
 {
   constexpr Id grain = 50000;
@@ -218,7 +218,7 @@ std::vector<Id> AssignSidesOfPatches(
           continue;
         }
         const int run = blocks.FirstRunOf(i);
-        result.Status[i] = run == MeshBlocks::NoRun ? unknown : result.PatchSide[run];
+        result.Status[i] = run == MeshBlocks::NoRun ? unknown : result.ClusterSide[run];
         if (result.Status[i] == NodeUnknown)
         {
           left[part].push_back(i);
@@ -233,7 +233,7 @@ std::vector<Id> AssignSidesOfPatches(
   return all;
 }
 
-/// Gives nodes the side of their set, and far patches theirs. Returns, by root, the sets that have
+/// Gives nodes the side of their set, and far clusters theirs. Returns, by root, the sets that have
 /// none: parts of the mesh that the surface does not meet.
 template <typename Index>
 std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
@@ -241,14 +241,14 @@ std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
   NodeClassification& result)
 {
   constexpr unsigned char unknown = NodeUnknown;
-  result.PatchSide.assign(sets.NumberOfRuns(), NodeUnknown);
+  result.ClusterSide.assign(sets.NumberOfRuns(), NodeUnknown);
   for (Id run = 0; run < sets.NumberOfRuns(); ++run)
   {
-    result.PatchSide[run] = sets.IsFarPatch(run) ? ofRoot[sets.FindPatch(run)] : unknown;
+    result.ClusterSide[run] = sets.IsFarCluster(run) ? ofRoot[sets.FindCluster(run)] : unknown;
   }
   std::vector<std::pair<Id, OutermostNodes>> farParts;
   std::unordered_map<Index, std::size_t> partOfRoot;
-  for (const Id i : AssignSidesOfPatches(mesh, blocks, result))
+  for (const Id i : AssignSidesOfClusters(mesh, blocks, result))
   {
     const Index root = sets.Find(i);
     result.Status[i] = ofRoot[root];

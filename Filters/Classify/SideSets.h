@@ -3,7 +3,7 @@
  * @brief Sets of nodes that lie on one side, because cells that the surface does not meet join
  * them.
  *
- * A patch of the mesh that the surface does not meet is in one set as a whole, so only nodes of
+ * A cluster of the mesh that the surface does not meet is in one set as a whole, so only nodes of
  * other runs of cells are looked at one by one.
  */
 #ifndef SideSets_h
@@ -26,16 +26,16 @@ public:
   SideSets(const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& candidates)
     : Mesh(mesh)
     , Blocks(blocks)
-    , IsFar(blocks.IsPatch)
+    , IsFar(blocks.IsCluster)
     , Number(mesh.NumberOfPoints)
-    , Sets(static_cast<Index>(blocks.IsPatch.size()))
+    , Sets(static_cast<Index>(blocks.IsCluster.size()))
   {
     for (const Id c : candidates)
     {
-      this->IsFar[c / MeshBlocks::CellsPerPatch] = 0;
+      this->IsFar[c / MeshBlocks::CellsPerCluster] = 0;
     }
     this->UniteCells(candidates);
-    this->UnitePatches();
+    this->UniteClusters();
     this->NumberOtherNodes(candidates);
   }
 
@@ -45,18 +45,18 @@ public:
   void Unite(Id a, Id b) { this->Sets.Unite(this->SetOf(a), this->SetOf(b)); }
 
   /// Whether all cells of a run lie on one side; its set.
-  bool IsFarPatch(Id run) const { return this->IsFar[run] != 0; }
-  Index FindPatch(Id run) { return this->Sets.Find(static_cast<Index>(run)); }
+  bool IsFarCluster(Id run) const { return this->IsFar[run] != 0; }
+  Index FindCluster(Id run) { return this->Sets.Find(static_cast<Index>(run)); }
   Id NumberOfRuns() const { return static_cast<Id>(this->IsFar.size()); }
 
 private:
-  /// Node that has a number of its own: its first run of cells is no far patch.
+  /// Node that has a number of its own: its first run of cells is no far cluster.
   bool IsSingle(Id node) const
   {
     const int run = this->Blocks.FirstRunOf(node);
     return run == MeshBlocks::NoRun || !this->IsFar[run];
   }
-  /// The set of a node before any are united: its patch, or one of its own.
+  /// The set of a node before any are united: its cluster, or one of its own.
   Index SetOf(Id node)
   {
     if (!this->IsSingle(node))
@@ -76,14 +76,14 @@ private:
   void ForCells(Id run, const Action& action) const
   {
     std::array<Id, 8> nodes;
-    const Id end = std::min(this->Mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerPatch);
-    for (Id c = run * MeshBlocks::CellsPerPatch; c < end; ++c)
+    const Id end = std::min(this->Mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerCluster);
+    for (Id c = run * MeshBlocks::CellsPerCluster; c < end; ++c)
     {
       action(c, nodes, this->Mesh.Cell(c, nodes));
     }
   }
 
-  /// Joins the nodes of each cell that the surface does not meet, outside of patches.
+  /// Joins the nodes of each cell that the surface does not meet, outside of clusters.
   void UniteCells(const std::vector<Id>& candidates)
   {
     auto next = candidates.begin();
@@ -116,10 +116,10 @@ private:
     }
   }
 
-  /// Joins far patches with one another, and with the sets of their nodes.
-  void UnitePatches()
+  /// Joins far clusters with one another, and with the sets of their nodes.
+  void UniteClusters()
   {
-    int done = -1; // patch whose nodes are joined
+    int done = -1; // cluster whose nodes are joined
     for (const auto& link : this->Blocks.Links)
     {
       if (!this->IsFar[link.first])
@@ -138,11 +138,11 @@ private:
     }
   }
 
-  void UniteNodes(Index patch)
+  void UniteNodes(Index cluster)
   {
-    Index root = this->Sets.Find(patch);
-    Index before = patch; // what most nodes after it belong to
-    this->ForCells(patch,
+    Index root = this->Sets.Find(cluster);
+    Index before = cluster; // what most nodes after it belong to
+    this->ForCells(cluster,
       [&](Id, const std::array<Id, 8>& nodes, int count)
       {
         for (int i = 0; i < count; ++i)

@@ -85,7 +85,7 @@ public:
   std::vector<std::pair<int, int>> Links;
   Id NumberOfNodes = 0; ///< that no cell had used before
 
-  void JoinPatch(int run)
+  void JoinCluster(int run)
   {
     const std::size_t first = this->Links.size();
     const int own = MeshBlocks::NoRun - run;
@@ -93,21 +93,21 @@ public:
     known.fill(own);
     std::array<Id, 8> nodes{}, before{};
     int countBefore = 0;
-    bool isPatch = true;
-    const Id begin = run * MeshBlocks::CellsPerPatch;
-    const Id end = std::min(this->Mesh.NumberOfCells, begin + MeshBlocks::CellsPerPatch);
+    bool isCluster = true;
+    const Id begin = run * MeshBlocks::CellsPerCluster;
+    const Id end = std::min(this->Mesh.NumberOfCells, begin + MeshBlocks::CellsPerCluster);
     std::atomic<int>* const runs = this->Blocks.RunOfNode.data();
     for (Id c = begin; c < end; ++c)
     {
       const int count = this->Mesh.Cell(c, nodes);
-      isPatch &= c == begin || ShareNode(nodes, count, before, countBefore);
+      isCluster &= c == begin || ShareNode(nodes, count, before, countBefore);
       for (int i = 0; i < count; ++i)
       {
         const int seen = runs[nodes[i]].load(std::memory_order_relaxed);
         if (seen != own && seen != known[i])
         {
           known[i] = this->JoinNode(runs[nodes[i]], seen, own);
-          if (isPatch && known[i] != own)
+          if (isCluster && known[i] != own)
           {
             this->AddLink(run, MeshBlocks::NoRun - known[i], first);
           }
@@ -116,8 +116,8 @@ public:
       before = nodes;
       countBefore = count;
     }
-    this->Blocks.IsPatch[run] = isPatch;
-    if (!isPatch)
+    this->Blocks.IsCluster[run] = isCluster;
+    if (!isCluster)
     {
       this->Links.resize(first);
     }
@@ -317,11 +317,11 @@ void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshB
 void MeasureAndJoin(
   const HexMesh& mesh, Id block, MeshBlocks& blocks, Joiner& joiner, LargestCells& largest)
 {
-  constexpr Id patches = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerPatch;
-  const auto end = std::min(static_cast<Id>(blocks.IsPatch.size()), (block + 1) * patches);
-  for (Id run = block * patches; run < end; ++run)
+  constexpr Id clusters = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerCluster;
+  const auto end = std::min(static_cast<Id>(blocks.IsCluster.size()), (block + 1) * clusters);
+  for (Id run = block * clusters; run < end; ++run)
   {
-    joiner.JoinPatch(static_cast<int>(run));
+    joiner.JoinCluster(static_cast<int>(run));
   }
   if (mesh.PointsDouble)
   {
@@ -337,15 +337,15 @@ void MeasureAndJoin(
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
 {
-  static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerPatch == 0 &&
-      MeshBlocks::CellsPerPatch % MeshBlocks::CellsPerRun == 0,
-    "blocks are filled by several threads, patches by runs");
+  static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerCluster == 0 &&
+      MeshBlocks::CellsPerCluster % MeshBlocks::CellsPerRun == 0,
+    "blocks are filled by several threads, clusters by runs");
   MeshBlocks blocks;
   const Id count = NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
   blocks.Boxes.resize(count);
   blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
-  blocks.IsPatch.assign(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerPatch), 1);
+  blocks.IsCluster.assign(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerCluster), 1);
   std::vector<LargestCells> largest(count);
   blocks.RunOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   constexpr Id grain = 256;

@@ -34,13 +34,13 @@ struct MeshBlocks
   PageVector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
   PageVector<double> Volumes;               ///< of every cell, >= 0
 
-  /// Whole pieces of the mesh: runs of cells, each but the first of which shares a node with the
-  /// one before. In a mesh in random order there are none.
-  static constexpr Id CellsPerPatch = 16;
-  std::vector<char> IsPatch;              ///< of each run of so many cells
+  /// Clusters, whole pieces of the mesh: runs of cells, each but the first of which shares a node
+  /// with the one before. In a mesh in random order there are none.
+  static constexpr Id CellsPerCluster = 16;
+  std::vector<char> IsCluster;            ///< of each run of so many cells
   PageVector<std::atomic<int>> RunOfNode; ///< how far its first run lies before NoRun, 0: none
-  /// Patch and a run before it with a common node. All patches with a node are linked with one
-  /// another, through others or through runs that are no patches.
+  /// Cluster and a run before it with a common node. All clusters with a node are linked with one
+  /// another, through others or through runs that are no clusters.
   std::vector<std::pair<int, int>> Links;
   std::vector<Id> UnusedNodes; ///< ascending
 
@@ -48,7 +48,7 @@ struct MeshBlocks
   double LargestDiagonal = 0;      ///< of the boxes of single cells
   Vec3 LargestCell = Vec3::Zero(); ///< largest sides of the boxes of single cells
 
-  /// The first run of CellsPerPatch cells with a node; NoRun: no cell uses it.
+  /// The first run of CellsPerCluster cells with a node; NoRun: no cell uses it.
   int FirstRunOf(Id node) const
   {
     return NoRun - this->RunOfNode[node].load(std::memory_order_relaxed);

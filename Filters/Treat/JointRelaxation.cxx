@@ -16,9 +16,9 @@ namespace
 
 /// Elements count as raised a little before they are at the margin above the goal.
 constexpr double Reached = 1.01;
-/// Steps of one patch, at most.
+/// Steps of one part, at most.
 constexpr int MostSteps = 60;
-/// Passes over all patches, and what an element has to gain for another one.
+/// Passes over all parts, and what an element has to gain for another one.
 constexpr int MostPasses = 4;
 constexpr double PassGain = 0.01;
 /// How far above the lowest a step aims, at first and at most, and at least before it gives up.
@@ -35,7 +35,7 @@ constexpr double LeastDamping = 1e-7;
 constexpr int MostTrials = 4;
 /// A longer step, in edges, is the rounding of equations without a solution: nodes that coincide.
 constexpr double LongestStep = 1e3;
-/// Elements this near to the lowest of a patch cannot be raised when it cannot.
+/// Elements this near to the lowest of a part cannot be raised when it cannot.
 constexpr double SameLevel = 5e-3;
 /// How much an element that is held may lose.
 constexpr double HoldSlack = 1e-3;
@@ -46,13 +46,13 @@ constexpr double NoEdge = 1e-6;
 constexpr double FloorSlack = 1e-3;
 /// Steps times free directions after which the relaxation ends.
 constexpr std::size_t MostWork = 30000;
-/// A larger patch is divided: one for each element.
+/// A larger part is divided: one for each element.
 constexpr std::size_t MostNodes = 250;
 
-class Patch : private RelaxedMesh
+class JointRelaxation : private RelaxedMesh
 {
 public:
-  Patch(const RelaxationCase& given, const RelaxationGoal& goal, Moves& moves)
+  JointRelaxation(const RelaxationCase& given, const RelaxationGoal& goal, Moves& moves)
     : RelaxedMesh(given, moves)
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
@@ -92,7 +92,7 @@ private:
 
   struct Variables
   {
-    std::vector<int> First;      // by node of the patch
+    std::vector<int> First;      // by node of the part
     std::vector<Vec3> Direction; // as long as an edge
   };
 
@@ -529,7 +529,7 @@ private:
 void RelaxJointly(const RelaxationCase& given, const std::vector<int>& active,
   const RelaxationGoal& goal, Moves& moves)
 {
-  Patch(given, goal, moves).Run(active);
+  JointRelaxation(given, goal, moves).Run(active);
 }
 
 }

@@ -4,7 +4,7 @@
  *
  * Where several elements pull at each other, no step of a single node raises the lowest of them.
  * Here the determinants whose smallest is the scaled Jacobian are linearised over all free
- * directions of all nodes of a patch, and the shortest step is taken that would raise what is
+ * directions of all nodes of a part, and the shortest step is taken that would raise what is
  * lowest. What cannot be raised any more is held, and the rest goes on.
  */
 #ifndef JointRelaxation_h

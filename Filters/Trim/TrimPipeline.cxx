@@ -124,7 +124,7 @@ void TurnSides(Statuses& statuses)
 void TurnStatuses(NodeClassification& nodes)
 {
   TurnSides(nodes.Status);
-  TurnSides(nodes.PatchSide);
+  TurnSides(nodes.ClusterSide);
   for (auto& node : nodes.SignedDistances)
   {
     node.second = -node.second;
@@ -152,14 +152,14 @@ ElementStatus StatusOfCell(const HexMesh& mesh, const TrimResult& result, Id cel
 void ClassifyElements(const HexMesh& mesh, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
-  vtkSMPTools::For(0, static_cast<Id>(result.Nodes.PatchSide.size()), 3000,
+  vtkSMPTools::For(0, static_cast<Id>(result.Nodes.ClusterSide.size()), 3000,
     [&](Id begin, Id end)
     {
       for (Id run = begin; run < end; ++run)
       {
-        const Id first = run * MeshBlocks::CellsPerPatch;
-        const Id last = std::min(mesh.NumberOfCells, first + MeshBlocks::CellsPerPatch);
-        const unsigned char side = result.Nodes.PatchSide[run];
+        const Id first = run * MeshBlocks::CellsPerCluster;
+        const Id last = std::min(mesh.NumberOfCells, first + MeshBlocks::CellsPerCluster);
+        const unsigned char side = result.Nodes.ClusterSide[run];
         for (Id c = first; c < last; ++c)
         {
           const unsigned char node =
