@@ -1,5 +1,7 @@
 #include "PillarGraph.h"
 
+#include "ElementTopology.h"
+
 #include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 
@@ -15,11 +17,6 @@ namespace trim
 {
 namespace
 {
-
-/// Nodes of a hexahedron, those of two opposite facets one after the other.
-using Opposite = std::array<std::array<int, 4>, 2>;
-constexpr std::array<Opposite, 3> OppositeFacets = { { { { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } } },
-  { { { 0, 1, 5, 4 }, { 3, 2, 6, 7 } } }, { { { 0, 3, 7, 4 }, { 1, 2, 6, 5 } } } } };
 
 /// Adds a pillar to `set`, ascending, each once; returns their number.
 int AddPillar(int pillar, int count, std::array<int, 8>& set)
@@ -49,8 +46,10 @@ int PillarsOf(
     own[i] = pillars.Pillar[graph.Connectivity[graph.Offset[element] + i]];
   }
   int count = 0;
-  for (const auto& [lower, upper] : OppositeFacets)
+  // The third direction first, the one that meshers extrude along.
+  for (const int axis : { 2, 1, 0 })
   {
+    const auto& [lower, upper] = AxisEnds[axis];
     if (size == 8 && own[lower[0]] == own[upper[0]] && own[lower[1]] == own[upper[1]] &&
       own[lower[2]] == own[upper[2]] && own[lower[3]] == own[upper[3]])
     {

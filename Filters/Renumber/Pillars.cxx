@@ -1,6 +1,7 @@
 #include "Pillars.h"
 
 #include "ConcurrentSets.h"
+#include "ElementTopology.h"
 #include "Runs.h"
 
 #include <vtkSMPTools.h>
@@ -19,12 +20,30 @@ constexpr int MostLayers = 24;
 /// Fewer nodes in a pillar, on average, are not worth it.
 constexpr double LeastMean = 1.8;
 
-/// The parallel edges of each direction of a hexahedron, and of the one of a wedge.
 using Edges = std::array<std::array<int, 2>, 4>;
-constexpr std::array<Edges, 3> HexahedronEdges = { { { { { 0, 1 }, { 3, 2 }, { 4, 5 }, { 7, 6 } } },
-  { { { 0, 3 }, { 1, 2 }, { 4, 7 }, { 5, 6 } } },
-  { { { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } } } } };
-constexpr Edges WedgeEdges = { { { 0, 3 }, { 1, 4 }, { 2, 5 }, { 2, 5 } } };
+
+/// The parallel edges of one direction of an element; of a wedge, which has three, the last twice.
+constexpr Edges EdgesAlong(const ElementTopology& topology, int axis)
+{
+  Edges edges{};
+  std::size_t count = 0;
+  for (const EdgeNodes& edge : topology.Edges)
+  {
+    if (edge.Axis == axis)
+    {
+      edges[count++] = { edge.First, edge.Second };
+    }
+  }
+  for (; count < edges.size(); ++count)
+  {
+    edges[count] = edges[count - 1];
+  }
+  return edges;
+}
+
+constexpr std::array<Edges, 3> HexahedronEdges = { EdgesAlong(HexahedronTopology, 0),
+  EdgesAlong(HexahedronTopology, 1), EdgesAlong(HexahedronTopology, 2) };
+constexpr Edges WedgeEdges = EdgesAlong(WedgeTopology, 0);
 
 /// The edges of the direction whose edge at the first node is the shortest.
 const Edges& ShortestEdges(const int* nodes, int count, const NodePlaces& position, Vec3& direction)
