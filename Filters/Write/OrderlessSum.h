@@ -6,19 +6,81 @@
 #ifndef OrderlessSum_h
 #define OrderlessSum_h
 
-#include "HexMesh.h"
 #include "Ranks.h"
-
-#include <vtkSMPTools.h>
+#include "Runs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace trim
 {
+
+/// Terms for a thread at a time.
+constexpr Id SumGrain = 30000;
+
+/// An integer sum in two halves of 31 bits, so that no sum of fewer than 2^33 terms overflows.
+struct SplitSum
+{
+  static constexpr std::uint64_t LowHalf = (std::uint64_t(1) << 31) - 1;
+
+  std::uint64_t High = 0, Low = 0;
+
+  void Add(std::uint64_t term)
+  {
+    this->High += term >> 31;
+    this->Low += term & LowHalf;
+  }
+  /// In units of 2^(exponent - 62).
+  double Value(int exponent) const
+  {
+    return std::ldexp(static_cast<double>(this->High + (this->Low >> 31)), exponent - 31) +
+      std::ldexp(static_cast<double>(this->Low & LowHalf), exponent - 62);
+  }
+};
+
+/// The largest of terms >= 0; 0 if there are none.
+template <typename Term>
+double LargestTerm(Id count, const Term& term)
+{
+  std::vector<double> ofRun(NumberOfRuns(count, SumGrain), 0.0);
+  ForRuns(count, SumGrain,
+    [&](Id run, Id begin, Id end)
+    {
+      double largest = 0.0;
+      for (Id i = begin; i < end; ++i)
+      {
+        largest = std::max(largest, term(i));
+      }
+      ofRun[run] = largest;
+    });
+  return ofRun.empty() ? 0.0 : *std::max_element(ofRun.begin(), ofRun.end());
+}
+
+/// The sum of terms, each of them times the scale as an integer.
+template <typename Term>
+SplitSum SumTerms(Id count, const Term& term, double scale)
+{
+  std::vector<SplitSum> ofRun(NumberOfRuns(count, SumGrain));
+  ForRuns(count, SumGrain,
+    [&](Id run, Id begin, Id end)
+    {
+      SplitSum sum;
+      for (Id i = begin; i < end; ++i)
+      {
+        sum.Add(static_cast<std::uint64_t>(scale * term(i)));
+      }
+      ofRun[run] = sum;
+    });
+  SplitSum sum;
+  for (const SplitSum& own : ofRun)
+  {
+    sum.High += own.High;
+    sum.Low += own.Low;
+  }
+  return sum;
+}
 
 /**
  * Sum of terms >= 0 over all ranks, the same bits whatever their order; collective. The terms
@@ -29,36 +91,7 @@ namespace trim
 template <typename Term>
 double OrderlessSum(Id count, const Term& term, const Ranks& ranks)
 {
-  constexpr Id grain = 30000;
-  const Id runs = NumberOfRuns(count, grain);
-  const auto forRuns = [&](const auto& action)
-  {
-    vtkSMPTools::For(0, runs, 1,
-      [&](Id begin, Id end)
-      {
-        for (Id run = begin; run < end; ++run)
-        {
-          action(run, run * grain, std::min(count, (run + 1) * grain));
-        }
-      });
-  };
-  std::vector<double> largestOfRun(runs, 0.0);
-  forRuns(
-    [&](Id run, Id begin, Id end)
-    {
-      double most = 0.0;
-      for (Id i = begin; i < end; ++i)
-      {
-        most = std::max(most, term(i));
-      }
-      largestOfRun[run] = most;
-    });
-  double largest = 0.0;
-  for (const double most : largestOfRun)
-  {
-    largest = std::max(largest, most);
-  }
-  largest = ranks.Largest(largest);
+  const double largest = ranks.Largest(LargestTerm(count, term));
   if (!(largest > 0.0) || !std::isfinite(largest))
   {
     return largest;
@@ -66,34 +99,9 @@ double OrderlessSum(Id count, const Term& term, const Ranks& ranks)
   int exponent = 0;
   std::frexp(largest, &exponent);
   exponent = std::max(exponent, -900); // the scale has to be finite
-  const double scale = std::ldexp(1.0, 62 - exponent);
-  // In two halves of 31 bits, so that no sum of fewer than 2^33 terms overflows.
-  constexpr std::uint64_t lowHalf = (std::uint64_t(1) << 31) - 1;
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> sumOfRun(runs);
-  forRuns(
-    [&](Id run, Id begin, Id end)
-    {
-      std::uint64_t high = 0, low = 0;
-      for (Id i = begin; i < end; ++i)
-      {
-        const auto bits = static_cast<std::uint64_t>(scale * term(i));
-        high += bits >> 31;
-        low += bits & lowHalf;
-      }
-      sumOfRun[run] = { high, low };
-    });
-  std::uint64_t high = 0, low = 0;
-  for (const auto& sum : sumOfRun)
-  {
-    high += sum.first;
-    low += sum.second;
-  }
-  high = ranks.Sum(high);
-  low = ranks.Sum(low);
-  high += low >> 31;
-  low &= lowHalf;
-  return std::ldexp(static_cast<double>(high), exponent - 31) +
-    std::ldexp(static_cast<double>(low), exponent - 62);
+  const SplitSum own = SumTerms(count, term, std::ldexp(1.0, 62 - exponent));
+  const SplitSum all{ ranks.Sum(own.High), ranks.Sum(own.Low) };
+  return all.Value(exponent);
 }
 
 }
