@@ -3,16 +3,20 @@ add_library(NURBSTrimStages STATIC
   Mesh/Band.cxx
   Mesh/BandCells.cxx
   Mesh/Columns.cxx
+  Mesh/FreshArray.cxx
+  Mesh/GatherAttributes.cxx
   Mesh/HexMesh.cxx
+  Mesh/Jacobian.cxx
   Mesh/MeshBlocks.cxx
   Ranks/ControllerRanks.cxx
   Ranks/GatherBand.cxx
   Ranks/GhostCells.cxx
-  Ranks/PieceSides.cxx
+  Ranks/SharedBounds.cxx
   Ranks/SharedNodes.cxx
   Ranks/SharedSurface.cxx
   Classify/EdgeCrossing.cxx
   Classify/NodeClassification.cxx
+  Classify/PieceSides.cxx
   Decide/Decision.cxx
   Decide/CutEdges.cxx
   Decide/EliminatedFraction.cxx
@@ -29,7 +33,6 @@ add_library(NURBSTrimStages STATIC
   Treat/ElementWorth.cxx
   Treat/FloorClimb.cxx
   Treat/GuardedMesh.cxx
-  Treat/Jacobian.cxx
   Treat/JointRelaxation.cxx
   Treat/LeastSquaresStep.cxx
   Treat/Offcut.cxx
@@ -47,8 +50,6 @@ add_library(NURBSTrimStages STATIC
   Renumber/RowSort.cxx
   Write/ArrayRanges.cxx
   Write/FindingArrays.cxx
-  Write/FreshArray.cxx
-  Write/GatherAttributes.cxx
   Write/GridPart.cxx
   Write/OffcutGrid.cxx
   Write/StatusArrays.cxx

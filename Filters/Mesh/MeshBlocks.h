@@ -10,7 +10,6 @@
 
 #include "HexMesh.h"
 #include "Jacobian.h"
-#include "Ranks.h"
 #include "TrimmingSurface.h"
 
 #include <vtkSMPTools.h>
@@ -64,9 +63,6 @@ struct MeshBlocks
 };
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh);
-
-/// Widens Bounds, LargestDiagonal and LargestCell to those of all ranks' pieces; collective.
-void ShareBounds(const Ranks& ranks, MeshBlocks& blocks);
 
 /// Places of the nodes of one cell; returns their number.
 int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points);

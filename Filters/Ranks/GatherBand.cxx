@@ -1,6 +1,7 @@
 #include "GatherBand.h"
 
 #include "NodeClassification.h"
+#include "Place.h"
 
 #include <algorithm>
 #include <unordered_map>

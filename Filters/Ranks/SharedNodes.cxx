@@ -3,6 +3,7 @@
 #include "ElementTopology.h"
 #include "MeshBlocks.h"
 #include "NodeClassification.h"
+#include "Place.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,25 +12,12 @@
 #include "HexMesh.h"
 #include "Ranks.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace trim
 {
 struct MeshBlocks;
-
-using Place = std::array<double, 3>; ///< a position that can be sent
-
-inline Place ToPlace(const Vec3& p)
-{
-  return { p[0], p[1], p[2] };
-}
-
-inline Vec3 ToVec3(const Place& p)
-{
-  return Vec3(p[0], p[1], p[2]);
-}
 
 struct SharedNodes
 {

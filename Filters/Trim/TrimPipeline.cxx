@@ -3,6 +3,7 @@
 #include "FeasibilityCheck.h"
 #include "GatherBand.h"
 #include "InputScale.h"
+#include "Place.h"
 #include "Shortfalls.h"
 #include "Status.h"
 #include "TrimWarnings.h"

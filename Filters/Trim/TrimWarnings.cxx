@@ -1,5 +1,6 @@
 #include "TrimWarnings.h"
 
+#include "Place.h"
 #include "Status.h"
 
 #include <algorithm>

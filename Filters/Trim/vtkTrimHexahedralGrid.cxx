@@ -7,6 +7,7 @@
 #include "MeshBlocks.h"
 #include "NURBSFieldData.h"
 #include "OffcutGrid.h"
+#include "SharedBounds.h"
 #include "SharedNodes.h"
 #include "SharedSurface.h"
 #include "ThreadScope.h"

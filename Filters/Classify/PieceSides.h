@@ -11,6 +11,7 @@
 #define PieceSides_h
 
 #include "NodeClassification.h"
+#include "Place.h"
 #include "SharedNodes.h"
 
 #include <functional>
