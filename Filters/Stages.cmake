@@ -52,6 +52,7 @@ add_library(NURBSTrimStages STATIC
   Write/FindingArrays.cxx
   Write/GridPart.cxx
   Write/OffcutGrid.cxx
+  Write/PartQuality.cxx
   Write/StatusArrays.cxx
   Write/Summary.cxx
   Write/TrimmedGrid.cxx

@@ -34,6 +34,20 @@ void ForRuns(Id count, Id length, const Action& action)
     });
 }
 
+/// Calls action(i) for all of so many items, a few hundred of which are worth a thread.
+template <typename Action>
+void ForAll(int count, const Action& action)
+{
+  vtkSMPTools::For(0, count, 256,
+    [&](Id begin, Id end)
+    {
+      for (Id i = begin; i < end; ++i)
+      {
+        action(static_cast<int>(i));
+      }
+    });
+}
+
 }
 
 #endif

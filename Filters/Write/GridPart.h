@@ -40,6 +40,9 @@ struct GridPart
 {
   IdList Cells{ "vtkOriginalCellIds" };   ///< input ids, ascending
   IdList Points{ "vtkOriginalPointIds" }; ///< input ids, by new number
+  /// Of each cell: its place among the part's elements in the band, -1 away from the cut. Elements
+  /// of the kept part are told by those of the band, of the offcut by Offcut::Elements.
+  PageVector<int> InBand;
   PageVector<int> Number; ///< of each input point: its new number, -1: it is not in the part
   std::vector<Id> Offset; ///< nodes of the cells before each run of PartGrain cells, and of all
 
@@ -68,12 +71,11 @@ void NumberFlagged(const PointFlags& flags, GridPart& part);
  * Fills Points, ascending, Number and Offset.
  *
  * @param side of all cells of the part off the band.
- * @param isInBand (i): whether cell i of the part is of the band.
  * @param nodesOf (i, nodes): the nodes of cell i of the part, in input ids; returns their number.
  */
-template <typename IsInBand, typename NodesOf>
+template <typename NodesOf>
 void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result,
-  NodeStatus side, GridPart& part, const IsInBand& isInBand, const NodesOf& nodesOf)
+  NodeStatus side, GridPart& part, const NodesOf& nodesOf)
 {
   const Id count = part.Cells.size();
   part.Offset.assign(NumberOfRuns(count, PartGrain) + 1, 0);
@@ -85,7 +87,7 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
       Id size = 0;
       for (Id i = begin; i < end; ++i)
       {
-        if (!isInBand(i))
+        if (part.InBand[i] < 0)
         {
           size += mesh.NumberOfNodes(part.Cells[i]);
           continue;

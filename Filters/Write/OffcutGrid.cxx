@@ -1,28 +1,18 @@
 #include "OffcutGrid.h"
 
 #include "GridPart.h"
-#include "OrderlessSum.h"
+#include "PartQuality.h"
 
-#include <vtkCellData.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace trim
 {
 namespace
 {
-
-/// The offcut in the making.
-struct OffcutMesh : GridPart
-{
-  std::vector<int> BandPart; ///< of each cell its place in Offcut::Elements, -1 away from the cut
-};
 
 /// The offcut's elements within each element of the band: first of them, and one more.
 std::vector<int> FirstParts(const TrimBand& near)
@@ -39,14 +29,14 @@ std::vector<int> FirstParts(const TrimBand& near)
   return first;
 }
 
-OffcutMesh CollectCells(const HexMesh& mesh, const TrimResult& result)
+GridPart CollectCells(const HexMesh& mesh, const TrimResult& result)
 {
-  OffcutMesh part;
+  GridPart part;
   std::vector<Id> cells;
-  const auto add = [&part, &cells](Id cell, int bandPart)
+  const auto add = [&part, &cells](Id cell, int inBand)
   {
     cells.push_back(cell);
-    part.BandPart.push_back(bandPart);
+    part.InBand.push_back(inBand);
   };
   const auto elements = result.Near ? result.Near->Mesh.ElementsByCell() : std::vector<int>();
   const auto first = result.Near ? FirstParts(*result.Near) : std::vector<int>();
@@ -61,9 +51,9 @@ OffcutMesh CollectCells(const HexMesh& mesh, const TrimResult& result)
       }
       continue;
     }
-    for (int bandPart = first[*next]; bandPart < first[*next + 1]; ++bandPart)
+    for (int inBand = first[*next]; inBand < first[*next + 1]; ++inBand)
     {
-      add(c, bandPart);
+      add(c, inBand);
     }
     ++next;
   }
@@ -72,76 +62,20 @@ OffcutMesh CollectCells(const HexMesh& mesh, const TrimResult& result)
   return part;
 }
 
+/// Nodes of a cell of the offcut, in input ids.
 int NodesOf(
-  const HexMesh& mesh, const TrimResult& result, Id cell, int bandPart, std::array<Id, 8>& nodes)
+  const HexMesh& mesh, const TrimResult& result, Id cell, int inBand, std::array<Id, 8>& nodes)
 {
-  if (bandPart < 0)
+  if (inBand < 0)
   {
     return mesh.OrientedCell(cell, nodes);
   }
-  const auto& part = result.Near->Rest.Elements[bandPart];
-  for (int i = 0; i < part.Count; ++i)
+  const auto& element = result.Near->Rest.Elements[inBand];
+  for (int i = 0; i < element.Count; ++i)
   {
-    nodes[i] = result.Near->Mesh.GlobalNode[part.Node[i]];
+    nodes[i] = result.Near->Mesh.GlobalNode[element.Node[i]];
   }
-  return part.Count;
-}
-
-ElementPoints PointsOfCell(
-  const HexMesh& mesh, const TrimResult& result, Id cell, int bandPart, int& count)
-{
-  if (bandPart >= 0)
-  {
-    const auto& part = result.Near->Rest.Elements[bandPart];
-    count = part.Count;
-    return PointsOf(result.Near->Rest, part);
-  }
-  ElementPoints points;
-  count = trim::PointsOfCell(mesh, cell, points);
-  return points;
-}
-
-/// ScaledJacobian; returns the volume of each cell.
-std::vector<double> AddQuality(const HexMesh& mesh, const TrimResult& result,
-  const OffcutMesh& part, bool allElements, vtkUnstructuredGrid* output)
-{
-  vtkNew<vtkFloatArray> scaled;
-  scaled->SetName("ScaledJacobian");
-  scaled->SetNumberOfValues(part.Cells.size());
-  float* values = scaled->GetPointer(0);
-  std::vector<double> volume(part.Cells.size());
-  for (Id i = 0; i < part.Cells.size(); ++i)
-  {
-    int count = 0;
-    const auto points = PointsOfCell(mesh, result, part.Cells[i], part.BandPart[i], count);
-    const bool touched = part.BandPart[i] >= 0 &&
-      IsTouched(result.Near->Mesh, result.Near->Rest, result.Near->Rest.Elements[part.BandPart[i]]);
-    values[i] = touched || allElements ? static_cast<float>(ScaledJacobian(points, count))
-                                       : std::numeric_limits<float>::quiet_NaN();
-    volume[i] = std::abs(VolumeOf(points, count));
-  }
-  output->GetCellData()->AddArray(scaled);
-  return volume;
-}
-
-/// Of the elements in the band, which all ranks have.
-void SummariseTouched(const TrimBand& near, Summary& summary)
-{
-  for (const auto& element : near.Rest.Elements)
-  {
-    if (!IsTouched(near.Mesh, near.Rest, element))
-    {
-      continue;
-    }
-    const ElementPoints points = PointsOf(near.Rest, element);
-    const auto range = MeasureJacobian(points, element.Count);
-    ++summary.TouchedElements;
-    summary.CertifiedElements += range.Bezier > 0.0;
-    summary.MinimumScaledJacobian =
-      std::fmin(summary.MinimumScaledJacobian, ScaledJacobian(points, element.Count));
-    summary.MinimumIntegrationPointJacobian =
-      std::fmin(summary.MinimumIntegrationPointJacobian, range.IntegrationPoint / range.Mean);
-  }
+  return element.Count;
 }
 
 void AddFieldData(const Summary& summary, vtkUnstructuredGrid* output)
@@ -161,11 +95,10 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   const Ranks& ranks, const TrimResult& result, const WriteOptions& options,
   const Progress& progress, vtkUnstructuredGrid* output)
 {
-  OffcutMesh part = CollectCells(mesh, result);
-  const auto isInBand = [&part](Id i) { return part.BandPart[i] >= 0; };
+  GridPart part = CollectCells(mesh, result);
   const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
-  { return NodesOf(mesh, result, part.Cells[i], part.BandPart[i], nodes); };
-  NumberPoints(mesh, blocks, result, NodeEliminate, part, isInBand, nodesOf);
+  { return NodesOf(mesh, result, part.Cells[i], part.InBand[i], nodes); };
+  NumberPoints(mesh, blocks, result, NodeEliminate, part, nodesOf);
   if (options.RenumberNodes && !part.Cells.empty())
   {
     RenumberPart(mesh, progress, part, nodesOf);
@@ -181,13 +114,10 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   Findings found = result.Found;
   found.Shortfalls = result.Found.ShortfallsOfOffcut;
   AddStatusesAndFindings(result, part, moved, found, output);
-  const auto volume = AddQuality(mesh, result, part, options.QualityOfAllElements, output);
-  summary.Volume = OrderlessSum(
-    part.Cells.size(), [&volume](Id i) { return volume[i]; }, ranks);
-  if (result.Near)
-  {
-    SummariseTouched(*result.Near, summary);
-  }
+  const BandShapes shapes = ShapesOfOffcut(result);
+  AddScaledJacobians(mesh, part, shapes, options.QualityOfAllElements, output);
+  summary.Volume = VolumeOfPart(blocks, part, shapes, ranks);
+  SummariseTouched(shapes, summary);
   AddFieldData(summary, output);
 }
 
