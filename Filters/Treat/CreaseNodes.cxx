@@ -1,7 +1,6 @@
 #include "CreaseNodes.h"
 
 #include "AddUnique.h"
-#include "GuardedMesh.h"
 #include "JointRelaxation.h"
 
 #include <algorithm>
@@ -40,24 +39,20 @@ bool MayBend(const std::vector<double>& knots, int degree)
 class CreaseFollower : private GuardedMesh
 {
 public:
-  CreaseFollower(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
-    const BandQuality& quality, double least, std::vector<char>& fixed, Moves& moves,
-    std::vector<char>& there)
-    : GuardedMesh(given, quality, moves)
-    , Given(given)
+  CreaseFollower(
+    const GuardedCase& given, const nurbs::TrimmingSurface& surface, std::vector<char>& there)
+    : GuardedMesh(given)
     , Surface(surface)
-    , Least(least)
-    , Fixed(fixed)
     , There(there)
   {
-    this->There.resize(given.TheBand.NumberOfNodes(), 0);
-    for (std::size_t n = 0; n < fixed.size(); ++n)
+    this->There.resize(this->TheBand.NumberOfNodes(), 0);
+    for (std::size_t n = 0; n < given.Fixed.size(); ++n)
     {
-      fixed[n] |= this->There[n];
+      given.Fixed[n] |= this->There[n];
     }
   }
 
-  std::vector<char> Run(const std::vector<char>& among, const std::function<bool()>& aborted)
+  std::vector<char> Run(const std::vector<char>& among)
   {
     const auto neighbours = this->FindNeighbours();
     for (const auto& [pillars, nodes] : neighbours)
@@ -65,7 +60,7 @@ public:
       const bool asked = among.empty() ||
         std::any_of(nodes.begin(), nodes.end(),
           [&among](const auto& pair) { return among[pair.first] || among[pair.second]; });
-      if (asked && !this->IsThere(nodes.front()) && !aborted())
+      if (asked && !this->IsThere(nodes.front()) && !this->Given.Aborted())
       {
         this->Follow(nodes);
       }
@@ -205,7 +200,7 @@ private:
         there = sides[isFirst ? 1 : 0];
       }
       Vec3 to = from;
-      if (this->Fixed[node] ||
+      if (this->Given.Fixed[node] ||
         !this->Mover.MeetCrease(node, this->FreedomOf(node), here, there, to))
       {
         return false;
@@ -224,7 +219,7 @@ private:
     nodes.insert(nodes.end(), way.Nodes.begin(), way.Nodes.end());
     const State before = this->StateOf(nodes);
     const std::vector<int> elements = this->ElementsAt(nodes);
-    const std::vector<Standard> standards = this->StandardsOf(elements, this->Least);
+    const std::vector<Standard> standards = this->StandardsOf(elements, this->Given.Least);
     this->Place(way.Nodes, way.To);
     this->TellMoved(way.Nodes);
     this->SetThere(way.Nodes, true);
@@ -232,9 +227,9 @@ private:
       std::all_of(at.begin(), at.end(), [this](int e) { return this->Quality(e) >= CreaseGoal; });
     if (!good)
     {
-      const RelaxationGoal goal{ CreaseGoal, this->Least, Brief };
-      Relax(this->Given, at, goal, this->TheMoves);
-      RelaxJointly(this->Given, at, goal, this->TheMoves);
+      const RelaxationGoal goal{ CreaseGoal, this->Given.Least, Brief };
+      Relax(this->Given.ToRelax, at, goal, this->TheMoves);
+      RelaxJointly(this->Given.ToRelax, at, goal, this->TheMoves);
     }
     if (this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before))
     {
@@ -251,14 +246,11 @@ private:
     for (const int node : nodes)
     {
       this->There[node] = there;
-      this->Fixed[node] = there;
+      this->Given.Fixed[node] = there;
     }
   }
 
-  const RelaxationCase& Given;
   const nurbs::TrimmingSurface& Surface;
-  const double Least;
-  std::vector<char>& Fixed;
   std::vector<char>& There; ///< by node: on a sharp edge
   std::unordered_map<int, Vec3> Normals;
   Neighbours Missed; ///< beside a sharp edge that none of them could go to
@@ -266,11 +258,10 @@ private:
 
 }
 
-std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
-  const BandQuality& quality, double least, const std::function<bool()>& aborted,
-  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, std::vector<char>& there)
+std::vector<char> PutOnCreases(const GuardedCase& given, const nurbs::TrimmingSurface& surface,
+  const std::vector<char>& among, std::vector<char>& there)
 {
-  return CreaseFollower(given, surface, quality, least, fixed, moves, there).Run(among, aborted);
+  return CreaseFollower(given, surface, there).Run(among);
 }
 
 bool MayHaveCreases(const nurbs::TrimmingSurface& surface)

@@ -6,10 +6,8 @@
 #ifndef CreaseNodes_h
 #define CreaseNodes_h
 
-#include "BandQuality.h"
-#include "RelaxedMesh.h"
+#include "GuardedMesh.h"
 
-#include <functional>
 #include <vector>
 
 namespace trim
@@ -20,17 +18,13 @@ namespace trim
  * to the edge which has less far to go, or the other one, and relaxes the nodes round it, if no
  * element becomes invalid by it or falls below the least; else nothing changes there.
  *
- * @param least scaled Jacobian that no element falls below.
- * @param aborted true ends the work; the result is then of no use.
- * @param[in,out] fixed what `given` refers to: nodes on sharp edges stay there.
+ * @param given nodes that are moved get Correction::Relax, those on sharp edges are fixed.
  * @param among by node: only pillars beside each other one of which has such a node; empty: all.
- * @param[in,out] moves nodes that are moved get Correction::Relax.
  * @param[in,out] there by node: on a sharp edge; those that are stay, and more come. Empty: none.
  * @return by node: next to a sharp edge that none could go to, or beside such a node.
  */
-std::vector<char> PutOnCreases(const RelaxationCase& given, const nurbs::TrimmingSurface& surface,
-  const BandQuality& quality, double least, const std::function<bool()>& aborted,
-  const std::vector<char>& among, std::vector<char>& fixed, Moves& moves, std::vector<char>& there);
+std::vector<char> PutOnCreases(const GuardedCase& given, const nurbs::TrimmingSurface& surface,
+  const std::vector<char>& among, std::vector<char>& there);
 
 /// Whether a surface may have sharp edges at all.
 bool MayHaveCreases(const nurbs::TrimmingSurface& surface);

@@ -7,10 +7,10 @@
 namespace trim
 {
 
-GuardedMesh::GuardedMesh(const RelaxationCase& given, const BandQuality& quality, Moves& moves)
-  : RelaxedMesh(given, moves)
-  , Validity(quality)
-  , Users(given.TheBand.NumberOfNodes(), 0)
+GuardedMesh::GuardedMesh(const GuardedCase& given)
+  : RelaxedMesh(given.ToRelax, given.NodeMoves)
+  , Given(given)
+  , Users(given.ToRelax.TheBand.NumberOfNodes(), 0)
 {
   for (const auto& element : this->Elements)
   {
@@ -41,7 +41,7 @@ double GuardedMesh::LowestOf(
     const int e = elements[i];
     const double now = this->Quality(e);
     if (now < standards[i].Quality || this->ShortestEdgeShare(e) < standards[i].EdgeShare ||
-      this->Validity.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
+      this->Given.Quality.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
     {
       return -1.0;
     }

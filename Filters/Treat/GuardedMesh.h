@@ -9,16 +9,30 @@
 #include "BandQuality.h"
 #include "RelaxedMesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace trim
 {
 
+/// Nodes that are to be put elsewhere, and what that must not cost. All that it refers to must
+/// outlive the work.
+struct GuardedCase
+{
+  RelaxationCase ToRelax;               ///< with the Fixed and OnCut below
+  const BandQuality& Quality;           ///< says which elements are invalid
+  double Least;                         ///< scaled Jacobian that no element falls below
+  const std::function<bool()>& Aborted; ///< true ends the work; the result is then of no use
+  std::vector<char>& Fixed;             ///< in and out: nodes that must not move
+  std::vector<char>& OnCut;             ///< in and out: nodes of the new boundary
+  Moves& NodeMoves;                     ///< in and out
+};
+
 class GuardedMesh : public RelaxedMesh
 {
 public:
-  /// @param quality says which elements are invalid; must outlive it.
-  GuardedMesh(const RelaxationCase& given, const BandQuality& quality, Moves& moves);
+  /// @param given must outlive it.
+  explicit GuardedMesh(const GuardedCase& given);
 
   /// What an element is not to fall below.
   struct Standard
@@ -50,8 +64,10 @@ public:
   /// Whether a node that moved coincides with another one.
   bool HasCoincident(const State& before) const;
 
+protected:
+  const GuardedCase& Given;
+
 private:
-  const BandQuality& Validity;
   std::vector<int> Users; ///< how many elements use a node
 };
 

@@ -1,6 +1,5 @@
 #include "ReturnedNodes.h"
 
-#include "GuardedMesh.h"
 #include "JointRelaxation.h"
 
 #include <algorithm>
@@ -28,24 +27,14 @@ constexpr double LeastStep = 0.02;
 class Returner : private GuardedMesh
 {
 public:
-  Returner(const RelaxationCase& given, const BandQuality& quality, double least,
-    const std::function<bool()>& aborted, std::vector<char>& fixed, std::vector<char>& onCut,
-    Moves& moves)
-    : GuardedMesh(given, quality, moves)
-    , Given(given)
-    , Least(least)
-    , Aborted(aborted)
-    , Fixed(fixed)
-    , Boundary(onCut)
-  {
-  }
+  using GuardedMesh::GuardedMesh;
 
   bool Run(const std::vector<int>& left)
   {
     std::vector<int> rest = left;
     for (const double limit : Limits)
     {
-      this->Limit = std::max(limit, this->Least);
+      this->Limit = std::max(limit, this->Given.Least);
       while (this->Sweep(rest, &Returner::Return))
       {
       }
@@ -56,14 +45,14 @@ public:
   bool RunWithRelaxation(const std::vector<int>& left)
   {
     std::vector<int> rest = left;
-    this->Limit = this->Least;
+    this->Limit = this->Given.Least;
     return this->Sweep(rest, &Returner::ReturnRelaxed);
   }
 
   /// Takes nodes as near to the surface as they can come.
   bool Approach(const std::vector<int>& left)
   {
-    this->Limit = GoalMargin * this->Least;
+    this->Limit = GoalMargin * this->Given.Least;
     bool any = false;
     bool changed = true;
     for (int sweep = 0; changed && sweep < ApproachSweeps; ++sweep)
@@ -71,7 +60,7 @@ public:
       changed = false;
       for (const int node : left)
       {
-        changed |= !this->Aborted() && this->ComeNearer(node);
+        changed |= !this->Given.Aborted() && this->ComeNearer(node);
       }
       any |= changed;
     }
@@ -91,7 +80,7 @@ private:
     std::vector<int> rest;
     for (const int node : nodes)
     {
-      if (this->Aborted() || !(this->*attempt)(node))
+      if (this->Given.Aborted() || !(this->*attempt)(node))
       {
         rest.push_back(node);
       }
@@ -213,8 +202,8 @@ private:
       place.At != this->TheBand.Point[node] ? place.By : Correction::None;
     this->TheMoves.Failed[node] = 0;
     this->TheMoves.Left[node] = 0;
-    this->Fixed[node] = 0;
-    this->Boundary[node] = 1;
+    this->Given.Fixed[node] = 0;
+    this->Given.OnCut[node] = 1;
   }
 
   /// The same with the nodes round it relaxed.
@@ -226,7 +215,7 @@ private:
     const State before = this->StateOf(nodes);
     const std::vector<int> elements = this->ElementsAt(nodes);
     const std::vector<Standard> standards = this->StandardsOf(elements, this->Limit);
-    const char boundary = this->Boundary[node];
+    const char boundary = this->OnCut[node];
     for (const Place& place : this->PlacesFor(node))
     {
       this->Put(node, place);
@@ -237,8 +226,8 @@ private:
       }
       this->Restore(before);
       this->TheMoves.Left[node] = 1;
-      this->Fixed[node] = 1;
-      this->Boundary[node] = boundary;
+      this->Given.Fixed[node] = 1;
+      this->Given.OnCut[node] = boundary;
     }
     return false;
   }
@@ -253,8 +242,8 @@ private:
     }
     ++this->Relaxations;
     const RelaxationGoal goal{ this->Limit, this->Limit, Decisive };
-    Relax(this->Given, elements, goal, this->TheMoves);
-    RelaxJointly(this->Given, elements, goal, this->TheMoves);
+    Relax(this->Given.ToRelax, elements, goal, this->TheMoves);
+    RelaxJointly(this->Given.ToRelax, elements, goal, this->TheMoves);
     return true;
   }
 
@@ -269,7 +258,7 @@ private:
     const auto& element = this->Elements[e];
     const auto& topology = TopologyOf(element.Count);
     std::array<char, 8> open{};
-    const auto isOn = [&](int n) { return this->Boundary[n] && !this->TheMoves.Left[n]; };
+    const auto isOn = [&](int n) { return this->OnCut[n] && !this->TheMoves.Left[n]; };
     for (int i = 0; i < topology.NumberOfEdges; ++i)
     {
       const auto& edge = topology.Edges[i];
@@ -286,22 +275,15 @@ private:
     return false;
   }
 
-  const RelaxationCase& Given;
-  const double Least;
-  const std::function<bool()>& Aborted;
-  std::vector<char>& Fixed;
-  std::vector<char>& Boundary;
   double Limit = 0; ///< elements that are above it do not fall below
   int Relaxations = 0;
 };
 
 }
 
-bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, ReturnEffort effort, const std::function<bool()>& aborted,
-  std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves)
+bool ReturnNodes(const GuardedCase& given, const std::vector<int>& left, ReturnEffort effort)
 {
-  Returner returner(given, quality, least, aborted, fixed, onCut, moves);
+  Returner returner(given);
   switch (effort)
   {
     case ReturnEffort::Alone:

@@ -9,10 +9,8 @@
 #ifndef ReturnedNodes_h
 #define ReturnedNodes_h
 
-#include "BandQuality.h"
-#include "Relaxation.h"
+#include "GuardedMesh.h"
 
-#include <functional>
 #include <vector>
 
 namespace trim
@@ -28,16 +26,11 @@ enum class ReturnEffort
 /**
  * Takes nodes to the surface, or nearer to it, where no element becomes invalid by it.
  *
- * @param least scaled Jacobian that no element falls below.
+ * @param given returned nodes are left no more: they are free, and on the cut.
  * @param left the nodes, ascending.
- * @param aborted true ends the work; the result is then of no use.
- * @param[in,out] fixed, onCut what `given` refers to: returned nodes are free, and on the cut.
- * @param[in,out] moves returned nodes are left no more.
  * @return false if none returned or came nearer.
  */
-bool ReturnNodes(const RelaxationCase& given, const BandQuality& quality, double least,
-  const std::vector<int>& left, ReturnEffort effort, const std::function<bool()>& aborted,
-  std::vector<char>& fixed, std::vector<char>& onCut, Moves& moves);
+bool ReturnNodes(const GuardedCase& given, const std::vector<int>& left, ReturnEffort effort);
 
 }
 

@@ -347,10 +347,8 @@ std::vector<char> TrialTrim::PutOnCreases(const Choices& set, const std::vector<
   const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
-  const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
-    shapes.OnCut };
-  return trim::PutOnCreases(given, this->Surface, this->Quality, this->GoalForLeft(), aborted,
-    among, shapes.Fixed, trimmed.NodeMoves, trimmed.OnCrease);
+  return trim::PutOnCreases(
+    this->Guard(shapes, aborted, trimmed), this->Surface, among, trimmed.OnCrease);
 }
 
 void TrialTrim::ReturnLeft(
@@ -486,10 +484,7 @@ bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left
   ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
-  const RelaxationCase given{ this->TheBand, this->Mover, shapes.Elements, shapes.Fixed,
-    shapes.OnCut };
-  return ReturnNodes(given, this->Quality, this->GoalForLeft(), left, effort, aborted, shapes.Fixed,
-    shapes.OnCut, trimmed.NodeMoves);
+  return ReturnNodes(this->Guard(shapes, aborted, trimmed), left, effort);
 }
 
 /// Pentahedra that kept their middle nodes as those were left may do without them.
@@ -568,6 +563,13 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
       (choice == CorrectionChoice::Leave && !returned);
   }
   return shapes;
+}
+
+GuardedCase TrialTrim::Guard(
+  Shapes& shapes, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+{
+  return { { this->TheBand, this->Mover, shapes.Elements, shapes.Fixed, shapes.OnCut },
+    this->Quality, this->GoalForLeft(), aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves };
 }
 
 void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, double quality,

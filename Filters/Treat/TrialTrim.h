@@ -133,13 +133,15 @@ private:
   /// @return nodes beside sharp edges that were missed.
   std::vector<char> PutOnCreases(const Choices& set, const std::vector<char>& among,
     const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  /// What a RelaxationCase refers to.
+  /// What a RelaxationCase and a GuardedCase refer to.
   struct Shapes
   {
     std::vector<RelaxedElement> Elements;
     std::vector<char> Fixed, OnCut;
   };
   Shapes ShapesOf(const Choices& set, const TrimmedBand& trimmed, bool onCutToo) const;
+  GuardedCase Guard(
+    Shapes& shapes, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   void RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
     const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
 
