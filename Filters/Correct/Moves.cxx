@@ -25,8 +25,8 @@ struct Direction
 
 /// Type III: the same edge direction for all nodes of a pillar, or the columns twist; the
 /// shortest move otherwise. Nodes whose edge is not crossed take type II.
-void SlidePillar(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<int>& nodes, std::map<int, NodeMove>& result)
+void SlidePillar(const Band& band, const NodeMover& mover, const std::vector<int>& nodes,
+  std::map<int, NodeMove>& result)
 {
   std::map<int, Direction> directions; // by the pillar that the edges lead to
   for (const int node : nodes)
@@ -36,7 +36,7 @@ void SlidePillar(const Band& band, const Columns& columns, const NodeMover& move
       const NodeMove move = mover.SlideAlong(node, edge);
       if (move.Found)
       {
-        auto& direction = directions[columns.Pillar[band.OtherEnd(edge, node)]];
+        auto& direction = directions[mover.PillarOf(band.OtherEnd(edge, node))];
         ++direction.Crossed;
         direction.Length += (move.Target - band.Point[node]).norm();
         direction.Found.emplace_back(node, move);
@@ -80,8 +80,8 @@ double LongestMove(const std::map<int, NodeMove>& found)
  * Type II. In stretched elements the way straight to the surface may lead past the next nodes,
  * which folds the mesh, where the edges show a shorter way, counted in elements: then it is taken.
  */
-void ProjectPillar(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<int>& nodes, bool maySlide, std::map<int, NodeMove>& result)
+void ProjectPillar(const Band& band, const NodeMover& mover, const std::vector<int>& nodes,
+  bool maySlide, std::map<int, NodeMove>& result)
 {
   for (const int node : nodes)
   {
@@ -93,7 +93,7 @@ void ProjectPillar(const Band& band, const Columns& columns, const NodeMover& mo
     return;
   }
   std::map<int, NodeMove> slid;
-  SlidePillar(band, columns, mover, nodes, slid);
+  SlidePillar(band, mover, nodes, slid);
   if (length > MuchLonger * LongestMove(slid))
   {
     result = std::move(slid);
@@ -101,8 +101,8 @@ void ProjectPillar(const Band& band, const Columns& columns, const NodeMover& mo
 }
 
 /// Sets the new places of a pillar's nodes.
-void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<int>& nodes, bool slide, const PillarChoice& choice, Moves& moves)
+void MovePillar(const Band& band, const NodeMover& mover, const std::vector<int>& nodes, bool slide,
+  const PillarChoice& choice, Moves& moves)
 {
   const bool leave = choice.Correction == CorrectionChoice::Leave;
   std::map<int, NodeMove> found;
@@ -116,11 +116,11 @@ void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover
   }
   if (slide)
   {
-    SlidePillar(band, columns, mover, nodes, found);
+    SlidePillar(band, mover, nodes, found);
   }
   else
   {
-    ProjectPillar(band, columns, mover, nodes, choice.Correction != CorrectionChoice::Other, found);
+    ProjectPillar(band, mover, nodes, choice.Correction != CorrectionChoice::Other, found);
   }
   for (const int node : nodes)
   {
@@ -149,8 +149,8 @@ void MovePillar(const Band& band, const Columns& columns, const NodeMover& mover
 
 }
 
-Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& moving, Correction asked, const std::vector<PillarChoice>& choice)
+Moves MoveNodes(const Band& band, const NodeMover& mover, const std::vector<char>& moving,
+  Correction asked, const std::vector<PillarChoice>& choice)
 {
   Moves moves;
   moves.Position = band.Point;
@@ -166,7 +166,7 @@ Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover
     {
       continue;
     }
-    int& at = slot[columns.Pillar[n]];
+    int& at = slot[mover.PillarOf(n)];
     if (at < 0)
     {
       at = static_cast<int>(pillars.size());
@@ -180,10 +180,10 @@ Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover
       for (Id i = begin; i < end; ++i)
       {
         const auto& nodes = pillars[i];
-        const auto& chosen = choice[columns.Pillar[nodes.front()]];
+        const auto& chosen = choice[mover.PillarOf(nodes.front())];
         const bool slide =
           (asked == Correction::Slide) != (chosen.Correction == CorrectionChoice::Other);
-        MovePillar(band, columns, mover, nodes, slide, chosen, moves);
+        MovePillar(band, mover, nodes, slide, chosen, moves);
       }
     });
   return moves;

@@ -60,8 +60,8 @@ inline Vec3 AsStored(const Band& band, const Vec3& p)
  * @param asked Project or Slide.
  * @param choice by pillar (index: smallest node of the pillar).
  */
-Moves MoveNodes(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& moving, Correction asked, const std::vector<PillarChoice>& choice);
+Moves MoveNodes(const Band& band, const NodeMover& mover, const std::vector<char>& moving,
+  Correction asked, const std::vector<PillarChoice>& choice);
 
 }
 

@@ -130,8 +130,8 @@ TrimmedBand TrialTrim::Make(
     trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept);
   }
   set = this->ForDecision(std::move(set), trimmed);
-  trimmed.NodeMoves = MoveNodes(this->TheBand, this->TheColumns, this->Mover, trimmed.Moving,
-    this->Options.CorrectionType, set.Corrections);
+  trimmed.NodeMoves = MoveNodes(
+    this->TheBand, this->Mover, trimmed.Moving, this->Options.CorrectionType, set.Corrections);
   if (this->Options.CorrectionType != Correction::Eliminate)
   {
     trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
