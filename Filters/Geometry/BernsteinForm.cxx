@@ -1,30 +1,11 @@
 #include "BernsteinForm.h"
 
+#include "Binomials.h"
+
 #include <cmath>
 
 namespace nurbs
 {
-namespace
-{
-
-struct BinomialTable
-{
-  double Value[2 * MaximumBezierDegree + 1][2 * MaximumBezierDegree + 1] = {};
-  BinomialTable()
-  {
-    for (int n = 0; n <= 2 * MaximumBezierDegree; ++n)
-    {
-      this->Value[n][0] = this->Value[n][n] = 1.0;
-      for (int k = 1; k < n; ++k)
-      {
-        this->Value[n][k] = this->Value[n - 1][k - 1] + this->Value[n - 1][k];
-      }
-    }
-  }
-};
-const BinomialTable Binomials;
-
-}
 
 void SquaredDistanceForm::Set(int p, int q, Vec4* net, double squaredDistance)
 {
@@ -32,8 +13,8 @@ void SquaredDistanceForm::Set(int p, int q, Vec4* net, double squaredDistance)
   this->CountU = 2 * p + 1;
   this->CountV = 2 * q + 1;
   std::fill(this->F, this->F + this->CountU * this->CountV, 0.0);
-  const double* cu = Binomials.Value[p];
-  const double* cv = Binomials.Value[q];
+  const double* cu = Binomials(p);
+  const double* cv = Binomials(q);
   for (int j = 0; j < nv; ++j)
   {
     for (int i = 0; i < nu; ++i)
@@ -54,8 +35,8 @@ void SquaredDistanceForm::Set(int p, int q, Vec4* net, double squaredDistance)
       }
     }
   }
-  const double* du = Binomials.Value[2 * p];
-  const double* dv = Binomials.Value[2 * q];
+  const double* du = Binomials(2 * p);
+  const double* dv = Binomials(2 * q);
   for (int j = 0; j < this->CountV; ++j)
   {
     for (int i = 0; i < this->CountU; ++i)

@@ -1,6 +1,6 @@
 /**
  * @file BezierPatch.h
- * @brief Rational Bezier patches: decomposition of a NURBS surface and fast evaluation.
+ * @brief Rational Bezier patches, the pieces of a NURBS surface between its knots.
  *
  * A patch has its own parameters s, t in [0, 1]. Its net is homogeneous (w x, w y, w z, w)
  * about the model's local origin, s running fastest; patches of constant weight are divided
@@ -10,7 +10,6 @@
 #define BezierPatch_h
 
 #include "NurbsSurface.h"
-#include "PageVector.h"
 
 namespace nurbs
 {
@@ -45,43 +44,14 @@ struct BezierPatch
   }
 };
 
-/// Distinct knots of the domain and the side kinds at each of them.
-struct KnotSpans
-{
-  std::vector<double> Breaks;  ///< n + 1 values that bound n spans
-  std::vector<SideKind> Kinds; ///< one per break
-  int Find(double u) const;    ///< the span that holds u
-};
-
-/**
- * Appends the Bezier patches of a surface (blossoming; NURBS Book, chapter 5.3), row by row,
- * u running fastest.
- */
-void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
-  KnotSpans& spansV, PageVector<BezierPatch>& patches, PageVector<Vec4>& nets);
-
 /// The place of a homogeneous point.
 inline Vec3 CartesianPoint(const Vec4& c)
 {
   return c.w() == 1.0 ? Vec3(c.head<3>()) : Vec3(c.head<3>() / c.w());
 }
 
-/// S and its derivatives with respect to s and t, about the local origin.
-void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double t, SurfaceJet& jet);
-
-/// S alone.
-Vec3 BezierPoint(const BezierPatch& patch, const Vec4* net, double s, double t);
-
-/// The weight there, the denominator of S.
-double BezierWeight(const BezierPatch& patch, const Vec4* net, double s, double t);
-
-/// The net of the part [s0, s1] x [t0, t1] of a patch (de Casteljau).
-void RestrictNet(const BezierPatch& patch, const Vec4* net, double s0, double s1, double t0,
-  double t1, Vec4* part);
-
-/// Appends the curve over the straight line (s0, t0)-(s1, t1) of a patch, exact in degree p + q.
-BezierPatch CurveOnPatch(const BezierPatch& patch, const PageVector<Vec4>& pool, const Vec2& from,
-  const Vec2& to, PageVector<Vec4>& nets);
+/// Divides a net of constant weight by it; says whether weights differ.
+bool NormaliseWeights(Vec4* net, int size);
 
 }
 

@@ -2,6 +2,7 @@
 /// @brief The foot of a point from the blocks near it, and whether it is the closest point.
 #include "SurfaceBlocks.h"
 
+#include "BezierEvaluation.h"
 #include "ClosestPoint.h"
 #include "SurfaceModel.h"
 

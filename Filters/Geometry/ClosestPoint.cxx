@@ -1,6 +1,8 @@
 #include "ClosestPoint.h"
 
 #include "BernsteinForm.h"
+#include "BezierEvaluation.h"
+#include "BezierRestriction.h"
 #include "PointInversion.h"
 
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "LineIntersection.h"
 
+#include "BezierEvaluation.h"
+#include "BezierRestriction.h"
 #include "Neighbourhood.h"
 
 #include <Eigen/LU>

@@ -1,5 +1,6 @@
 #include "Neighbourhood.h"
 
+#include "BezierEvaluation.h"
 #include "ClosestPoint.h"
 #include "PointInversion.h"
 

@@ -1,5 +1,8 @@
 #include "PatchTree.h"
 
+#include "BezierEvaluation.h"
+#include "BezierRestriction.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -10,6 +10,7 @@
 
 #include "BezierPatch.h"
 #include "NetBounds.h"
+#include "PageVector.h"
 #include "TrimLoops.h"
 
 #include <Eigen/Geometry>

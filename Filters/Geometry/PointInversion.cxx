@@ -1,5 +1,7 @@
 #include "PointInversion.h"
 
+#include "BezierEvaluation.h"
+
 #include <algorithm>
 #include <cmath>
 

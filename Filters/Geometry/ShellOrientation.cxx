@@ -1,5 +1,6 @@
 #include "ShellOrientation.h"
 
+#include "BezierEvaluation.h"
 #include "Neighbourhood.h"
 
 #include <algorithm>

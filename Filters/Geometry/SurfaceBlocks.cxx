@@ -1,5 +1,6 @@
 #include "SurfaceBlocks.h"
 
+#include "BezierEvaluation.h"
 #include "ClosestPoint.h"
 #include "SurfaceModel.h"
 

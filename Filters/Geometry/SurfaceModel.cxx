@@ -1,5 +1,7 @@
 #include "SurfaceModel.h"
 
+#include "BezierEvaluation.h"
+#include "CurveOnPatch.h"
 #include "ShellOrientation.h"
 
 #include <algorithm>

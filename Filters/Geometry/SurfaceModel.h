@@ -7,6 +7,7 @@
 #ifndef SurfaceModel_h
 #define SurfaceModel_h
 
+#include "BezierDecomposition.h"
 #include "PatchTree.h"
 #include "SurfaceBlocks.h"
 #include "TrimLoops.h"

@@ -1,0 +1,286 @@
+#include "BezierDecomposition.h"
+
+#include <algorithm>
+
+namespace nurbs
+{
+
+int KnotSpans::Find(double u) const
+{
+  const auto it = std::upper_bound(this->Breaks.begin() + 1, this->Breaks.end() - 1, u);
+  return static_cast<int>(it - this->Breaks.begin()) - 1;
+}
+
+namespace
+{
+
+KnotSpans FindSpans(int degree, int count, const std::vector<double>& knots)
+{
+  KnotSpans spans;
+  for (int k = degree; k <= count; ++k)
+  {
+    if (!spans.Breaks.empty() && knots[k] == spans.Breaks.back())
+    {
+      continue;
+    }
+    const auto range = std::equal_range(knots.begin(), knots.end(), knots[k]);
+    const int continuity = degree - static_cast<int>(range.second - range.first);
+    spans.Breaks.push_back(knots[k]);
+    spans.Kinds.push_back(
+      continuity > 0 ? SideKind::Smooth : (continuity == 0 ? SideKind::Crease : SideKind::Border));
+  }
+  spans.Kinds.front() = spans.Kinds.back() = SideKind::Border;
+  return spans;
+}
+
+int LastKnotBefore(const std::vector<double>& knots, double next)
+{
+  return static_cast<int>(std::lower_bound(knots.begin(), knots.end(), next) - knots.begin()) - 1;
+}
+
+/**
+ * The degree + 1 Bezier points of a span [a, b] as sums over control points of the spline: each is
+ * the blossom at (a, .., a, b, .., b), found by the de Boor recurrence with one argument per step.
+ */
+class SpanToBezier
+{
+public:
+  SpanToBezier(int degree, const std::vector<double>& knots, double a, double b)
+    : Degree(degree)
+  {
+    const int k = LastKnotBefore(knots, b);
+    this->First = k - degree;
+    for (int m = 0; m <= degree; ++m)
+    {
+      Factors d[MaximumDegree + 1];
+      for (int i = 0; i <= degree; ++i)
+      {
+        d[i] = Factors::Unit(i);
+      }
+      for (int r = 1; r <= degree; ++r)
+      {
+        const double argument = r <= m ? b : a;
+        for (int i = degree; i >= r; --i)
+        {
+          const double low = knots[k - degree + i], high = knots[k + 1 + i - r];
+          const double x = (argument - low) / (high - low);
+          d[i] = (1.0 - x) * d[i - 1] + x * d[i];
+        }
+      }
+      this->Of[m] = d[degree];
+    }
+  }
+
+  /// @param at gives the control points of the row or column of the spline, from First on.
+  template <typename PointAt>
+  void Convert(const PointAt& at, Vec4* bezier, std::size_t stride) const
+  {
+    return this->Degree == 3 ? this->ConvertAs<3>(at, bezier, stride)
+                             : this->ConvertAs<-1>(at, bezier, stride);
+  }
+
+  int First; ///< of the control points that count; there are degree + 1
+
+private:
+  /// D < 0: degree at run time.
+  template <int D, typename PointAt>
+  void ConvertAs(const PointAt& at, Vec4* bezier, std::size_t stride) const
+  {
+    const int degree = D < 0 ? this->Degree : D;
+    for (int m = 0; m <= degree; ++m)
+    {
+      Vec4 sum = this->Of[m][0] * at(0);
+      for (int i = 1; i <= degree; ++i)
+      {
+        sum += this->Of[m][i] * at(i);
+      }
+      bezier[m * stride] = sum;
+    }
+  }
+
+  using Factors = Eigen::Matrix<double, MaximumDegree + 1, 1>;
+  int Degree;
+  Factors Of[MaximumDegree + 1]; ///< of the control points from First on, by Bezier point
+};
+
+std::vector<SpanToBezier> ConvertSpans(
+  int degree, const std::vector<double>& knots, const KnotSpans& spans)
+{
+  std::vector<SpanToBezier> converters;
+  converters.reserve(spans.Breaks.size() - 1);
+  for (std::size_t k = 0; k + 1 < spans.Breaks.size(); ++k)
+  {
+    converters.emplace_back(degree, knots, spans.Breaks[k], spans.Breaks[k + 1]);
+  }
+  return converters;
+}
+
+/// The rows of control points of a surface, Bezier in u: each when it is needed, the last few kept.
+class BezierRows
+{
+public:
+  BezierRows(const NurbsSurface& surface, const KnotSpans& spansU, const Vec3& origin)
+    : Surface(surface)
+    , Origin(origin)
+    , Spans(ConvertSpans(surface.DegreeU, surface.KnotsU, spansU))
+    , Width(this->Spans.size() * (surface.DegreeU + 1))
+    , Points(surface.CountU)
+    , Kept(this->Width * (surface.DegreeV + 1))
+  {
+  }
+
+  /// Rows as far as `last`; those more than the degree in v before it are lost.
+  void Advance(int last)
+  {
+    for (; this->Next <= last; ++this->Next)
+    {
+      const Vec4* given = this->Surface.ControlPoints.data() +
+        static_cast<std::size_t>(this->Next) * this->Points.size();
+      for (std::size_t i = 0; i < this->Points.size(); ++i)
+      {
+        const double w = given[i].w();
+        this->Points[i] << w * (given[i].head<3>() - this->Origin), w;
+      }
+      Vec4* row = this->Row(this->Next);
+      for (const SpanToBezier& span : this->Spans)
+      {
+        const Vec4* points = this->Points.data() + span.First;
+        span.Convert([points](int i) -> const Vec4& { return points[i]; }, row, 1);
+        row += this->Surface.DegreeU + 1;
+      }
+    }
+  }
+
+  Vec4* Row(int j) { return this->Kept.data() + j % (this->Surface.DegreeV + 1) * this->Width; }
+
+private:
+  const NurbsSurface& Surface;
+  const Vec3 Origin;
+  std::vector<SpanToBezier> Spans;
+  std::size_t Width;
+  std::vector<Vec4> Points; ///< a row of the surface, homogeneous about the origin
+  std::vector<Vec4> Kept;
+  int Next = 0;
+};
+
+/// Whether all points along a side are within the tolerance of its first.
+bool IsCollapsed(const BezierPatch& patch, const Vec4* net, int side, double tolerance)
+{
+  const int p = patch.DegreeU, q = patch.DegreeV, nu = p + 1;
+  const int first = side == 1 ? p : (side == 3 ? q * nu : 0);
+  const int step = side < 2 ? nu : 1, count = side < 2 ? q : p;
+  const Vec3 start = CartesianPoint(net[first]);
+  for (int k = 1; k <= count; ++k)
+  {
+    if (!((CartesianPoint(net[first + k * step]) - start).norm() <= tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// @param reach at least the extent of the patch.
+void FindCollapsedSides(BezierPatch& patch, const Vec4* net, double reach)
+{
+  constexpr double Share = 1e-9; // of the patch, which a collapsed side may extend
+  double tolerance = -1;         // known when it is needed
+  for (int side = 0; side < 4; ++side)
+  {
+    if (!IsCollapsed(patch, net, side, Share * reach))
+    {
+      patch.Collapsed[side] = false;
+      continue;
+    }
+    if (tolerance < 0)
+    {
+      double extent = 0;
+      const Vec3 first = CartesianPoint(net[0]);
+      for (int k = 1; k < (patch.DegreeU + 1) * (patch.DegreeV + 1); ++k)
+      {
+        extent = std::max(extent, (CartesianPoint(net[k]) - first).cwiseAbs().maxCoeff());
+      }
+      tolerance = Share * extent;
+    }
+    patch.Collapsed[side] = IsCollapsed(patch, net, side, tolerance);
+  }
+}
+
+/// More than any two points of the surface are apart.
+double ReachOf(const NurbsSurface& surface, const Vec3& origin)
+{
+  double farthest = 0;
+  for (const Vec4& point : surface.ControlPoints)
+  {
+    farthest = std::max(farthest, (point.head<3>() - origin).cwiseAbs().maxCoeff());
+  }
+  return 4 * farthest;
+}
+
+/// At least twice the room each time: a shell's faces come one by one.
+template <typename Value>
+void MakeRoom(PageVector<Value>& list, std::size_t added)
+{
+  const std::size_t size = list.size() + added;
+  if (size > list.capacity())
+  {
+    list.reserve(std::max(size, 2 * list.capacity()));
+  }
+}
+
+}
+
+void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
+  KnotSpans& spansV, PageVector<BezierPatch>& patches, PageVector<Vec4>& nets)
+{
+  const int p = surface.DegreeU, q = surface.DegreeV;
+  spansU = FindSpans(p, surface.CountU, surface.KnotsU);
+  spansV = FindSpans(q, surface.CountV, surface.KnotsV);
+  const int countU = static_cast<int>(spansU.Breaks.size()) - 1;
+  const int countV = static_cast<int>(spansV.Breaks.size()) - 1;
+
+  BezierRows rows(surface, spansU, origin);
+  const double reach = ReachOf(surface, origin);
+  const int size = (p + 1) * (q + 1);
+  const std::size_t added = static_cast<std::size_t>(countU) * countV;
+  MakeRoom(patches, added);
+  MakeRoom(nets, added * size);
+  for (int spanV = 0; spanV < countV; ++spanV)
+  {
+    const SpanToBezier convert(q, surface.KnotsV, spansV.Breaks[spanV], spansV.Breaks[spanV + 1]);
+    rows.Advance(convert.First + q);
+    const Vec4* row[MaximumDegree + 1];
+    for (int j = 0; j <= q; ++j)
+    {
+      row[j] = rows.Row(convert.First + j);
+    }
+    for (int spanU = 0; spanU < countU; ++spanU)
+    {
+      BezierPatch patch;
+      patch.Face = face;
+      patch.DegreeU = p;
+      patch.DegreeV = q;
+      patch.U0 = spansU.Breaks[spanU];
+      patch.U1 = spansU.Breaks[spanU + 1];
+      patch.V0 = spansV.Breaks[spanV];
+      patch.V1 = spansV.Breaks[spanV + 1];
+      patch.Sides[0] = spansU.Kinds[spanU];
+      patch.Sides[1] = spansU.Kinds[spanU + 1];
+      patch.Sides[2] = spansV.Kinds[spanV];
+      patch.Sides[3] = spansV.Kinds[spanV + 1];
+      patch.Net = nets.size();
+      nets.resize(nets.size() + size);
+      Vec4* net = nets.data() + patch.Net;
+      for (int i = 0; i <= p; ++i)
+      {
+        const std::size_t column = static_cast<std::size_t>(spanU) * (p + 1) + i;
+        convert.Convert([&](int j) -> const Vec4& { return row[j][column]; }, net + i, p + 1);
+      }
+      patch.Rational = NormaliseWeights(net, size);
+      FindCollapsedSides(patch, net, reach);
+      patches.push_back(patch);
+    }
+  }
+}
+
+}
