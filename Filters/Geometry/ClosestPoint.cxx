@@ -3,8 +3,10 @@
 #include "BernsteinForm.h"
 #include "BezierEvaluation.h"
 #include "BezierRestriction.h"
+#include "BoxHalving.h"
 #include "PointInversion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nurbs
@@ -25,6 +27,53 @@ bool IsInsideTrim(const SurfaceModel& model, int index, double s, double t)
 
 namespace
 {
+
+/// The net of a part of a patch about a point, and the box along the axes that it lies in.
+struct PartAbout
+{
+  PartAbout(const BezierPatch& patch, const Vec4* net, const LeafDomain& box, const Vec3& p)
+    : P(patch.DegreeU)
+    , Q(patch.DegreeV)
+  {
+    RestrictNet(patch, net, box.S0, box.S1, box.T0, box.T1, this->Net);
+    for (int k = 0; k < this->Size(); ++k)
+    {
+      this->Net[k].head<3>() -= this->Net[k].w() * p;
+      const Vec3 point = this->Net[k].head<3>() / this->Net[k].w();
+      this->Low = this->Low.cwiseMin(point);
+      this->High = this->High.cwiseMax(point);
+    }
+  }
+
+  int Size() const { return (this->P + 1) * (this->Q + 1); }
+  double Extent() const { return (this->High - this->Low).norm(); }
+  /// From the point to the box.
+  double SquaredDistance() const
+  {
+    return this->Low.cwiseMax(-this->High).cwiseMax(0.0).squaredNorm();
+  }
+
+  int P, Q;
+  Vec4 Net[(MaximumDegree + 1) * (MaximumDegree + 1)]; ///< homogeneous
+  Vec3 Low = Vec3::Constant(HUGE_VAL), High = -Low;
+};
+
+/// Halves the box of a part across its longer side.
+void HalveNearerFirst(const PartAbout& part, const LeafDomain& box, LeafDomain* halves)
+{
+  const int p = part.P, q = part.Q;
+  Vec2 sides = MeasureSides(p, q, part.Net);
+  // A side that is curved may be longer than from corner to corner.
+  sides.x() += part.Extent() * (p > 1 ? 1e-3 : 0);
+  sides.y() += part.Extent() * (q > 1 ? 1e-3 : 0);
+  const auto squared = [&](int i, int j)
+  { return CartesianPoint(part.Net[i + j * (p + 1)]).squaredNorm(); };
+  const bool acrossS = q == 0 || sides.x() >= sides.y();
+  const double nearHigh = acrossS
+    ? std::min(squared(0, 0), squared(0, q)) - std::min(squared(p, 0), squared(p, q))
+    : std::min(squared(0, 0), squared(p, 0)) - std::min(squared(0, q), squared(p, q));
+  HalveBox(box, acrossS, nearHigh > 0, halves);
+}
 
 class ClosestPointSearch
 {
@@ -89,12 +138,13 @@ private:
   void VisitLeaf(int boxIndex);
   void SearchLeaf(int index);
   bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
+  bool IsCutAway(const BezierPatch& patch, const LeafDomain& box) const;
+  bool IsDecided(const BezierPatch& patch, int index, const LeafDomain& box, const PartAbout& part);
 
   const SurfaceModel& Model;
   const Vec3 P;
-  double Bound = 0;                          ///< squared
-  static constexpr int MaximumBoxes = 50000; ///< beyond it the best found so far stands
-  int Boxes = 0;
+  double Bound = 0;   ///< squared
+  int Budget = 50000; ///< of boxes; beyond it the best found so far stands
   bool Walked = false;
   LeafDomain BestDomain{ 0, 0, 0, 0 };
 };
@@ -225,22 +275,11 @@ void ClosestPointSearch::VisitLeaf(int boxIndex)
 
 void ClosestPointSearch::SearchLeaf(int index)
 {
-  constexpr int StackSize = 128;
-  const Leaf& leaf = this->Model.Leaves[index];
-  const BezierPatch& patch = this->Model.Patches[leaf.Patch];
-  LeafDomain stack[StackSize];
-  int size = 0;
-  stack[size++] = DomainOf(patch, index);
-  for (; size > 0 && this->Boxes < MaximumBoxes; ++this->Boxes)
-  {
-    const LeafDomain box = stack[--size];
-    LeafDomain halves[2];
-    if (size + 2 <= StackSize && this->SearchBox(patch, leaf.Patch, box, halves))
-    {
-      stack[size++] = halves[1];
-      stack[size++] = halves[0];
-    }
-  }
+  const int patchIndex = this->Model.Leaves[index].Patch;
+  const BezierPatch& patch = this->Model.Patches[patchIndex];
+  VisitHalves(DomainOf(patch, index), this->Budget,
+    [&](const LeafDomain& box, LeafDomain* halves)
+    { return this->SearchBox(patch, patchIndex, box, halves); });
 }
 
 /// False if nothing in the box is closer than the best; else its two halves, the nearer first.
@@ -248,101 +287,74 @@ bool ClosestPointSearch::SearchBox(
   const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves)
 {
   const Vec4* net = this->Model.Net(patch);
-  const bool trimmed = !patch.Curve && !this->Model.Data[patch.Face].Loops.Empty();
-  const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);
-  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  RestrictNet(patch, net, box.S0, box.S1, box.T0, box.T1, part);
-  Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
-  for (int k = 0; k < size; ++k)
-  {
-    part[k].head<3>() -= part[k].w() * this->P;
-    const Vec3 point = part[k].head<3>() / part[k].w();
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  if (low.cwiseMax(-high).cwiseMax(0.0).squaredNorm() >= this->Bound && this->Bound > 0)
+  const PartAbout part(patch, net, box, this->P);
+  if ((part.SquaredDistance() >= this->Bound && this->Bound > 0) || this->IsCutAway(patch, box))
   {
     return false;
   }
-  const auto point = [&](int i, int j) -> Vec3
-  { return part[i + j * (p + 1)].head<3>() / part[i + j * (p + 1)].w(); };
-  const double lengthS =
-    std::max((point(p, 0) - point(0, 0)).norm(), (point(p, q) - point(0, q)).norm()) +
-    (high - low).norm() * (p > 1 ? 1e-3 : 0);
-  const double lengthT =
-    std::max((point(0, q) - point(0, 0)).norm(), (point(p, q) - point(p, 0)).norm()) +
-    (high - low).norm() * (q > 1 ? 1e-3 : 0);
-  const double nearS = std::min(point(0, 0).squaredNorm(), point(0, q).squaredNorm()) -
-    std::min(point(p, 0).squaredNorm(), point(p, q).squaredNorm());
-  const double nearT = std::min(point(0, 0).squaredNorm(), point(p, 0).squaredNorm()) -
-    std::min(point(0, q).squaredNorm(), point(p, q).squaredNorm());
-
   const double s = 0.5 * (box.S0 + box.S1), t = 0.5 * (box.T0 + box.T1);
-  if (trimmed)
-  {
-    const Vec2 uvLow(patch.U(box.S0, box.T0), patch.V(box.S0, box.T0));
-    const Vec2 uvHigh(patch.U(box.S1, box.T1), patch.V(box.S1, box.T1));
-    if (this->Model.Data[patch.Face].Loops.Classify(uvLow, uvHigh) == TrimState::Outside)
-    {
-      return false;
-    }
-  }
   if ((BezierPoint(patch, net, s, t) - this->P).squaredNorm() < this->Bound)
   {
     this->Consider(index, InvertPoint(patch, net, this->P, s, t, box), box);
   }
-  if ((high - low).norm() < 1e-3 * this->Model.Resolution)
+  if (part.Extent() < 1e-3 * this->Model.Resolution || this->IsDecided(patch, index, box, part))
   {
     return false;
   }
-  SquaredDistanceForm form;
-  Vec4 scaled[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  std::copy(part, part + size, scaled);
-  form.Set(p, q, scaled, this->Bound);
-  if (form.Minimum() >= 0)
+  HalveNearerFirst(part, box, halves);
+  return true;
+}
+
+/// Whether the loops leave nothing of the box.
+bool ClosestPointSearch::IsCutAway(const BezierPatch& patch, const LeafDomain& box) const
+{
+  const TrimLoops& loops = this->Model.Data[patch.Face].Loops;
+  if (patch.Curve || loops.Empty())
   {
     return false;
+  }
+  const Vec2 low(patch.U(box.S0, box.T0), patch.V(box.S0, box.T0));
+  const Vec2 high(patch.U(box.S1, box.T1), patch.V(box.S1, box.T1));
+  return loops.Classify(low, high) == TrimState::Outside;
+}
+
+/// True if the form of the distance proves that the box holds nothing closer than the best; where
+/// it proves that there is one minimum, that one is considered first.
+bool ClosestPointSearch::IsDecided(
+  const BezierPatch& patch, int index, const LeafDomain& box, const PartAbout& part)
+{
+  SquaredDistanceForm form;
+  Vec4 scaled[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  std::copy(part.Net, part.Net + part.Size(), scaled);
+  form.Set(part.P, part.Q, scaled, this->Bound);
+  if (form.Minimum() >= 0)
+  {
+    return true;
   }
   // Where the distance has a slope all over the box its minimum is elsewhere: in the next box,
   // or on a loop, whose curve is searched by itself; unless the patch ends on that side.
   int slopeS, slopeT;
-  form.FindSlopes(part, slopeS, slopeT);
+  form.FindSlopes(part.Net, slopeS, slopeT);
   if ((slopeS > 0 && box.S0 > 0) || (slopeS < 0 && box.S1 < 1) || (slopeT > 0 && box.T0 > 0) ||
     (slopeT < 0 && box.T1 < 1))
   {
+    return true;
+  }
+  if (!form.IsConvex())
+  {
     return false;
   }
-  if (form.IsConvex())
+  const LocalFoot foot = InvertPoint(
+    patch, this->Model.Net(patch), this->P, 0.5 * (box.S0 + box.S1), 0.5 * (box.T0 + box.T1), box);
+  this->Consider(index, foot, box);
+  if (!patch.Rational)
   {
-    const LocalFoot foot = InvertPoint(patch, net, this->P, s, t, box);
-    this->Consider(index, foot, box);
-    if (!patch.Rational)
-    {
-      return false;
-    }
-    // With weights the certificate has to hold for the distance that was found.
-    std::copy(part, part + size, scaled);
-    form.Set(p, q, scaled, foot.Squared);
-    if (form.IsConvex())
-    {
-      return false;
-    }
+    return true;
   }
-  const bool divideS = q == 0 || lengthS >= lengthT;
-  halves[0] = halves[1] = box;
-  if (divideS)
-  {
-    const int nearer = nearS > 0 ? 1 : 0;
-    halves[nearer].S1 = s;
-    halves[1 - nearer].S0 = s;
-  }
-  else
-  {
-    const int nearer = nearT > 0 ? 1 : 0;
-    halves[nearer].T1 = t;
-    halves[1 - nearer].T0 = t;
-  }
-  return true;
+  // With weights the certificate has to hold for the distance that was found.
+  std::copy(part.Net, part.Net + part.Size(), scaled);
+  form.Set(part.P, part.Q, scaled, foot.Squared);
+  return form.IsConvex();
 }
 
 }

@@ -125,15 +125,21 @@ Vec3 LocalOrigin(const NurbsSurface& surface, const Basis& bu, const Basis& bv)
     .head<3>();
 }
 
+/// Of both directions, at parameters that are clamped to the domain.
+void EvaluateBases(const NurbsSurface& surface, double u, double v, int order, Basis& bu, Basis& bv)
+{
+  u = std::clamp(u, surface.FirstU(), surface.LastU());
+  v = std::clamp(v, surface.FirstV(), surface.LastV());
+  EvaluateBasis(surface.DegreeU, surface.CountU, surface.KnotsU, u, order, bu);
+  EvaluateBasis(surface.DegreeV, surface.CountV, surface.KnotsV, v, order, bv);
+}
+
 }
 
 Vec3 Evaluate(const NurbsSurface& surface, double u, double v)
 {
   Basis bu, bv;
-  u = std::clamp(u, surface.FirstU(), surface.LastU());
-  v = std::clamp(v, surface.FirstV(), surface.LastV());
-  EvaluateBasis(surface.DegreeU, surface.CountU, surface.KnotsU, u, 0, bu);
-  EvaluateBasis(surface.DegreeV, surface.CountV, surface.KnotsV, v, 0, bv);
+  EvaluateBases(surface, u, v, 0, bu, bv);
   const Vec3 origin = LocalOrigin(surface, bu, bv);
   const Vec4 sum = SumNet(surface, bu, bv, 0, 0, origin);
   return origin + sum.head<3>() / sum.w();
@@ -142,10 +148,7 @@ Vec3 Evaluate(const NurbsSurface& surface, double u, double v)
 SurfaceJet EvaluateJet(const NurbsSurface& surface, double u, double v)
 {
   Basis bu, bv;
-  u = std::clamp(u, surface.FirstU(), surface.LastU());
-  v = std::clamp(v, surface.FirstV(), surface.LastV());
-  EvaluateBasis(surface.DegreeU, surface.CountU, surface.KnotsU, u, 2, bu);
-  EvaluateBasis(surface.DegreeV, surface.CountV, surface.KnotsV, v, 2, bv);
+  EvaluateBases(surface, u, v, 2, bu, bv);
   const Vec3 origin = LocalOrigin(surface, bu, bv);
   const auto sum = [&](int a, int b) { return SumNet(surface, bu, bv, a, b, origin); };
   const Vec4 a = sum(0, 0), au = sum(1, 0), av = sum(0, 1);

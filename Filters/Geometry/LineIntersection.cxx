@@ -2,6 +2,7 @@
 
 #include "BezierEvaluation.h"
 #include "BezierRestriction.h"
+#include "BoxHalving.h"
 #include "Neighbourhood.h"
 
 #include <Eigen/LU>
@@ -24,6 +25,75 @@ constexpr double LeastSlope = 1e-9;
 constexpr double TouchSine = 1e-5;
 /// How far beyond a small box a touch is looked for, in sizes of the box.
 constexpr double ApproachRange = 8.0;
+
+/// The net of a part of a patch, and where it lies about the line.
+struct PartAlong
+{
+  int P, Q;
+  Vec4 Net[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  /// Distances from two planes through the line; homogeneous, and bounds of the affine ones.
+  Vec2 Across[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  Vec2 Low = Vec2::Constant(HUGE_VAL), High = -Low;
+  double First = HUGE_VAL, Last = -HUGE_VAL; ///< along the line
+};
+
+/// Of the distances from the planes: between the first and the last row and column.
+Eigen::Matrix2d MeanGradients(const PartAlong& part)
+{
+  const int p = part.P, q = part.Q, nu = p + 1;
+  const Vec2* g = part.Across;
+  Vec2 meanS = Vec2::Zero(), meanT = Vec2::Zero();
+  for (int j = 0; j <= q; ++j)
+  {
+    meanS += (g[p + j * nu] - g[j * nu]) / (q + 1);
+  }
+  for (int i = 0; i <= p; ++i)
+  {
+    meanT += (g[i + q * nu] - g[i]) / (p + 1);
+  }
+  Eigen::Matrix2d m;
+  m << meanS, meanT;
+  return m;
+}
+
+/// Whether the line passes the part, seen along the inverse of the mean gradients.
+bool IsPassed(const PartAlong& part, const Eigen::Matrix2d& inverse, double tolerance)
+{
+  Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
+  for (int k = 0; k < (part.P + 1) * (part.Q + 1); ++k)
+  {
+    const Vec2 x = inverse * part.Across[k];
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const Vec2 slack = inverse.cwiseAbs() * Vec2::Constant(tolerance * part.Net[0].w());
+  return ((low - 2 * slack).array() > 0).any() || ((high + 2 * slack).array() < 0).any();
+}
+
+/// How far the gradients are from their means, seen along the inverse of these.
+double MeasureDeviation(const PartAlong& part, const Eigen::Matrix2d& inverse)
+{
+  const int p = part.P, q = part.Q, nu = p + 1;
+  const Vec2* g = part.Across;
+  double deviation = 0;
+  for (int j = 0; j <= q; ++j)
+  {
+    for (int i = 0; i <= p; ++i)
+    {
+      if (i < p)
+      {
+        const Vec2 d = inverse * (p * (g[i + 1 + j * nu] - g[i + j * nu])) - Vec2::UnitX();
+        deviation = std::max(deviation, d.lpNorm<1>());
+      }
+      if (j < q)
+      {
+        const Vec2 d = inverse * (q * (g[i + (j + 1) * nu] - g[i + j * nu])) - Vec2::UnitY();
+        deviation = std::max(deviation, d.lpNorm<1>());
+      }
+    }
+  }
+  return deviation;
+}
 
 class LineSearch
 {
@@ -56,8 +126,15 @@ private:
   void VisitLeaf(int boxIndex);
   bool MeetsBox(const LeafBox& box) const;
   void SearchLeaf(int index);
-  bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
+  bool SearchBox(
+    const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves, bool& touch);
+  void MeasurePart(const BezierPatch& patch, const LeafDomain& box, PartAlong& part) const;
+  bool IsDecided(const BezierPatch& patch, int index, const LeafDomain& box, const PartAlong& part,
+    double tolerance);
+  bool FindTouch(const BezierPatch& patch, int index, const LeafDomain& box);
   Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
+  double SquaredDistance(const Vec3& point) const;
+  bool StepTowards(const SurfaceJet& jet, double damping, Vec2& step) const;
   Solution Approach(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   bool IsInBox(const Solution& solution, const LeafDomain& box) const;
   bool IsTangent(const BezierPatch& patch, const Solution& solution) const;
@@ -69,13 +146,13 @@ private:
   };
   Prediction Predict(const Leaf& leaf, double s, double t, const Vec3& point, double slope) const;
   bool FindStart(const Leaf& leaf, const LeafDomain& box, double slope, Prediction& start) const;
+  bool IsSolved(int patch, const Solution& solution, const LeafDomain& box);
   bool Report(int patch, const Solution& solution, bool touch);
 
   const SurfaceModel& Model;
   const Vec3 A, D;
   const double Low, High, Tolerance;
   Vec3 E1, E2;
-  int Touches = 0; ///< found in the present leaf
   std::vector<LineMeeting>& Meetings;
 };
 
@@ -204,6 +281,47 @@ LineSearch::Solution LineSearch::Solve(
   return x;
 }
 
+double LineSearch::SquaredDistance(const Vec3& point) const
+{
+  const Vec3 r = point - this->A;
+  return std::pow(this->E1.dot(r), 2) + std::pow(this->E2.dot(r), 2);
+}
+
+/// One damped Newton step towards the least distance from the line; false if there is none.
+bool LineSearch::StepTowards(const SurfaceJet& jet, double damping, Vec2& step) const
+{
+  const Vec3 r = jet.S - this->A;
+  const Vec2 g(this->E1.dot(r), this->E2.dot(r));
+  const Vec3 away = g[0] * this->E1 + g[1] * this->E2;
+  Eigen::Matrix2d jacobian, bend;
+  jacobian << this->E1.dot(jet.Su), this->E1.dot(jet.Sv), this->E2.dot(jet.Su),
+    this->E2.dot(jet.Sv);
+  bend << away.dot(jet.Suu), away.dot(jet.Suv), away.dot(jet.Suv), away.dot(jet.Svv);
+  // Full Hessian of half the squared distance, along and across the valley that leads to a touch:
+  // in s and t rounding would hide how shallow it is.
+  const Eigen::JacobiSVD<Eigen::Matrix2d> axes(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Vec2 slopes = axes.singularValues();
+  const Eigen::Matrix2d squares = slopes.cwiseAbs2().asDiagonal();
+  Eigen::Matrix2d h = axes.matrixV().transpose() * bend * axes.matrixV() + squares;
+  if (!(h(0, 0) > 0 && h(1, 1) > 0 && h.determinant() > 0))
+  {
+    h = squares;
+  }
+  h.diagonal() *= 1 + damping;
+  if (!(h(0, 0) > 0))
+  {
+    return false;
+  }
+  const Vec2 slope = slopes.cwiseProduct(axes.matrixU().transpose() * g);
+  Vec2 steps = h.inverse() * slope;
+  if (slopes[1] < LeastSlope * slopes[0])
+  {
+    steps = Vec2(slope[0] / h(0, 0), 0.0); // the line lies within the surface
+  }
+  step = axes.matrixV() * steps;
+  return true;
+}
+
 /// Least distance from the line in the box or near it (Newton, damped): beside a touch there are
 /// too many boxes with a point near the line to wait for the one that holds it.
 LineSearch::Solution LineSearch::Approach(
@@ -215,45 +333,11 @@ LineSearch::Solution LineSearch::Approach(
   Solution x{ s, t, Vec3::Zero(), 0, false };
   SurfaceJet jet;
   EvaluateBezier(patch, net, s, t, jet);
-  const auto squared = [&](const Vec3& point)
-  {
-    const Vec3 r = point - this->A;
-    return std::pow(this->E1.dot(r), 2) + std::pow(this->E2.dot(r), 2);
-  };
-  double value = squared(jet.S);
+  double value = this->SquaredDistance(jet.S);
   double damping = 1e-12;
-  for (int i = 0; i < 60; ++i)
+  Vec2 step;
+  for (int i = 0; i < 60 && this->StepTowards(jet, damping, step); ++i)
   {
-    const Vec3 r = jet.S - this->A;
-    const Vec2 g(this->E1.dot(r), this->E2.dot(r));
-    const Vec3 away = g[0] * this->E1 + g[1] * this->E2;
-    Eigen::Matrix2d jacobian, bend;
-    jacobian << this->E1.dot(jet.Su), this->E1.dot(jet.Sv), this->E2.dot(jet.Su),
-      this->E2.dot(jet.Sv);
-    bend << away.dot(jet.Suu), away.dot(jet.Suv), away.dot(jet.Suv), away.dot(jet.Svv);
-    // Full Hessian of half the squared distance, along and across the valley that leads to a touch:
-    // in s and t rounding would hide how shallow it is.
-    const Eigen::JacobiSVD<Eigen::Matrix2d> axes(
-      jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Vec2 slopes = axes.singularValues();
-    const Eigen::Matrix2d squares = slopes.cwiseAbs2().asDiagonal();
-    Eigen::Matrix2d h = axes.matrixV().transpose() * bend * axes.matrixV() + squares;
-    if (!(h(0, 0) > 0 && h(1, 1) > 0 && h.determinant() > 0))
-    {
-      h = squares;
-    }
-    h.diagonal() *= 1 + damping;
-    if (!(h(0, 0) > 0))
-    {
-      break;
-    }
-    const Vec2 slope = slopes.cwiseProduct(axes.matrixU().transpose() * g);
-    Vec2 steps = h.inverse() * slope;
-    if (slopes[1] < LeastSlope * slopes[0])
-    {
-      steps = Vec2(slope[0] / h(0, 0), 0.0); // the line lies within the surface
-    }
-    const Vec2 step = axes.matrixV() * steps;
     const double s1 =
       std::clamp(x.S - step[0], std::max(0.0, box.S0 - aroundS), std::min(1.0, box.S1 + aroundS));
     const double t1 =
@@ -264,7 +348,7 @@ LineSearch::Solution LineSearch::Approach(
     }
     SurfaceJet next;
     EvaluateBezier(patch, net, s1, t1, next);
-    const double nextValue = squared(next.S);
+    const double nextValue = this->SquaredDistance(next.S);
     if (nextValue < value)
     {
       const double gain = value - nextValue;
@@ -348,6 +432,18 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
   return true;
 }
 
+/// Reports a solution where the box has no other; false if it has to be searched.
+bool LineSearch::IsSolved(int index, const Solution& solution, const LeafDomain& box)
+{
+  if (!solution.Converged)
+  {
+    return false;
+  }
+  const bool inside = this->IsInBox(solution, box);
+  return (inside || this->IsBesidePatch(solution, box)) &&
+    (this->Report(index, solution, false) || inside);
+}
+
 /**
  * Where the leaf's root is, if it has one. From a point of the leaf one step with the mean
  * derivatives ends within c / (1 - c) of its length of any root, c = Deviation / slope.
@@ -429,14 +525,9 @@ void LineSearch::VisitLeaf(int boxIndex)
       return;
     }
     const Solution solution = this->Solve(patch, start.S, start.T, box);
-    if (solution.Converged)
+    if (this->IsSolved(leaf.Patch, solution, box))
     {
-      const bool inside = this->IsInBox(solution, box);
-      if ((inside || this->IsBesidePatch(solution, box)) &&
-        (this->Report(leaf.Patch, solution, false) || inside))
-      {
-        return;
-      }
+      return;
     }
     const double s = std::clamp(solution.S, box.S0, box.S1);
     const double t = std::clamp(solution.T, box.T0, box.T1);
@@ -451,159 +542,106 @@ void LineSearch::VisitLeaf(int boxIndex)
 
 void LineSearch::SearchLeaf(int index)
 {
-  constexpr int StackSize = 128;
-  const Leaf& leaf = this->Model.Leaves[index];
-  const BezierPatch& patch = this->Model.Patches[leaf.Patch];
-  LeafDomain stack[StackSize];
-  int size = 0;
-  stack[size++] = DomainOf(patch, index);
-  this->Touches = 0;
-  // A line within the surface touches everywhere: after some touches the rest is let go.
+  const int patchIndex = this->Model.Leaves[index].Patch;
+  const BezierPatch& patch = this->Model.Patches[patchIndex];
+  int touches = 0;
   int budget = 8192;
-  for (; size > 0 && budget > 0; --budget)
+  VisitHalves(DomainOf(patch, index), budget,
+    [&](const LeafDomain& box, LeafDomain* halves)
+    {
+      bool touch = false;
+      const bool halved = this->SearchBox(patch, patchIndex, box, halves, touch);
+      if (touch)
+      {
+        // A line within the surface touches everywhere: after some touches the rest is let go.
+        budget = std::min(budget, 512 / ++touches);
+      }
+      return halved;
+    });
+}
+
+/// Restricts the net to the box and measures it against the line.
+void LineSearch::MeasurePart(const BezierPatch& patch, const LeafDomain& box, PartAlong& part) const
+{
+  RestrictNet(patch, this->Model.Net(patch), box.S0, box.S1, box.T0, box.T1, part.Net);
+  part.P = patch.DegreeU;
+  part.Q = patch.DegreeV;
+  for (int i = 0; i < (part.P + 1) * (part.Q + 1); ++i)
   {
-    LeafDomain halves[2];
-    const LeafDomain box = stack[--size];
-    const int before = this->Touches;
-    if (size + 2 <= StackSize && this->SearchBox(patch, leaf.Patch, box, halves))
-    {
-      stack[size++] = halves[1];
-      stack[size++] = halves[0];
-    }
-    if (this->Touches > before)
-    {
-      budget = std::min(budget, 512 / this->Touches);
-    }
+    const double w = part.Net[i].w();
+    const Vec3 r = part.Net[i].head<3>() - w * this->A;
+    part.Across[i] = Vec2(this->E1.dot(r), this->E2.dot(r));
+    part.Low = part.Low.cwiseMin(part.Across[i] / w);
+    part.High = part.High.cwiseMax(part.Across[i] / w);
+    part.First = std::min(part.First, this->D.dot(r) / w);
+    part.Last = std::max(part.Last, this->D.dot(r) / w);
   }
 }
 
-bool LineSearch::SearchBox(
-  const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves)
+/// True if the mean gradients prove that the box has no meeting, or one that Newton found.
+bool LineSearch::IsDecided(const BezierPatch& patch, int index, const LeafDomain& box,
+  const PartAlong& part, double tolerance)
 {
-  const Vec4* net = this->Model.Net(patch);
-  const int p = patch.DegreeU, q = patch.DegreeV, nu = p + 1, size = nu * (q + 1);
-  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  RestrictNet(patch, net, box.S0, box.S1, box.T0, box.T1, part);
-  // Distances from two planes through the line and along it; homogeneous and affine.
-  Vec2 g[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
-  double kLow = HUGE_VAL, kHigh = -HUGE_VAL;
-  for (int i = 0; i < size; ++i)
-  {
-    const double w = part[i].w();
-    const Vec3 r = part[i].head<3>() - w * this->A;
-    g[i] = Vec2(this->E1.dot(r), this->E2.dot(r));
-    low = low.cwiseMin(g[i] / w);
-    high = high.cwiseMax(g[i] / w);
-    kLow = std::min(kLow, this->D.dot(r) / w);
-    kHigh = std::max(kHigh, this->D.dot(r) / w);
-  }
-  // Beside the border of the patch there may be a gap to the next face.
-  const bool atBorder = box.S0 == 0 || box.S1 == 1 || box.T0 == 0 || box.T1 == 1;
-  const double tolerance = atBorder ? this->Tolerance + this->Model.Gap : this->Tolerance;
-  if ((low.array() > tolerance).any() || (high.array() < -tolerance).any() ||
-    kLow > this->High + this->Tolerance || kHigh < this->Low - this->Tolerance)
+  const Eigen::Matrix2d m = MeanGradients(part);
+  if (!(std::abs(m.determinant()) > 1e-10 * m.col(0).norm() * m.col(1).norm()))
   {
     return false;
   }
-  // Mean gradients and how far the others are from them.
-  Vec2 meanS = Vec2::Zero(), meanT = Vec2::Zero();
-  for (int j = 0; j <= q; ++j)
+  const Eigen::Matrix2d inverse = m.inverse();
+  if (IsPassed(part, inverse, tolerance))
   {
-    meanS += (g[p + j * nu] - g[j * nu]) / (q + 1);
+    return true;
   }
-  for (int i = 0; i <= p; ++i)
+  return MeasureDeviation(part, inverse) < 0.3 &&
+    this->IsSolved(
+      index, this->Solve(patch, 0.5 * (box.S0 + box.S1), 0.5 * (box.T0 + box.T1), box), box);
+}
+
+/// Looks for a touch from the middle of the box.
+bool LineSearch::FindTouch(const BezierPatch& patch, int index, const LeafDomain& box)
+{
+  const Solution solution =
+    this->Approach(patch, 0.5 * (box.S0 + box.S1), 0.5 * (box.T0 + box.T1), box);
+  const Vec3 r = BezierPoint(patch, this->Model.Net(patch), solution.S, solution.T) - this->A;
+  return (r - this->D.dot(r) * this->D).norm() <= this->Tolerance &&
+    (this->IsInBox(solution, box) || this->IsTangent(patch, solution)) &&
+    this->Report(index, solution, true);
+}
+
+/// False if the box is decided; else its two halves.
+bool LineSearch::SearchBox(
+  const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves, bool& touch)
+{
+  PartAlong part;
+  this->MeasurePart(patch, box, part);
+  // Beside the border of the patch there may be a gap to the next face.
+  const bool atBorder = box.S0 == 0 || box.S1 == 1 || box.T0 == 0 || box.T1 == 1;
+  const double tolerance = atBorder ? this->Tolerance + this->Model.Gap : this->Tolerance;
+  if ((part.Low.array() > tolerance).any() || (part.High.array() < -tolerance).any() ||
+    part.First > this->High + this->Tolerance || part.Last < this->Low - this->Tolerance ||
+    this->IsDecided(patch, index, box, part, tolerance))
   {
-    meanT += (g[i + q * nu] - g[i]) / (p + 1);
+    return false;
   }
-  Eigen::Matrix2d m;
-  m << meanS, meanT;
-  const double det = m.determinant();
-  const double s = 0.5 * (box.S0 + box.S1), t = 0.5 * (box.T0 + box.T1);
-  if (std::abs(det) > 1e-10 * meanS.norm() * meanT.norm())
-  {
-    const Eigen::Matrix2d inverse = m.inverse();
-    double deviation = 0;
-    Vec2 lowUnit = Vec2::Constant(HUGE_VAL), highUnit = -lowUnit;
-    const Vec2 unitTolerance = inverse.cwiseAbs() * Vec2::Constant(tolerance * part[0].w());
-    for (int j = 0; j <= q; ++j)
-    {
-      for (int i = 0; i <= p; ++i)
-      {
-        const Vec2 x = inverse * g[i + j * nu];
-        lowUnit = lowUnit.cwiseMin(x);
-        highUnit = highUnit.cwiseMax(x);
-        if (i < p)
-        {
-          const Vec2 d = inverse * (p * (g[i + 1 + j * nu] - g[i + j * nu])) - Vec2::UnitX();
-          deviation = std::max(deviation, d.lpNorm<1>());
-        }
-        if (j < q)
-        {
-          const Vec2 d = inverse * (q * (g[i + (j + 1) * nu] - g[i + j * nu])) - Vec2::UnitY();
-          deviation = std::max(deviation, d.lpNorm<1>());
-        }
-      }
-    }
-    if (((lowUnit - 2 * unitTolerance).array() > 0).any() ||
-      ((highUnit + 2 * unitTolerance).array() < 0).any())
-    {
-      return false;
-    }
-    if (deviation < 0.3)
-    {
-      const Solution solution = this->Solve(patch, s, t, box);
-      if (solution.Converged)
-      {
-        const bool inside = this->IsInBox(solution, box);
-        if ((inside || this->IsBesidePatch(solution, box)) &&
-          (this->Report(index, solution, false) || inside))
-        {
-          return false;
-        }
-      }
-    }
-  }
-  const double extent = std::max((high - low).norm(), kHigh - kLow);
+  const double extent = std::max((part.High - part.Low).norm(), part.Last - part.First);
   // Off the line, only within the gap of a border: Newton has had its chance at this size.
   const bool onLine =
-    (low.array() <= this->Tolerance).all() && (high.array() >= -this->Tolerance).all();
+    (part.Low.array() <= this->Tolerance).all() && (part.High.array() >= -this->Tolerance).all();
   if (!onLine && extent < this->Model.Gap)
   {
     return false;
   }
-  const auto point = [&](int i, int j) -> Vec3
-  { return part[i + j * nu].head<3>() / part[i + j * nu].w(); };
   // Small enough for a touch; or flat against the line everywhere.
-  if (extent < 1e-5 * this->Model.Scale || (high - low).minCoeff() < this->Tolerance)
+  if (extent < 1e-5 * this->Model.Scale || (part.High - part.Low).minCoeff() < this->Tolerance)
   {
-    Solution solution = this->Approach(patch, s, t, box);
-    const Vec3 r = BezierPoint(patch, net, solution.S, solution.T) - this->A;
-    if ((r - this->D.dot(r) * this->D).norm() <= this->Tolerance &&
-      (this->IsInBox(solution, box) || this->IsTangent(patch, solution)) &&
-      this->Report(index, solution, true))
-    {
-      ++this->Touches;
-      return false;
-    }
-    if (extent < 1e-9 * this->Model.Scale)
+    touch = this->FindTouch(patch, index, box);
+    if (touch || extent < 1e-9 * this->Model.Scale)
     {
       return false;
     }
   }
-  const double lengthS =
-    std::max((point(p, 0) - point(0, 0)).norm(), (point(p, q) - point(0, q)).norm());
-  const double lengthT =
-    std::max((point(0, q) - point(0, 0)).norm(), (point(p, q) - point(p, 0)).norm());
-  halves[0] = halves[1] = box;
-  if (lengthS >= lengthT)
-  {
-    halves[0].S1 = halves[1].S0 = s;
-  }
-  else
-  {
-    halves[0].T1 = halves[1].T0 = t;
-  }
+  const Vec2 sides = MeasureSides(part.P, part.Q, part.Net);
+  HalveBox(box, sides.x() >= sides.y(), false, halves);
   return true;
 }
 

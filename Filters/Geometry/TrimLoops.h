@@ -38,10 +38,6 @@ public:
   {
     Vec2 From, To;
     int Loop, Index;
-    bool operator<(const Edge& other) const
-    {
-      return this->Loop != other.Loop ? this->Loop < other.Loop : this->Index < other.Index;
-    }
   };
   const std::vector<Edge>& AllEdges() const { return this->Edges; }
   /// Edge of a loop by its index, taken round the loop.
