@@ -14,6 +14,7 @@ namespace
 struct Step
 {
   double S = 0, T = 0;
+  double Length() const { return std::max(std::abs(this->S), std::abs(this->T)); }
 };
 
 /// A parameter a rounding error away from a bound is on it; else the bound is never held.
@@ -64,6 +65,81 @@ Step NewtonStep(const SurfaceJet& jet, const Vec3& r, bool heldS, bool heldT)
   return step;
 }
 
+/// A step that would leave through a bound where the point already lies slides along it.
+Step BoundedStep(
+  const SurfaceJet& jet, const Vec3& r, const LocalFoot& foot, const LeafDomain& domain, bool curve)
+{
+  const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
+  bool heldS = (foot.S <= domain.S0 && f >= 0) || (foot.S >= domain.S1 && f <= 0);
+  bool heldT = curve || (foot.T <= domain.T0 && g >= 0) || (foot.T >= domain.T1 && g <= 0);
+  Step step = NewtonStep(jet, r, heldS, heldT);
+  const auto leaves = [](double x, double dx, double low, double high)
+  { return (x <= low && dx < 0) || (x >= high && dx > 0); };
+  if (!heldS && leaves(foot.S, step.S, domain.S0, domain.S1))
+  {
+    heldS = true;
+    step = NewtonStep(jet, r, heldS, heldT);
+  }
+  if (!heldT && leaves(foot.T, step.T, domain.T0, domain.T1))
+  {
+    heldT = true;
+    step = NewtonStep(jet, r, heldS, heldT);
+  }
+  return step;
+}
+
+/// How much of a step fits before the first bound it meets.
+double FractionWithin(const LocalFoot& foot, const Step& step, const LeafDomain& domain)
+{
+  double fraction = 1.0;
+  const auto cut = [&fraction](double x, double dx, double low, double high)
+  {
+    if (x + dx < low)
+    {
+      fraction = std::min(fraction, (low - x) / dx);
+    }
+    if (x + dx > high)
+    {
+      fraction = std::min(fraction, (high - x) / dx);
+    }
+  };
+  cut(foot.S, step.S, domain.S0, domain.S1);
+  cut(foot.T, step.T, domain.T0, domain.T1);
+  return fraction;
+}
+
+/**
+ * Takes a step, or as much of it as brings the foot nearer, halved each time.
+ *
+ * @param fraction of the step to begin with; what was taken of it.
+ * @return false if nothing of it does.
+ */
+bool Descend(const BezierPatch& patch, const Vec4* net, const Vec3& p, const LeafDomain& domain,
+  const Step& step, double& fraction, LocalFoot& foot, SurfaceJet& jet)
+{
+  for (int halving = 0; halving < 40; ++halving, fraction *= 0.5)
+  {
+    const double s = SnapToBounds(foot.S + fraction * step.S, domain.S0, domain.S1);
+    const double t = SnapToBounds(foot.T + fraction * step.T, domain.T0, domain.T1);
+    if (s == foot.S && t == foot.T)
+    {
+      return false;
+    }
+    SurfaceJet next;
+    EvaluateBezier(patch, net, s, t, next);
+    const double squared = (next.S - p).squaredNorm();
+    // Equality up to rounding is progress: the gradient decides then, not the value.
+    if (squared <= foot.Squared * (1 + 1e-15) ||
+      (halving == 0 && step.Length() < 1e-6 && squared <= foot.Squared * (1 + 1e-12)))
+    {
+      foot = { s, t, next.S, squared };
+      jet = next;
+      return true;
+    }
+  }
+  return false;
+}
+
 }
 
 LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, double s, double t,
@@ -74,52 +150,20 @@ LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, 
   LocalFoot foot;
   foot.S = std::clamp(s, domain.S0, domain.S1);
   foot.T = std::clamp(t, domain.T0, domain.T1);
-  const bool curve = patch.DegreeV == 0;
   SurfaceJet jet;
   EvaluateBezier(patch, net, foot.S, foot.T, jet);
-  Vec3 r = jet.S - p;
-  foot.Squared = r.squaredNorm();
   foot.Point = jet.S;
+  foot.Squared = (jet.S - p).squaredNorm();
   double before = 1.0;
   for (int i = 0; i < MaximumSteps; ++i)
   {
-    const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
-    bool heldS = (foot.S <= domain.S0 && f >= 0) || (foot.S >= domain.S1 && f <= 0);
-    bool heldT = curve || (foot.T <= domain.T0 && g >= 0) || (foot.T >= domain.T1 && g <= 0);
-    Step step = NewtonStep(jet, r, heldS, heldT);
-    // A step that would leave through a bound where the point already lies slides along it.
-    const auto leaves = [](double x, double dx, double low, double high)
-    { return (x <= low && dx < 0) || (x >= high && dx > 0); };
-    if (!heldS && leaves(foot.S, step.S, domain.S0, domain.S1))
-    {
-      heldS = true;
-      step = NewtonStep(jet, r, heldS, heldT);
-    }
-    if (!heldT && leaves(foot.T, step.T, domain.T0, domain.T1))
-    {
-      heldT = true;
-      step = NewtonStep(jet, r, heldS, heldT);
-    }
-    double length = std::max(std::abs(step.S), std::abs(step.T));
+    const Step step = BoundedStep(jet, jet.S - p, foot, domain, patch.DegreeV == 0);
+    const double length = step.Length();
     if (!(length > 0))
     {
       break;
     }
-    // Cut the step at the first bound it meets.
-    double fraction = 1.0;
-    const auto cut = [&fraction](double x, double dx, double low, double high)
-    {
-      if (x + dx < low)
-      {
-        fraction = std::min(fraction, (low - x) / dx);
-      }
-      if (x + dx > high)
-      {
-        fraction = std::min(fraction, (high - x) / dx);
-      }
-    };
-    cut(foot.S, step.S, domain.S0, domain.S1);
-    cut(foot.T, step.T, domain.T0, domain.T1);
+    double fraction = FractionWithin(foot, step, domain);
     const Vec3 first = step.S * jet.Su + step.T * jet.Sv;
     const Vec3 second = (0.5 * step.S * step.S) * jet.Suu + (step.S * step.T) * jet.Suv +
       (0.5 * step.T * step.T) * jet.Svv;
@@ -133,38 +177,11 @@ LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, 
       foot.Squared = (foot.Point - p).squaredNorm();
       break;
     }
-    bool moved = false;
-    for (int halving = 0; halving < 40; ++halving, fraction *= 0.5)
-    {
-      const double ns = SnapToBounds(foot.S + fraction * step.S, domain.S0, domain.S1);
-      const double nt = SnapToBounds(foot.T + fraction * step.T, domain.T0, domain.T1);
-      if (ns == foot.S && nt == foot.T)
-      {
-        break;
-      }
-      SurfaceJet next;
-      EvaluateBezier(patch, net, ns, nt, next);
-      const Vec3 nr = next.S - p;
-      const double squared = nr.squaredNorm();
-      // Equality up to rounding is progress: the gradient decides then, not the value.
-      if (squared <= foot.Squared * (1 + 1e-15) ||
-        (halving == 0 && length < 1e-6 && squared <= foot.Squared * (1 + 1e-12)))
-      {
-        before = fraction * length;
-        foot.S = ns;
-        foot.T = nt;
-        foot.Squared = squared;
-        foot.Point = next.S;
-        jet = next;
-        r = nr;
-        moved = true;
-        break;
-      }
-    }
-    if (!moved)
+    if (!Descend(patch, net, p, domain, step, fraction, foot, jet))
     {
       break;
     }
+    before = fraction * length;
   }
   return foot;
 }

@@ -57,82 +57,90 @@ void SurfaceModel::AddFace(int face)
   data.FirstPatch = static_cast<int>(this->Patches.size());
   data.Loops = TrimLoops(surface);
   Decompose(surface, face, this->Origin, data.SpansU, data.SpansV, this->Patches, this->Nets);
-  this->AddTrimCurves(face, data.FirstPatch, static_cast<int>(this->Patches.size()));
+  this->AddTrimCurves(face);
+}
+
+namespace
+{
+
+/// Where an edge between t0 and t1 crosses knots, and these two, rising.
+void CutAtKnots(const FaceData& data, const TrimLoops::Edge& edge, double t0, double t1,
+  std::vector<double>& cuts)
+{
+  cuts.assign({ t0, t1 });
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double d = edge.To[axis] - edge.From[axis];
+    for (double knot : axis == 0 ? data.SpansU.Breaks : data.SpansV.Breaks)
+    {
+      const double t = d != 0 ? (knot - edge.From[axis]) / d : -1;
+      if (t > t0 + 1e-12 && t < t1 - 1e-12)
+      {
+        cuts.push_back(t);
+      }
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+}
+
 }
 
 /// Every loop edge, parted at the knots it crosses, becomes Bezier curves on the patches.
-void SurfaceModel::AddTrimCurves(int face, int firstPatch, int lastPatch)
+void SurfaceModel::AddTrimCurves(int face)
 {
   const FaceData& data = this->Data[face];
-  const auto& breaksU = data.SpansU.Breaks;
-  const auto& breaksV = data.SpansV.Breaks;
-  const Vec2 low(breaksU.front(), breaksV.front()), high(breaksU.back(), breaksV.back());
+  const Vec2 low(data.SpansU.Breaks.front(), data.SpansV.Breaks.front());
+  const Vec2 high(data.SpansU.Breaks.back(), data.SpansV.Breaks.back());
+  // Points a rounding error outside the rectangle are meant to be on its border.
+  const Vec2 slack = 1e-9 * (high - low);
   std::vector<double> cuts;
   for (const TrimLoops::Edge& edge : data.Loops.AllEdges())
   {
     double t0, t1;
-    // Points a rounding error outside the rectangle are meant to be on its border.
-    const Vec2 slack = 1e-9 * (high - low);
     if (!ClipToRectangle(edge.From, edge.To, low - slack, high + slack, t0, t1))
     {
       continue;
     }
-    cuts.assign({ t0, t1 });
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      const double d = edge.To[axis] - edge.From[axis];
-      for (double knot : axis == 0 ? breaksU : breaksV)
-      {
-        const double t = d != 0 ? (knot - edge.From[axis]) / d : -1;
-        if (t > t0 + 1e-12 && t < t1 - 1e-12)
-        {
-          cuts.push_back(t);
-        }
-      }
-    }
-    std::sort(cuts.begin(), cuts.end());
+    CutAtKnots(data, edge, t0, t1, cuts);
+    const auto at = [&](double t) -> Vec2
+    { return (edge.From + t * (edge.To - edge.From)).cwiseMax(low).cwiseMin(high); };
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
     {
-      const auto at = [&](double t) -> Vec2
-      { return (edge.From + t * (edge.To - edge.From)).cwiseMax(low).cwiseMin(high); };
-      const Vec2 a = at(cuts[k]), b = at(cuts[k + 1]), middle = 0.5 * (a + b);
-      if (a == b)
-      {
-        continue;
-      }
-      const int index = this->PatchAt(face, middle.x(), middle.y());
-      if (index < firstPatch || index >= lastPatch)
-      {
-        continue;
-      }
-      const BezierPatch patch = this->Patches[index];
-      const auto local = [&](const Vec2& x)
-      {
-        return Vec2(std::clamp((x.x() - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0),
-          std::clamp((x.y() - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0));
-      };
-      BezierPatch curve = CurveOnPatch(patch, this->Nets, local(a), local(b), this->Nets);
-      const auto isPoint = [&]()
-      {
-        const Vec4* net = this->Net(curve);
-        double extent = 0;
-        for (int i = 1; i <= curve.DegreeU; ++i)
-        {
-          extent = std::max(
-            extent, (net[i].head<3>() / net[i].w() - net[0].head<3>() / net[0].w()).norm());
-        }
-        return extent <= this->Resolution;
-      };
-      if (isPoint()) // along a pole
-      {
-        this->Nets.resize(curve.Net);
-        continue;
-      }
-      curve.Loop = edge.Loop;
-      curve.LoopEdge = edge.Index;
-      this->Patches.push_back(curve);
+      this->AddTrimCurve(face, edge, at(cuts[k]), at(cuts[k + 1]));
     }
   }
+}
+
+/// A part of a loop edge within one patch; none where it is one point.
+void SurfaceModel::AddTrimCurve(
+  int face, const TrimLoops::Edge& edge, const Vec2& from, const Vec2& to)
+{
+  if (from == to)
+  {
+    return;
+  }
+  const Vec2 middle = 0.5 * (from + to);
+  const BezierPatch patch = this->Patches[this->PatchAt(face, middle.x(), middle.y())];
+  const auto local = [&](const Vec2& x)
+  {
+    return Vec2(std::clamp((x.x() - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0),
+      std::clamp((x.y() - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0));
+  };
+  BezierPatch curve = CurveOnPatch(patch, this->Nets, local(from), local(to), this->Nets);
+  const Vec4* net = this->Net(curve);
+  double extent = 0;
+  for (int i = 1; i <= curve.DegreeU; ++i)
+  {
+    extent = std::max(extent, (CartesianPoint(net[i]) - CartesianPoint(net[0])).norm());
+  }
+  if (extent <= this->Resolution) // along a pole
+  {
+    this->Nets.resize(curve.Net);
+    return;
+  }
+  curve.Loop = edge.Loop;
+  curve.LoopEdge = edge.Index;
+  this->Patches.push_back(curve);
 }
 
 void SurfaceModel::AddLeaves()

@@ -84,7 +84,8 @@ struct SurfaceModel
 
 private:
   void AddFace(int face);
-  void AddTrimCurves(int face, int firstPatch, int lastPatch);
+  void AddTrimCurves(int face);
+  void AddTrimCurve(int face, const TrimLoops::Edge& edge, const Vec2& from, const Vec2& to);
   void ChooseGrids(const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes);
   void RefineTrimmedGrids();
   void AddLeaves();
