@@ -146,32 +146,33 @@ bool SurfaceBlocks::IsSmooth(const SurfaceModel& model, int face, const BlockRan
     (data.Loops.Empty() || data.Loops.Classify(low, high) == TrimState::Inside);
 }
 
-/**
- * The distance within which a foot in the block is the closest point. On the rectangle of the block
- * and its neighbours the distance is convex as long as the point stays within the reach of each
- * of them; all other blocks are kept off by FreeOf.
- */
-double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, double ring) const
+/// The blocks about a block, as far as a ring of the width asked for, in sizes of the block.
+BlockRange SurfaceBlocks::RingAbout(int index, double width) const
 {
   const SurfaceBlock& block = this->Blocks[index];
   const Grid& grid = this->Grids[block.Face];
   const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
   const double sizeU = block.Xu, sizeV = std::hypot(block.Xv, block.Yv);
-  const double wide = ring * std::max(sizeU, sizeV);
-  int i0, i1, j0, j1;
-  FindRing(grid.BreaksU, i, wide * block.Width.x() / sizeU, i0, i1);
-  FindRing(grid.BreaksV, j, wide * block.Width.y() / sizeV, j0, j1);
-  if (!this->IsSmooth(model, block.Face, { i0, i1, j0, j1 }))
-  {
-    return 0;
-  }
+  const double wide = width * std::max(sizeU, sizeV);
+  BlockRange ring;
+  FindRing(grid.BreaksU, i, wide * block.Width.x() / sizeU, ring.FirstU, ring.EndU);
+  FindRing(grid.BreaksV, j, wide * block.Width.y() / sizeV, ring.FirstV, ring.EndV);
+  return ring;
+}
+
+/// How far from a foot in the block the distance is convex over all blocks of the ring.
+double SurfaceBlocks::ConvexClearance(
+  const SurfaceModel& model, int index, const BlockRange& ring) const
+{
+  const SurfaceBlock& block = this->Blocks[index];
+  const Grid& grid = this->Grids[block.Face];
   const BlockReach own = this->ReachOf(model, index);
   double clearance = HUGE_VAL;
-  for (int n = j0; n < j1; ++n)
+  for (int j = ring.FirstV; j < ring.EndV; ++j)
   {
-    for (int m = i0; m < i1; ++m)
+    for (int i = ring.FirstU; i < ring.EndU; ++i)
     {
-      const int other = grid.First + m + n * grid.CountU;
+      const int other = grid.First + i + j * grid.CountU;
       const SurfaceBlock& around = this->Blocks[other];
       const BlockReach reach = this->ReachOf(model, other);
       const Extents extents(around, around.X, block);
@@ -187,6 +188,16 @@ double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, dou
       clearance = std::min(clearance, (1 - reach.Cost.dot(most)) / (rate + 1e-30));
     }
   }
+  return clearance;
+}
+
+/// As much of a clearance as the blocks outside the ring leave.
+double SurfaceBlocks::ClearanceOfOthers(
+  const SurfaceModel& model, int index, const BlockRange& ring, double clearance) const
+{
+  const SurfaceBlock& block = this->Blocks[index];
+  const Grid& grid = this->Grids[block.Face];
+  const float tilt = this->ReachOf(model, index).Tilt;
   const TreePoint center(block.Center);
   const Extents extents(block, block.X, block);
   const double radius = (extents.Middle.cwiseAbs() + extents.Half).norm();
@@ -208,16 +219,31 @@ double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, dou
         stack.push_back(child);
         continue;
       }
-      const int other = ~child, m = (other - grid.First) % grid.CountU,
-                n = (other - grid.First) / grid.CountU;
-      const bool around =
-        this->Blocks[other].Face == block.Face && m >= i0 && m < i1 && n >= j0 && n < j1;
-      if (!around)
+      const SurfaceBlock& other = this->Blocks[~child];
+      const int i = (~child - grid.First) % grid.CountU, j = (~child - grid.First) / grid.CountU;
+      if (other.Face != block.Face || !ring.Holds(i, j))
       {
-        clearance = std::min(clearance, FreeOf(block, this->Blocks[other], own.Tilt));
+        clearance = std::min(clearance, FreeOf(block, other, tilt));
       }
     }
   }
+  return clearance;
+}
+
+/**
+ * The distance within which a foot in the block is the closest point. On the rectangle of the block
+ * and its neighbours the distance is convex as long as the point stays within the reach of each
+ * of them; all other blocks are kept off by FreeOf.
+ */
+double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, double width) const
+{
+  const BlockRange ring = this->RingAbout(index, width);
+  if (!this->IsSmooth(model, this->Blocks[index].Face, ring))
+  {
+    return 0;
+  }
+  const double convex = this->ConvexClearance(model, index, ring);
+  const double clearance = this->ClearanceOfOthers(model, index, ring, convex);
   return std::max(0.0, std::min(clearance, 1e30));
 }
 

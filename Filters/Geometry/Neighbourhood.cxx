@@ -5,6 +5,7 @@
 #include "PointInversion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nurbs
@@ -60,6 +61,32 @@ struct Contact
   LocalFoot Foot;
 };
 
+/// A place of a loop and where the loop goes on to either way, in (u, v).
+struct LoopPlace
+{
+  Vec2 At, Forward, Backward;
+  bool Straight; ///< in the middle of an edge
+};
+
+/// The unit tangent of a patch along a direction in (u, v); zero along a collapsed side, where
+/// there is no way to go.
+Vec3 TangentAlong(const BezierPatch& patch, const SurfaceJet& jet, const Vec2& d)
+{
+  const Vec3 x = d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
+  const double length = x.norm();
+  return length > 1e-9 * d.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
+                                                                    : Vec3(Vec3::Zero());
+}
+
+/// The angle of a face at a vertex of a loop that goes on forward and backward.
+double AngleInside(const Vec3& forward, const Vec3& backward, const Vec3& normal, bool insideIsLeft)
+{
+  // From forward round to backward.
+  double angle = std::atan2(forward.cross(backward).dot(normal), forward.dot(backward));
+  angle = angle < 0 ? angle + 2 * M_PI : angle;
+  return insideIsLeft ? angle : 2 * M_PI - angle;
+}
+
 class SectorFinder
 {
 public:
@@ -99,6 +126,11 @@ private:
   void AddRay(Sector& sector, const BezierPatch& patch, double s0, double t0, double s1, double t1,
     bool insideIsLeft);
   bool SamePlace(int face, const Vec2& a, const Vec2& b) const;
+  bool IsKnown(const Sector& sector, std::size_t count) const;
+  LoopPlace PlaceOnLoop(const Contact& contact, const Vec2& foot) const;
+  std::array<bool, 4> SidesAt(const Contact& contact) const;
+  double AddSideRays(
+    Sector& sector, const BezierPatch& patch, double s, double t, const std::array<bool, 4>& on);
 
   const SurfaceModel& Model;
   const Vec3 X;
@@ -151,73 +183,70 @@ bool SectorFinder::SamePlace(int face, const Vec2& a, const Vec2& b) const
     std::abs(a.y() - b.y()) < 0.1 * (data.SpansV.Breaks.back() - data.SpansV.Breaks.front());
 }
 
+/// Whether one of the first sectors is of the same face and place.
+bool SectorFinder::IsKnown(const Sector& sector, std::size_t count) const
+{
+  return std::any_of(this->Sectors.begin(), this->Sectors.begin() + count,
+    [&](const Sector& other)
+    {
+      return other.Face == sector.Face &&
+        this->SamePlace(sector.Face, other.Parameters, sector.Parameters);
+    });
+}
+
+/// The foot on the loop, or the end of its edge if that is near.
+LoopPlace SectorFinder::PlaceOnLoop(const Contact& contact, const Vec2& foot) const
+{
+  const SurfaceModel& model = this->Model;
+  const BezierPatch& curve = model.Patches[contact.Patch];
+  const FaceData& data = model.Data[curve.Face];
+  const TrimLoops::Edge& edge = data.Loops.LoopEdge(curve.Loop, curve.LoopEdge);
+  LoopPlace place{ foot, edge.To, edge.From, true };
+  const double toFirst = (contact.Foot.Point - FacePoint(model, curve.Face, edge.From)).norm();
+  const double toLast = (contact.Foot.Point - FacePoint(model, curve.Face, edge.To)).norm();
+  if (toFirst <= this->Gap && toFirst <= toLast)
+  {
+    place.At = edge.From;
+    place.Backward = data.Loops.LoopEdge(curve.Loop, curve.LoopEdge - 1).From;
+    place.Straight = false;
+  }
+  else if (toLast <= this->Gap)
+  {
+    place.At = edge.To;
+    place.Forward = data.Loops.LoopEdge(curve.Loop, curve.LoopEdge + 1).To;
+    place.Straight = false;
+  }
+  place.At.x() = std::clamp(place.At.x(), data.SpansU.Breaks.front(), data.SpansU.Breaks.back());
+  place.At.y() = std::clamp(place.At.y(), data.SpansV.Breaks.front(), data.SpansV.Breaks.back());
+  return place;
+}
+
 void SectorFinder::AddLoopSector(const Contact& contact)
 {
   const SurfaceModel& model = this->Model;
   const BezierPatch& curve = model.Patches[contact.Patch];
-  const TrimLoops& loops = model.Data[curve.Face].Loops;
   Sector sector;
   sector.Face = curve.Face;
   sector.Away = std::sqrt(contact.Foot.Squared);
   sector.Parameters = Vec2(curve.U(contact.Foot.S, 0), curve.V(contact.Foot.S, 0));
-  for (const Sector& other : this->Sectors)
+  if (this->IsKnown(sector, this->Sectors.size()))
   {
-    if (other.Face == sector.Face &&
-      this->SamePlace(sector.Face, other.Parameters, sector.Parameters))
-    {
-      return;
-    }
+    return;
   }
-  const TrimLoops::Edge& edge = loops.LoopEdge(curve.Loop, curve.LoopEdge);
-  const Vec3 first = FacePoint(model, curve.Face, edge.From);
-  const Vec3 last = FacePoint(model, curve.Face, edge.To);
-  Vec2 forward = edge.To, backward = edge.From;
-  sector.Straight = true;
-  const double toFirst = (contact.Foot.Point - first).norm();
-  const double toLast = (contact.Foot.Point - last).norm();
-  if (toFirst <= this->Gap && toFirst <= toLast)
-  {
-    sector.Parameters = edge.From;
-    backward = loops.LoopEdge(curve.Loop, curve.LoopEdge - 1).From;
-    sector.Straight = false;
-  }
-  else if (toLast <= this->Gap)
-  {
-    sector.Parameters = edge.To;
-    forward = loops.LoopEdge(curve.Loop, curve.LoopEdge + 1).To;
-    sector.Straight = false;
-  }
-  const FaceData& data = model.Data[curve.Face];
-  sector.Parameters.x() =
-    std::clamp(sector.Parameters.x(), data.SpansU.Breaks.front(), data.SpansU.Breaks.back());
-  sector.Parameters.y() =
-    std::clamp(sector.Parameters.y(), data.SpansV.Breaks.front(), data.SpansV.Breaks.back());
-  const BezierPatch& patch =
-    model.Patches[model.PatchAt(curve.Face, sector.Parameters.x(), sector.Parameters.y())];
-  const double s = (sector.Parameters.x() - patch.U0) / (patch.U1 - patch.U0);
-  const double t = (sector.Parameters.y() - patch.V0) / (patch.V1 - patch.V0);
+  const LoopPlace place = this->PlaceOnLoop(contact, sector.Parameters);
+  sector.Parameters = place.At;
+  const BezierPatch& patch = model.Patches[model.PatchAt(curve.Face, place.At.x(), place.At.y())];
+  const double s = (place.At.x() - patch.U0) / (patch.U1 - patch.U0);
+  const double t = (place.At.y() - patch.V0) / (patch.V1 - patch.V0);
   SurfaceJet jet;
   EvaluateBezier(patch, model.Net(patch), s, t, jet);
   const Vec3 normal = UnitNormal(model, patch, s, t);
-  const auto tangent = [&](const Vec2& to) -> Vec3
-  {
-    const Vec2 d = (to - sector.Parameters);
-    const Vec3 x = d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
-    const double length = x.norm();
-    // Along a collapsed side there is no way to go.
-    return length > 1e-9 * d.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
-                                                                      : Vec3(Vec3::Zero());
-  };
-  const bool left = loops.InsideIsLeft(curve.Loop);
-  const Vec3 a = tangent(forward), b = tangent(backward);
-  double angle = M_PI;
-  if (!sector.Straight)
-  {
-    angle = std::atan2(a.cross(b).dot(normal), a.dot(b)); // from forward round to backward
-    angle = angle < 0 ? angle + 2 * M_PI : angle;
-    angle = left ? angle : 2 * M_PI - angle;
-    sector.Straight = std::abs(angle - M_PI) < 0.3; // a vertex of a polygon along a curve
-  }
+  const Vec3 a = TangentAlong(patch, jet, place.Forward - place.At);
+  const Vec3 b = TangentAlong(patch, jet, place.Backward - place.At);
+  const bool left = model.Data[curve.Face].Loops.InsideIsLeft(curve.Loop);
+  const double angle = place.Straight ? M_PI : AngleInside(a, b, normal, left);
+  // Straight is also a vertex of a polygon along a curve.
+  sector.Straight = place.Straight || std::abs(angle - M_PI) < 0.3;
   const Vec3 size = 1e-9 * (jet.Su.cwiseAbs() + jet.Sv.cwiseAbs() + jet.Suv.cwiseAbs());
   const bool atPole = jet.Su.norm() <= size.norm() || jet.Sv.norm() <= size.norm();
   if (!atPole) // else the collapsed side of the patch has the angle
@@ -226,11 +255,11 @@ void SectorFinder::AddLoopSector(const Contact& contact)
   }
   if (a.norm() > 0)
   {
-    sector.Rays[sector.RayCount++] = { sector.Parameters, forward, a, left };
+    sector.Rays[sector.RayCount++] = { place.At, place.Forward, a, left };
   }
   if (b.norm() > 0)
   {
-    sector.Rays[sector.RayCount++] = { sector.Parameters, backward, b, !left };
+    sector.Rays[sector.RayCount++] = { place.At, place.Backward, b, !left };
   }
   this->Sectors.push_back(sector);
 }
@@ -260,22 +289,28 @@ void SectorFinder::AddRay(Sector& sector, const BezierPatch& patch, double s0, d
   }
 }
 
-void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSectors)
+/// The sides of its patch that a contact lies on.
+std::array<bool, 4> SectorFinder::SidesAt(const Contact& contact) const
 {
-  const SurfaceModel& model = this->Model;
-  const BezierPatch& patch = model.Patches[contact.Patch];
-  const Vec4* net = model.Net(patch);
-  double s = contact.Foot.S, t = contact.Foot.T;
+  const BezierPatch& patch = this->Model.Patches[contact.Patch];
+  const double s = contact.Foot.S, t = contact.Foot.T;
   const double sideS[4] = { 0, 1, s, s }, sideT[4] = { t, t, 0, 1 };
-  bool on[4];
+  std::array<bool, 4> on;
   for (int side = 0; side < 4; ++side)
   {
     const double away = std::abs(side < 2 ? s - sideS[side] : t - sideT[side]);
     on[side] = away < 0.5 &&
       (away == 0 ||
-        (BezierPoint(patch, net, sideS[side], sideT[side]) - contact.Foot.Point).norm() <=
-          this->Gap);
+        (BezierPoint(patch, this->Model.Net(patch), sideS[side], sideT[side]) - contact.Foot.Point)
+            .norm() <= this->Gap);
   }
+  return on;
+}
+
+void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSectors)
+{
+  const BezierPatch& patch = this->Model.Patches[contact.Patch];
+  const std::array<bool, 4> on = this->SidesAt(contact);
   for (int side = 0; side < 4; ++side)
   {
     if (on[side] && patch.Collapsed[side])
@@ -283,40 +318,35 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
       return this->AddCollapsedSector(contact, side);
     }
   }
-  if (on[0] || on[1])
-  {
-    s = on[0] ? 0 : 1;
-  }
-  if (on[2] || on[3])
-  {
-    t = on[2] ? 0 : 1;
-  }
+  const double s = on[0] ? 0 : (on[1] ? 1 : contact.Foot.S);
+  const double t = on[2] ? 0 : (on[3] ? 1 : contact.Foot.T);
   Sector sector;
   sector.Face = patch.Face;
   sector.Away = std::sqrt(contact.Foot.Squared);
   sector.Parameters = Vec2(patch.U(s, t), patch.V(s, t));
-  for (std::size_t k = 0; k < loopSectors; ++k)
-  {
-    if (this->Sectors[k].Face == patch.Face &&
-      this->SamePlace(patch.Face, this->Sectors[k].Parameters, sector.Parameters))
-    {
-      return; // the loop says what of the face is here
-    }
-  }
-  if (!IsInsideTrim(model, contact.Patch, contact.Foot.S, contact.Foot.T))
+  // Where a loop runs it says what of the face is here.
+  if (this->IsKnown(sector, loopSectors) ||
+    !IsInsideTrim(this->Model, contact.Patch, contact.Foot.S, contact.Foot.T))
   {
     return;
   }
+  const double angle = this->AddSideRays(sector, patch, s, t, on);
+  sector.Weighted = angle * UnitNormal(this->Model, patch, s, t);
+  this->Sectors.push_back(sector);
+}
+
+/// Adds rays along the sides of a patch that are borders; returns the angle that it fills.
+double SectorFinder::AddSideRays(
+  Sector& sector, const BezierPatch& patch, double s, double t, const std::array<bool, 4>& on)
+{
   const bool onS = on[0] || on[1], onT = on[2] || on[3];
-  double angle = onS || onT ? M_PI : 2 * M_PI;
   const auto border = [&](int side)
   { return on[side] && patch.Sides[side] == SideKind::Border && !patch.Collapsed[side]; };
   if (onS && onT)
   {
     SurfaceJet jet;
-    EvaluateBezier(patch, net, s, t, jet);
+    EvaluateBezier(patch, this->Model.Net(patch), s, t, jet);
     const Vec3 a = s == 0 ? jet.Su : Vec3(-jet.Su), b = t == 0 ? jet.Sv : Vec3(-jet.Sv);
-    angle = std::atan2(a.cross(b).norm(), a.dot(b));
     const bool even = (s == 0) == (t == 0);
     if (border(s == 0 ? 0 : 1))
     {
@@ -326,8 +356,9 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
     {
       this->AddRay(sector, patch, s, t, 1 - s, t, even);
     }
+    return std::atan2(a.cross(b).norm(), a.dot(b));
   }
-  else if (onS && border(s == 0 ? 0 : 1))
+  if (onS && border(s == 0 ? 0 : 1))
   {
     this->AddRay(sector, patch, s, t, s, 1, s == 1);
     this->AddRay(sector, patch, s, t, s, 0, s == 0);
@@ -339,8 +370,7 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
     this->AddRay(sector, patch, s, t, 0, t, t == 1);
     sector.Straight = true;
   }
-  sector.Weighted = angle * UnitNormal(model, patch, s, t);
-  this->Sectors.push_back(sector);
+  return onS || onT ? M_PI : 2 * M_PI;
 }
 
 /// A pole: the sector opens over the whole length of the collapsed side.

@@ -54,6 +54,10 @@ struct BlockRange
 {
   int FirstU, EndU, FirstV, EndV;
 
+  bool Holds(int i, int j) const
+  {
+    return i >= this->FirstU && i < this->EndU && j >= this->FirstV && j < this->EndV;
+  }
   void Add(int i, int j)
   {
     this->FirstU = std::min(this->FirstU, i);
@@ -106,7 +110,11 @@ private:
   BlockReach MeasureReach(const SurfaceModel& model, int block) const;
   BlockReach ReachOf(const SurfaceModel& model, int block) const;
   bool IsClear(const SurfaceModel& model, int block, double squared) const;
-  double MeasureClearance(const SurfaceModel& model, int block, double ring) const;
+  double MeasureClearance(const SurfaceModel& model, int block, double width) const;
+  BlockRange RingAbout(int block, double width) const;
+  double ConvexClearance(const SurfaceModel& model, int block, const BlockRange& ring) const;
+  double ClearanceOfOthers(
+    const SurfaceModel& model, int block, const BlockRange& ring, double clearance) const;
   bool IsSmooth(const SurfaceModel& model, int face, const BlockRange& range) const;
   bool IsConvex(const SurfaceModel& model, const Vec3& p, const Vec3& foot, int face,
     const BlockRange& range) const;

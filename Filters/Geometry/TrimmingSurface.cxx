@@ -27,6 +27,10 @@ struct TrimmingSurface::Implementation
   bool IsPlain(const BezierPatch& patch, double s, double t) const;
   bool IsOnSharedLoop(const Vec3& point) const;
   Vec3 NormalAt(int patch, double s, double t, const Vec3& point, bool& border) const;
+  std::vector<LineMeeting> MeetingsAlong(
+    const Vec3& start, const Vec3& direction, double span) const;
+  std::vector<LineMeeting> MeetingAt(const Vec3& point) const;
+  void KeepDistinct(std::vector<LineMeeting>& meetings) const;
 };
 
 /// True if one normal tells all: off the borders, creases, poles and loops.
@@ -189,6 +193,73 @@ Foot TrimmingSurface::NearbyFoot(const Vec3& p, const Foot& guess) const
   return this->ClosestPoint(p, guess, std::numeric_limits<double>::infinity());
 }
 
+/// Where the line from the start, `span` long, meets the patches, from the start on.
+std::vector<LineMeeting> TrimmingSurface::Implementation::MeetingsAlong(
+  const Vec3& start, const Vec3& direction, double span) const
+{
+  const SurfaceModel& model = this->Model;
+  const Box3 box = Box3(model.Bounds.min() - model.Origin, model.Bounds.max() - model.Origin);
+  // Clipped to a ball about the model, single precision is enough for the tree.
+  const double middle = direction.dot(box.center() - start);
+  const double radius = 0.51 * box.diagonal().norm() + 8 * model.Resolution;
+  const double low = std::max(0.0, middle - radius), high = std::min(span, middle + radius);
+  const double slack = 4 * model.Resolution;
+  std::vector<LineMeeting> meetings;
+  if (high - low < -slack)
+  {
+    return meetings;
+  }
+  FindMeetings(model, start, direction, low, std::max(low, high), meetings);
+  std::sort(meetings.begin(), meetings.end(),
+    [](const LineMeeting& x, const LineMeeting& y)
+    { return x.K != y.K ? x.K < y.K : (x.Patch != y.Patch ? x.Patch < y.Patch : x.S < y.S); });
+  return meetings;
+}
+
+/// A point of the surface as the one meeting of a line without length, if it is one.
+std::vector<LineMeeting> TrimmingSurface::Implementation::MeetingAt(const Vec3& point) const
+{
+  const SurfaceModel& model = this->Model;
+  const SurfacePoint found =
+    FindClosestPoint(model, point, 16 * model.Resolution * model.Resolution, SurfacePoint());
+  std::vector<LineMeeting> meetings;
+  if (found.Patch >= 0)
+  {
+    meetings.push_back({ 0.0, found.Patch, found.S, found.T, found.Point, false, 0.0 });
+  }
+  return meetings;
+}
+
+/// Drops meetings that the loops cut away, and of those at one place all but one.
+void TrimmingSurface::Implementation::KeepDistinct(std::vector<LineMeeting>& meetings) const
+{
+  const SurfaceModel& model = this->Model;
+  std::size_t kept = 0;
+  for (const LineMeeting& meeting : meetings)
+  {
+    if (!IsInsideTrim(model, meeting.Patch, meeting.S, meeting.T) &&
+      !this->IsOnSharedLoop(meeting.Point))
+    {
+      continue;
+    }
+    if (kept > 0)
+    {
+      const LineMeeting& last = meetings[kept - 1];
+      const double same = std::max(
+        (meeting.Touch || last.Touch) ? 1e-5 * model.Scale : 1e-9 * model.Scale, 2 * model.Gap);
+      // Of meetings at one place the one on the line counts, not one that bridges a gap.
+      const bool repeated = meeting.K - last.K <= same;
+      if (repeated && (meeting.Away >= last.Away || last.Away <= 4 * model.Resolution))
+      {
+        continue;
+      }
+      kept -= repeated ? 1 : 0;
+    }
+    meetings[kept++] = meeting;
+  }
+  meetings.resize(kept);
+}
+
 std::vector<LineHit> TrimmingSurface::Intersect(
   const Vec3& a, const Vec3& b, double kMin, double kMax) const
 {
@@ -200,61 +271,13 @@ std::vector<LineHit> TrimmingSurface::Intersect(
     return hits;
   }
   const Vec3 start = a + kMin * (b - a) - model.Origin;
-  const double span = (kMax - kMin) * length;
-  std::vector<LineMeeting> meetings;
-  if (!(length > 0))
-  {
-    const SurfacePoint point =
-      FindClosestPoint(model, start, 16 * model.Resolution * model.Resolution, SurfacePoint());
-    if (point.Patch >= 0)
-    {
-      meetings.push_back({ 0.0, point.Patch, point.S, point.T, point.Point, false, 0.0 });
-    }
-  }
-  else
-  {
-    const Vec3 direction = (b - a) / length;
-    const Box3 box = Box3(model.Bounds.min() - model.Origin, model.Bounds.max() - model.Origin);
-    // Clipped to a ball about the model, single precision is enough for the tree.
-    const double middle = direction.dot(box.center() - start);
-    const double radius = 0.51 * box.diagonal().norm() + 8 * model.Resolution;
-    const double low = std::max(0.0, middle - radius), high = std::min(span, middle + radius);
-    const double slack = 4 * model.Resolution;
-    if (high - low < -slack)
-    {
-      return hits;
-    }
-    FindMeetings(model, start, direction, low, std::max(low, high), meetings);
-  }
-  std::sort(meetings.begin(), meetings.end(),
-    [](const LineMeeting& x, const LineMeeting& y)
-    { return x.K != y.K ? x.K < y.K : (x.Patch != y.Patch ? x.Patch < y.Patch : x.S < y.S); });
-
-  double last = -HUGE_VAL, lastAway = 0;
-  bool lastTouch = false;
+  std::vector<LineMeeting> meetings = length > 0
+    ? this->Impl->MeetingsAlong(start, (b - a) / length, (kMax - kMin) * length)
+    : this->Impl->MeetingAt(start);
+  this->Impl->KeepDistinct(meetings);
   for (const LineMeeting& meeting : meetings)
   {
     const BezierPatch& patch = model.Patches[meeting.Patch];
-    if (!IsInsideTrim(model, meeting.Patch, meeting.S, meeting.T) &&
-      !this->Impl->IsOnSharedLoop(meeting.Point))
-    {
-      continue;
-    }
-    const double same = std::max(
-      (meeting.Touch || lastTouch) ? 1e-5 * model.Scale : 1e-9 * model.Scale, 2 * model.Gap);
-    // Of meetings at one place the one on the line counts, not one that bridges a gap.
-    const bool repeated = meeting.K - last <= same;
-    if (repeated && (meeting.Away >= lastAway || lastAway <= 4 * model.Resolution))
-    {
-      continue;
-    }
-    if (repeated)
-    {
-      hits.pop_back();
-    }
-    last = meeting.K;
-    lastAway = meeting.Away;
-    lastTouch = meeting.Touch;
     LineHit hit;
     bool border;
     hit.K = length > 0 ? std::clamp(kMin + meeting.K / length, kMin, kMax) : kMin;
