@@ -10,8 +10,8 @@ void BlockBounds::AddNet(int degreeU, int degreeV, const Vec4* net, double width
 {
   constexpr int MostU = P < 0 ? MaximumDegree : P, MostV = Q < 0 ? MaximumDegree : Q;
   const int p = P < 0 ? degreeU : P, q = Q < 0 ? degreeV : Q, nu = p + 1;
-  // Bounds in variables of their own stay in registers.
   Vec4 points[(MostU + 1) * (MostV + 1)];
+  // Bounds in variables of their own stay in registers, here and below.
   Bound value = this->Value;
   double radius = this->Radius;
   for (int k = 0; k < nu * (q + 1); ++k)
@@ -24,7 +24,14 @@ void BlockBounds::AddNet(int degreeU, int degreeV, const Vec4* net, double width
   }
   this->Value = value;
   this->Radius = radius;
+  this->AddAlongU<P, Q>(p, q, points, widthU);
+  this->AddAlongV<P, Q>(p, q, points, widthU, widthV);
+}
 
+template <int P, int Q>
+void BlockBounds::AddAlongU(int degreeU, int degreeV, const Vec4* points, double widthU)
+{
+  const int p = P < 0 ? degreeU : P, q = Q < 0 ? degreeV : Q, nu = p + 1;
   Bound first = this->FirstU, second = this->UU;
   double deviation = 0;
   for (int j = 0; j <= q; ++j)
@@ -46,12 +53,16 @@ void BlockBounds::AddNet(int degreeU, int degreeV, const Vec4* net, double width
   this->FirstU = first;
   this->UU = second;
   this->DeviationU = std::max(this->DeviationU, std::sqrt(deviation));
+}
 
-  Bound mixed = this->UV;
-  first = this->FirstV;
-  second = this->VV;
-  deviation = 0;
-  Vec4 above[MostU + 1];
+template <int P, int Q>
+void BlockBounds::AddAlongV(
+  int degreeU, int degreeV, const Vec4* points, double widthU, double widthV)
+{
+  const int p = P < 0 ? degreeU : P, q = Q < 0 ? degreeV : Q, nu = p + 1;
+  Bound first = this->FirstV, second = this->VV, mixed = this->UV;
+  double deviation = 0;
+  Vec4 above[(P < 0 ? MaximumDegree : P) + 1];
   for (int j = 1; j <= q; ++j)
   {
     const Vec4* c = points + j * nu;

@@ -36,6 +36,12 @@ private:
   /// Add for given degrees; P < 0: at run time.
   template <int P, int Q>
   void AddNet(int degreeU, int degreeV, const Vec4* net, double widthU, double widthV);
+  /// Of AddNet: the derivatives along u, of points along the axes.
+  template <int P, int Q>
+  void AddAlongU(int degreeU, int degreeV, const Vec4* points, double widthU);
+  /// Of AddNet: those along v, the mixed one among them.
+  template <int P, int Q>
+  void AddAlongV(int degreeU, int degreeV, const Vec4* points, double widthU, double widthV);
 
   /// Of one derivative: the greatest component along each axis, and of the weight.
   struct Bound
