@@ -2,6 +2,7 @@
 
 #include "ElementTopology.h"
 #include "PieceSides.h"
+#include "PlaceText.h"
 #include "Runs.h"
 #include "SideSets.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <unordered_map>
 
@@ -143,7 +143,7 @@ std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const Surface
   ends = piece.All.Gather(ends);
   const auto nearest = std::min_element(ends.begin(), ends.end(),
     [](const SurfaceEnd& a, const SurfaceEnd& b) { return a.Distance < b.Distance; });
-  const std::string at = PlaceText(ToVec3(nearest->At));
+  const std::string at = nurbs::PlaceText(ToVec3(nearest->At));
   if (nearest->Distance >= std::numeric_limits<double>::max())
   {
     return "The trimming surface has its two sides mixed up near " + at +
@@ -304,13 +304,6 @@ bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   return CarryStatus(mesh, blocks, piece, surface, near, result, sets, error);
 }
 
-}
-
-std::string PlaceText(const Vec3& p)
-{
-  char text[128];
-  std::snprintf(text, sizeof(text), "(%.9g, %.9g, %.9g)", p.x(), p.y(), p.z());
-  return text;
 }
 
 bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,

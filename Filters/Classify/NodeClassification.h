@@ -63,9 +63,6 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
   const nurbs::TrimmingSurface& surface, double tolerance, const std::function<bool()>& aborted,
   NodeClassification& result, std::string& error);
 
-/// "(x, y, z)" for messages.
-std::string PlaceText(const Vec3& p);
-
 }
 
 #endif

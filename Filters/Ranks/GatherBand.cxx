@@ -1,7 +1,7 @@
 #include "GatherBand.h"
 
-#include "NodeClassification.h"
 #include "Place.h"
+#include "PlaceText.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -83,7 +83,7 @@ std::string FindRepeatedCell(const BandCells& band)
   const auto repeated = std::adjacent_find(keys.begin(), keys.end());
   return repeated == keys.end()
     ? std::string()
-    : "Several ranks have the same cell, at " + PlaceText(ToVec3(repeated->front())) +
+    : "Several ranks have the same cell, at " + nurbs::PlaceText(ToVec3(repeated->front())) +
       ": distribute the grid, e.g. with Redistribute DataSet, and mark copies of other ranks' "
       "cells as ghosts.";
 }

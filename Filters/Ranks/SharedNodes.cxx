@@ -2,8 +2,8 @@
 
 #include "ElementTopology.h"
 #include "MeshBlocks.h"
-#include "NodeClassification.h"
 #include "Place.h"
+#include "PlaceText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -250,7 +250,7 @@ std::string FindDefect(const std::vector<Entry>& entries, std::size_t begin, std
   {
     const auto& a = entries[i - 1];
     const auto& b = entries[i];
-    const std::string place = PlaceText(ToVec3(b.Node.At));
+    const std::string place = nurbs::PlaceText(ToVec3(b.Node.At));
     if (a.Node.At != b.Node.At)
     {
       return "The global point id " + std::to_string(b.Node.GlobalId) +

@@ -1,6 +1,7 @@
 #include "CurveChain.h"
 
 #include "CurveEvaluation.h"
+#include "PlaceText.h"
 
 #include <Eigen/Geometry>
 

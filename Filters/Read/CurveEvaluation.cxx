@@ -1,7 +1,6 @@
 #include "CurveEvaluation.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace nurbs
 {
@@ -73,15 +72,5 @@ std::vector<CurveSample> SampleCurve(const ConvertedCurve& curve, int perSpan)
   const double end = curve.Knots[count];
   samples.push_back({ end, EvaluateCurve(curve, end) });
   return samples;
-}
-
-//------------------------------------------------------------------------------
-std::string PlaceText(const Vec3& place)
-{
-  // What rounding left of a zero is no place.
-  const Vec3 p = (place.array().abs() < 1e-12).select(0.0, place);
-  std::ostringstream text;
-  text << "(" << p.x() << ", " << p.y() << ", " << p.z() << ")";
-  return text.str();
 }
 }

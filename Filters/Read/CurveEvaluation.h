@@ -7,8 +7,6 @@
 
 #include "SurfaceConstruction.h"
 
-#include <string>
-
 namespace nurbs
 {
 /// C(u) and, if `derivative` is given, C'(u); u within the domain. (The NURBS Book, 4.1, by de
@@ -28,9 +26,6 @@ struct CurveSample
 /// Points along the curve, both ends among them: at every knot, and between two knots evenly, at
 /// `perSpan` steps where the curve is not straight between them.
 std::vector<CurveSample> SampleCurve(const ConvertedCurve& curve, int perSpan);
-
-/// "(x, y, z)" for messages.
-std::string PlaceText(const Vec3& place);
 }
 
 #endif

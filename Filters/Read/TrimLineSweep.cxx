@@ -2,6 +2,7 @@
 
 #include "CurveCrossing.h"
 #include "CurveEvaluation.h"
+#include "PlaceText.h"
 
 #include <algorithm>
 #include <cmath>

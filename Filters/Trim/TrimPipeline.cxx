@@ -4,6 +4,7 @@
 #include "GatherBand.h"
 #include "InputScale.h"
 #include "Place.h"
+#include "PlaceText.h"
 #include "Shortfalls.h"
 #include "Status.h"
 #include "TrimWarnings.h"
@@ -334,7 +335,7 @@ void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
   if (!MeasureShares(near.Mesh, near.Structure, surface, gap, near.Shares, missed))
   {
     const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
-    result.Error = "The trimming surface ends inside the grid, near " + PlaceText(place) +
+    result.Error = "The trimming surface ends inside the grid, near " + nurbs::PlaceText(place) +
       ", and so does not part it: extend the surface beyond the grid or close it.";
   }
 }

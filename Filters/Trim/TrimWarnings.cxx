@@ -1,6 +1,7 @@
 #include "TrimWarnings.h"
 
 #include "Place.h"
+#include "PlaceText.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ void Warn(const Count& count, const std::string& what, std::vector<std::string>&
     const std::string cell =
       count.Cell < 0 ? "" : "(cell " + std::to_string(count.Cell) + " of the input) ";
     warnings.push_back(std::to_string(count.Number) + what + " The first " + cell + "is at " +
-      PlaceText(ToVec3(count.At)) + ".");
+      nurbs::PlaceText(ToVec3(count.At)) + ".");
   }
 }
 
@@ -143,7 +144,7 @@ void WarnOfNodesLeft(TrimResult& result)
     " nodes of the new boundary were left off the surface, as no valid element was to be had "
     "otherwise: refine the mesh there or move the surface. The farthest, " +
     std::to_string(farthest->second) + " away, is at " +
-    PlaceText(result.Near->Mesh.Point[farthest->first]) + ".");
+    nurbs::PlaceText(result.Near->Mesh.Point[farthest->first]) + ".");
 }
 
 void WarnOfCornersLost(TrimResult& result)
@@ -154,7 +155,7 @@ void WarnOfCornersLost(TrimResult& result)
     result.Warnings.push_back(std::to_string(lost.size()) +
       " nodes at corners or on the border of the model moved for the trimmed grid alone: there it "
       "does not add up to the whole with the offcut. Refine the mesh there. The first is at " +
-      PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
+      nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
   }
 }
 
