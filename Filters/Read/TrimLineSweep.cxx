@@ -194,7 +194,14 @@ std::string FindAreaDefect(
 
 std::string DescribeCrossing(const std::vector<TrimLine>& lines, const CurveCrossing& crossing)
 {
-  const std::string place = " at " + PlaceText(crossing.Place);
+  // What rounding left of a zero is no place.
+  double reach = 0.0;
+  for (const Vec4& point : lines[crossing.First].Curve.Points)
+  {
+    reach = std::max(reach, point.head<3>().cwiseAbs().maxCoeff());
+  }
+  const Vec3 at = (crossing.Place.array().abs() < 1e-12 * reach).select(0.0, crossing.Place);
+  const std::string place = " at " + PlaceText(at);
   if (crossing.First != crossing.Second)
   {
     return NameOf(lines, crossing.First) + " and " + NameOf(lines, crossing.Second) +
