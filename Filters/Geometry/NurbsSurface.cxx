@@ -161,6 +161,10 @@ std::string NetDefect(const NurbsSurface& surface)
 
 std::string LoopDefect(const NurbsSurface& surface)
 {
+  // What projecting an edge on a surface may leave beyond the border; not a wrong loop.
+  constexpr double Slack = 1e-6;
+  const Vec2 low(surface.FirstU(), surface.FirstV()), high(surface.LastU(), surface.LastV());
+  const Vec2 slack = Slack * (high - low);
   std::ostringstream text;
   for (std::size_t loop = 0; loop < surface.TrimLoops.size(); ++loop)
   {
@@ -172,10 +176,14 @@ std::string LoopDefect(const NurbsSurface& surface)
     }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      if (!points[i].allFinite())
+      const Vec2& uv = points[i];
+      // Written so that NaN fails.
+      if (!((uv.array() >= (low - slack).array()).all() &&
+            (uv.array() <= (high + slack).array()).all()))
       {
-        text << "point " << i << " of trim loop " << loop
-             << " is not finite: give finite parameters";
+        text << "point " << i << " of trim loop " << loop << " is (" << uv.x() << ", " << uv.y()
+             << "): give one in the domain " << low.x() << " .. " << high.x() << " by " << low.y()
+             << " .. " << high.y();
         return text.str();
       }
     }

@@ -46,9 +46,9 @@ struct NurbsSurface
 };
 
 /**
- * Says what is wrong with a surface: sizes that do not match, knots that decrease or are not
- * finite, an empty domain, points that are not finite, weights that are not positive, degrees
- * out of 1..MaximumDegree. The text names the thing, its place and what to do; empty: valid.
+ * Says what is wrong with a surface: sizes that do not match, knots that decrease, an empty domain,
+ * values that are not finite, weights not positive, degrees out of 1..MaximumDegree, trim loops of
+ * two points or beyond the domain. The text names thing, place and what to do; empty: valid.
  */
 std::string FindDefect(const NurbsSurface& surface);
 

@@ -1,60 +1,17 @@
 #include "TrimLoops.h"
 
+#include "ParameterPolygon.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace nurbs
 {
-namespace
-{
-
-double SignedArea(const std::vector<Vec2>& loop)
-{
-  double area = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    const Vec2 a = loop[i] - loop[0], b = loop[(i + 1) % loop.size()] - loop[0];
-    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
-  return area;
-}
-
-/// One loop whose every edge lies along one side of the rectangle and that encloses all of it.
-bool IsWholeRectangle(const NurbsSurface& surface)
-{
-  if (surface.TrimLoops.size() != 1)
-  {
-    return false;
-  }
-  const auto& loop = surface.TrimLoops[0];
-  const Vec2 low(surface.FirstU(), surface.FirstV()), high(surface.LastU(), surface.LastV());
-  const Vec2 tolerance = 1e-9 * (high - low);
-  const auto sides = [&](const Vec2& x)
-  {
-    int mask = 0;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      mask |= (std::abs(x[axis] - low[axis]) <= tolerance[axis]) << (2 * axis);
-      mask |= (std::abs(x[axis] - high[axis]) <= tolerance[axis]) << (2 * axis + 1);
-    }
-    return mask;
-  };
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    if ((sides(loop[i]) & sides(loop[(i + 1) % loop.size()])) == 0)
-    {
-      return false;
-    }
-  }
-  const double whole = (high - low).prod();
-  return std::abs(std::abs(SignedArea(loop)) - whole) <= 1e-8 * whole;
-}
-
-}
 
 TrimLoops::TrimLoops(const NurbsSurface& surface)
 {
-  if (surface.TrimLoops.empty() || IsWholeRectangle(surface))
+  constexpr double Rounding = 1e-9;
+  const auto& given = surface.TrimLoops;
+  if (given.empty() || (given.size() == 1 && IsWholeRectangle(given[0], surface, Rounding)))
   {
     return;
   }

@@ -221,8 +221,7 @@ bool ReadTrimLoops(vtkFieldData* fieldData, NurbsSurface& surface, std::string& 
     error = message.str();
     return false;
   }
-  error = FindTrimLoopDefect(surface);
-  return error.empty();
+  return true;
 }
 
 /// "block 3 (Face 3) of block 0 (Door)": how an error names a place in a composite.
@@ -345,12 +344,13 @@ bool ReadNURBSFieldData(vtkFieldData* fieldData, NurbsSurface& surface, std::str
   const vtkIdType knotsU = static_cast<vtkIdType>(surface.CountU) + surface.DegreeU + 1;
   const vtkIdType knotsV = static_cast<vtkIdType>(surface.CountV) + surface.DegreeV + 1;
   if (!ReadScalars(fieldData, KnotsUName, knotsU, surface.KnotsU, error) ||
-    !ReadScalars(fieldData, KnotsVName, knotsV, surface.KnotsV, error))
+    !ReadScalars(fieldData, KnotsVName, knotsV, surface.KnotsV, error) ||
+    !ReadTrimLoops(fieldData, surface, error))
   {
     return false;
   }
   error = FindDefect(surface);
-  return error.empty() && ReadTrimLoops(fieldData, surface, error);
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -387,39 +387,5 @@ bool ReadTrimmingSurface(
     return false;
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-std::string FindTrimLoopDefect(const NurbsSurface& surface)
-{
-  // What projecting an edge on a surface may leave beyond the border; not a wrong loop.
-  const double slackU = 1e-6 * (surface.LastU() - surface.FirstU());
-  const double slackV = 1e-6 * (surface.LastV() - surface.FirstV());
-  std::ostringstream message;
-  for (size_t i = 0; i < surface.TrimLoops.size(); ++i)
-  {
-    const std::vector<Vec2>& loop = surface.TrimLoops[i];
-    if (loop.size() < 3)
-    {
-      message << "trim loop " << i << " has " << loop.size()
-              << " points; three at least are needed";
-      return message.str();
-    }
-    for (size_t j = 0; j < loop.size(); ++j)
-    {
-      const double u = loop[j].x();
-      const double v = loop[j].y();
-      // Written so that NaN fails.
-      if (!(u >= surface.FirstU() - slackU && u <= surface.LastU() + slackU &&
-            v >= surface.FirstV() - slackV && v <= surface.LastV() + slackV))
-      {
-        message << "point " << j << " of trim loop " << i << " is (" << u << ", " << v
-                << "); it has to lie in the domain " << surface.FirstU() << " .. "
-                << surface.LastU() << " by " << surface.FirstV() << " .. " << surface.LastV();
-        return message.str();
-      }
-    }
-  }
-  return std::string();
 }
 }

@@ -63,12 +63,6 @@ NURBSTRIMREAD_EXPORT bool HasNURBSFieldData(vtkFieldData* fieldData);
  */
 NURBSTRIMREAD_EXPORT bool ReadTrimmingSurface(
   vtkDataObject* data, std::vector<NurbsSurface>& surfaces, std::string& error);
-
-/**
- * What is wrong with the trim loops of a surface that is otherwise valid: fewer than three
- * points, values that are not finite or lie outside the parameter domain. Empty: nothing.
- */
-NURBSTRIMREAD_EXPORT std::string FindTrimLoopDefect(const NurbsSurface& surface);
 }
 
 #include "NURBSTessellation.h" // For TessellateNURBS, which attaches the field data

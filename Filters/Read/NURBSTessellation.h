@@ -24,7 +24,7 @@ namespace nurbs
  * Point data: `Normals` (unit, along S_u x S_v), `TCoords` (u, v, each scaled to 0..1 over the
  * domain). Polygons are oriented alike. Field data: the definition (WriteNURBSFieldData).
  *
- * @param surface    a valid surface (FindDefect and FindTrimLoopDefect are empty).
+ * @param surface    a valid surface (FindDefect is empty).
  * @param resolution least number of strips along either direction; below 1 counts as 1.
  */
 NURBSTRIMREAD_EXPORT void TessellateNURBS(

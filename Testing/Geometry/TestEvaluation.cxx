@@ -233,6 +233,10 @@ void TestDefects()
     [=](NurbsSurface& s) {
       s.TrimLoops = { { Vec2(0, 0), Vec2(1, nan), Vec2(1, 1) } };
     });
+  expect("loop beyond the domain", "point 2 of trim loop 0",
+    [](NurbsSurface& s) {
+      s.TrimLoops = { { Vec2(0, 0), Vec2(1, 0), Vec2(1, 1.00001) } };
+    });
 }
 
 void TestHighestDegree()

@@ -1,5 +1,6 @@
 // Faces restricted by trim loops: closest points, borders, sides and hits.
 #include "Check.h"
+#include "ParameterPolygon.h"
 #include "SampleSurfaces.h"
 #include "TrimmingSurface.h"
 
@@ -396,6 +397,22 @@ void TestWholeLoops()
   check::That(!empty.MayIntersect(Box3(Vec3(0, 0, -1), Vec3(1, 1, 1))), "no box meets nothing");
 }
 
+/// Which loops go round the whole surface.
+void TestWholeRectangle()
+{
+  const NurbsSurface wavy = samples::Wavy();
+  constexpr double Slack = 1e-6;
+  const double low = 0.5 * Slack, high = 1 - low;
+  const std::vector<Vec2> loop = { Vec2(low, 0), Vec2(high, low), Vec2(1, high), Vec2(0, 1) };
+  check::That(IsWholeRectangle(loop, wavy, Slack), "a loop within the slack is the border");
+  check::That(!IsWholeRectangle(loop, wavy, 1e-9), "it is not where the slack is less");
+  const std::vector<Vec2> cut = { Vec2(0, 0), Vec2(0.999, 0), Vec2(1, 0.001), Vec2(1, 1),
+    Vec2(0, 1) };
+  check::That(!IsWholeRectangle(cut, wavy, Slack), "a loop that cuts a corner is not the border");
+  const std::vector<Vec2> line = { Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 0) };
+  check::That(!IsWholeRectangle(line, wavy, Slack), "nor is one along a side that is empty");
+}
+
 }
 
 int main()
@@ -409,5 +426,6 @@ int main()
   TestTrimmedShell();
   TestPrism();
   TestWholeLoops();
+  TestWholeRectangle();
   return check::Result();
 }

@@ -1,7 +1,7 @@
 #include "CADFaceConversion.h"
 
 #include "CADWires.h"
-#include "NURBSFieldData.h"
+#include "ParameterPolygon.h"
 #include "TrimmedParameterGrid.h"
 
 #include <BRep_Tool.hxx>
@@ -146,36 +146,6 @@ double SizeOf(const NurbsSurface& surface)
   return box.diagonal().norm();
 }
 
-double SignedArea(const std::vector<Vec2>& loop)
-{
-  double area = 0.0;
-  for (size_t i = 0; i < loop.size(); ++i)
-  {
-    const Vec2& a = loop[i];
-    const Vec2& b = loop[(i + 1) % loop.size()];
-    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
-  return area;
-}
-
-/// Does the loop run along the border of the parameter rectangle, round all of it?
-bool IsRectangle(const std::vector<Vec2>& loop, const NurbsSurface& surface)
-{
-  const double sizeU = surface.LastU() - surface.FirstU();
-  const double sizeV = surface.LastV() - surface.FirstV();
-  for (const Vec2& uv : loop)
-  {
-    const double clearU = std::min(uv.x() - surface.FirstU(), surface.LastU() - uv.x());
-    const double clearV = std::min(uv.y() - surface.FirstV(), surface.LastV() - uv.y());
-    if (clearU > ChordTolerance * sizeU && clearV > ChordTolerance * sizeV)
-    {
-      return false;
-    }
-  }
-  return std::abs(std::abs(SignedArea(loop)) - sizeU * sizeV) <
-    4.0 * ChordTolerance * sizeU * sizeV;
-}
-
 /// Drops points that repeat the one before.
 void RemoveRepeated(std::vector<Vec2>& loop)
 {
@@ -210,7 +180,7 @@ std::vector<std::vector<Vec2>> SampleLoops(
 void DropBorderLoop(NurbsSurface& surface)
 {
   auto& loops = surface.TrimLoops;
-  if (loops.size() == 1 && IsRectangle(loops[0], surface))
+  if (loops.size() == 1 && IsWholeRectangle(loops[0], surface, ChordTolerance))
   {
     loops.clear();
   }
@@ -330,10 +300,9 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
     }
     Scale(surface, scale);
     const std::string defect = FindDefect(surface);
-    const std::string loopDefect = defect.empty() ? FindTrimLoopDefect(surface) : defect;
-    if (!loopDefect.empty())
+    if (!defect.empty())
     {
-      return loopDefect;
+      return defect;
     }
     surfaces.push_back(std::move(surface));
   }
