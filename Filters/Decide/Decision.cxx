@@ -19,6 +19,8 @@ namespace
 
 /// An element whose nodes all go to the surface collapses when less than this is left of it.
 constexpr double CollapsedShare = 0.2;
+/// Shares are known to this.
+constexpr double ShareRounding = 1e-9;
 /// Sweeps of mending; in the later half elements are only eliminated, so that it ends.
 constexpr int MendingSweeps = 20;
 
@@ -44,13 +46,15 @@ Decision::Decision(const Band& band, const Columns& columns, const VolumeShares&
 
 std::vector<char> Decision::Take(const std::vector<Fate>& fate)
 {
+  // Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep), but none
+  // of a column that lies beyond as a whole.
+  const double most = std::min(this->Threshold, 1.0 - 2.0 * ShareRounding) + ShareRounding;
   std::vector<char> kept(this->TheBand.NumberOfElements());
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
     const int column = this->TheColumns.Column[e];
-    // Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep).
-    kept[e] = fate[column] == Fate::ByVolume ? this->Shares.Column[e] <= this->Threshold + 1e-9
-                                             : fate[column] == Fate::Keep;
+    kept[e] =
+      fate[column] == Fate::ByVolume ? this->Shares.Column[e] <= most : fate[column] == Fate::Keep;
   }
   if (this->MovesNodes)
   {
