@@ -159,9 +159,14 @@ unsigned char SideOfFarPart(const OutermostNodes& nodes, const nurbs::TrimmingSu
 {
   double best = -1.0;
   unsigned char status = NodeKeep;
-  for (const Place& place : nodes.Places())
+  const auto& places = nodes.Places();
+  for (auto place = places.begin(); place != places.end(); ++place)
   {
-    const Vec3 node = ToVec3(place);
+    if (std::find(places.begin(), place, *place) != place)
+    {
+      continue; // of a part of few nodes most are the same
+    }
+    const Vec3 node = ToVec3(*place);
     const Foot foot = surface.ClosestPoint(node);
     const double cosine = foot.Distance > 0.0 ? std::abs(foot.SignedDistance) / foot.Distance : 0.0;
     const double weight = cosine + (foot.Kind == FootKind::Interior ? 1.0 : 0.0);
@@ -285,10 +290,15 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
   joined.ShareOutermost(piece, farParts);
   if (!farParts.empty())
   {
-    for (const auto& part : farParts)
-    {
-      ofRoot[part.first] = SideOfFarPart(part.second, surface);
-    }
+    // Points that no cell uses are parts, too, and there may be many.
+    vtkSMPTools::For(0, static_cast<Id>(farParts.size()), 256,
+      [&](Id begin, Id end)
+      {
+        for (Id i = begin; i < end; ++i)
+        {
+          ofRoot[farParts[i].first] = SideOfFarPart(farParts[i].second, surface);
+        }
+      });
     AssignSides(mesh, blocks, ofRoot, sets, result);
   }
   return true;
@@ -318,6 +328,10 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
     CellSearch::EachCell);
 
   result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
+  if (piece.All.Any(aborted()))
+  {
+    return false;
+  }
   const NodeFeet& near = result.Near;
   for (std::size_t i = 0; i < near.Ids.size(); ++i)
   {

@@ -53,11 +53,11 @@ struct NodeClassification
 /**
  * @param piece the mesh among those of other ranks, whose nodes it may share.
  * @param tolerance absolute distance under which a node is on the surface.
- * @param aborted asked now and then by one thread; true ends the work at once.
+ * @param aborted asked now and then by one thread; true ends the work.
  * Collective.
  *
- * @return false with an error that gives a point where the surface ends, if it does not part
- * the mesh.
+ * @return false without an error if the work was ended, on any rank; false with one that gives a
+ * point where the surface ends, if it does not part the mesh.
  */
 bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   const nurbs::TrimmingSurface& surface, double tolerance, const std::function<bool()>& aborted,

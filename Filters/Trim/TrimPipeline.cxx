@@ -418,9 +418,9 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     std::max(options.Tolerance * diagonal, DistanceRounding * LargestCoordinateOf(blocks.Bounds));
 
   // Classify.
-  if (!ClassifyNodes(
-        mesh, blocks, piece, surface, tolerance, stopped, result.Nodes, result.Error) ||
-    aborted(0.2))
+  const bool classified =
+    ClassifyNodes(mesh, blocks, piece, surface, tolerance, stopped, result.Nodes, result.Error);
+  if (aborted(0.2) || !classified)
   {
     return result;
   }
