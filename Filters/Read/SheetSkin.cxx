@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace nurbs
 {
@@ -71,17 +72,20 @@ void AddElement(const vtkIdType* ids, int corners, const int (&faces)[Faces][4],
   }
 }
 
-void AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
+/// Cells of the grid before the first one that lacks a node; the number of all if none does.
+vtkIdType AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
 {
   vtkCellArray* cells = grid->GetCells();
   const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
+  const vtkIdType count =
+    std::min(cells->GetNumberOfCells(), grid->GetCellTypesArray()->GetNumberOfValues());
+  const auto numberOfPoints = static_cast<vtkIdType>(sums.Points.size());
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
   const unsigned char* ghost = ghosts ? ghosts->GetPointer(0) : nullptr;
   const auto add = [&](auto* offsets, auto* connectivity)
   {
     const auto at = vtk::DataArrayValueRange<1>(offsets);
     const auto nodes = vtk::DataArrayValueRange<1>(connectivity);
-    const vtkIdType count = cells->GetNumberOfCells();
     vtkIdType ids[8];
     for (vtkIdType cell = 0; cell < count; ++cell)
     {
@@ -90,9 +94,16 @@ void AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
         : types[cell] == VTK_HEXAHEDRON ? 8
         : types[cell] == VTK_WEDGE      ? 6
                                         : 0;
-      for (int i = 0; i < corners; ++i)
+      const auto first = static_cast<vtkIdType>(at[cell]);
+      bool complete = first >= 0 && first <= static_cast<vtkIdType>(nodes.size()) - corners;
+      for (int i = 0; i < corners && complete; ++i)
       {
-        ids[i] = static_cast<vtkIdType>(nodes[static_cast<vtkIdType>(at[cell]) + i]);
+        ids[i] = static_cast<vtkIdType>(nodes[first + i]);
+        complete = ids[i] >= 0 && ids[i] < numberOfPoints;
+      }
+      if (!complete)
+      {
+        return cell;
       }
       if (corners == 8)
       {
@@ -103,33 +114,38 @@ void AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
         AddElement(ids, corners, WedgeFaces, sums);
       }
     }
+    return count;
   };
-  if (cells->IsStorage64Bit())
-  {
-    add(cells->GetOffsetsArray64(), cells->GetConnectivityArray64());
-  }
-  else
-  {
-    add(cells->GetOffsetsArray32(), cells->GetConnectivityArray32());
-  }
+  return cells->IsStorage64Bit() ? add(cells->GetOffsetsArray64(), cells->GetConnectivityArray64())
+                                 : add(cells->GetOffsetsArray32(), cells->GetConnectivityArray32());
 }
 
-void AddGrid(vtkUnstructuredGrid* grid, SheetSkin& skin)
+/// False with an error if the grid is corrupt.
+bool AddGrid(vtkUnstructuredGrid* grid, SheetSkin& skin, std::string& error)
 {
   if (!grid || grid->GetNumberOfCells() == 0)
   {
-    return;
+    return true;
   }
   NodeSums sums;
   sums.Points.reserve(static_cast<size_t>(grid->GetNumberOfPoints()));
-  for (const auto point : vtk::DataArrayTupleRange<3>(grid->GetPoints()->GetData()))
+  if (grid->GetPoints())
   {
-    sums.Points.emplace_back(
-      static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]));
+    for (const auto point : vtk::DataArrayTupleRange<3>(grid->GetPoints()->GetData()))
+    {
+      sums.Points.emplace_back(static_cast<double>(point[0]), static_cast<double>(point[1]),
+        static_cast<double>(point[2]));
+    }
   }
   sums.Areas.assign(sums.Points.size(), Vec3::Zero());
   sums.Sizes.assign(sums.Points.size(), 0.0);
-  AddElements(grid, sums);
+  const vtkIdType added = AddElements(grid, sums);
+  if (added < grid->GetNumberOfCells())
+  {
+    error = "Cell " + std::to_string(added) +
+      " of the sheet uses a node that does not exist: the grid is corrupt, rewrite it";
+    return false;
+  }
   for (size_t i = 0; i < sums.Points.size(); ++i)
   {
     if (sums.Sizes[i] > 0.0 && sums.Points[i].allFinite())
@@ -142,6 +158,7 @@ void AddGrid(vtkUnstructuredGrid* grid, SheetSkin& skin)
       skin.Areas.push_back(sums.Areas[i]);
     }
   }
+  return true;
 }
 }
 
@@ -270,22 +287,24 @@ Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
 }
 
 //------------------------------------------------------------------------------
-SheetSkin BuildSheetSkin(vtkDataObject* data)
+bool BuildSheetSkin(vtkDataObject* data, SheetSkin& skin, std::string& error)
 {
-  SheetSkin skin;
+  skin = SheetSkin();
+  bool complete = true;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
     auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    for (it->InitTraversal(); complete && !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      AddGrid(vtkUnstructuredGrid::SafeDownCast(it->GetCurrentDataObject()), skin);
+      complete =
+        AddGrid(vtkUnstructuredGrid::SafeDownCast(it->GetCurrentDataObject()), skin, error);
     }
   }
   else
   {
-    AddGrid(vtkUnstructuredGrid::SafeDownCast(data), skin);
+    complete = AddGrid(vtkUnstructuredGrid::SafeDownCast(data), skin, error);
   }
   skin.DivideIntoBlocks();
-  return skin;
+  return complete;
 }
 }

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -70,8 +71,10 @@ private:
  * other than hexahedra and wedges, and ghosts, are passed over. Of a mesh in pieces the sides
  * between the pieces count as skin: where pieces are not compact the mean normal may tilt by a
  * fraction of a degree.
+ *
+ * @return false with an error, and a skin without meaning, if a cell uses a node that there is not.
  */
-SheetSkin BuildSheetSkin(vtkDataObject* data);
+bool BuildSheetSkin(vtkDataObject* data, SheetSkin& skin, std::string& error);
 }
 
 #endif

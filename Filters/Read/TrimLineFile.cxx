@@ -30,6 +30,19 @@ std::vector<std::string> SplitLine(const std::string& line)
   return values;
 }
 
+/// The mark that spreadsheets put before UTF-8.
+void SkipByteOrderMark(std::istream& stream)
+{
+  for (const char expected : { '\xEF', '\xBB', '\xBF' })
+  {
+    if (stream.peek() != std::istream::traits_type::to_int_type(expected))
+    {
+      return;
+    }
+    stream.get();
+  }
+}
+
 /// Not strtod: a decimal point whatever the locale.
 bool ReadNumber(const std::string& text, double& number)
 {
@@ -63,9 +76,10 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
   vtksys::ifstream stream(path.c_str());
   if (!stream || vtksys::SystemTools::FileIsDirectory(path))
   {
-    error = file + " cannot be read; give the path of an existing CSV, IGES or STEP file.";
+    error = file + " cannot be read; give the path of an existing CSV, IGES or STEP file";
     return false;
   }
+  SkipByteOrderMark(stream);
   std::string line;
   bool headerMayCome = true;
   for (size_t number = 1; std::getline(stream, line); ++number)
@@ -86,7 +100,7 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     if (values.size() != 3 || count != 3 || !point.allFinite())
     {
       error = file + ", line " + std::to_string(number) + " is \"" + line.substr(0, 60) +
-        "\"; expected three finite numbers x, y, z.";
+        "\"; expected three finite numbers x, y, z";
       return false;
     }
     points.push_back(point);

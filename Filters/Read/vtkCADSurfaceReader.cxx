@@ -2,6 +2,7 @@
 
 #include "CADChildProcess.h"
 #include "CADFormat.h"
+#include "FirstRank.h"
 #include "NURBSTessellation.h"
 
 #include "vtkCompositeDataSet.h"
@@ -72,17 +73,19 @@ int vtkCADSurfaceReader::RequestData(
   };
   std::vector<nurbs::NamedSurface> surfaces;
   std::string message;
+  // All ranks read the file, and one tells of it.
+  const bool first = nurbs::IsFirstRank(vtkMultiProcessController::GetGlobalController());
   if (!nurbs::ReadCADFileInChild(this->FileName ? this->FileName : "",
         InMillimetres(this->LengthUnit), surfaces, message, this->TimeLimit, goOn))
   {
-    if (!message.empty())
+    if (!message.empty() && first)
     {
       vtkErrorMacro(<< message << ".");
     }
     // Not 0: the executive would add an error of its own, at every update again.
     return 1;
   }
-  if (!message.empty())
+  if (!message.empty() && first)
   {
     vtkWarningMacro(<< message << ".");
   }

@@ -20,8 +20,7 @@
  * warning.
  *
  * The file is read by a process forked for it, because OpenCASCADE crashes on many damaged files:
- * that too is one error then. The process may use two minutes of processor time and one more for
- * each megabyte.
+ * that too is one error then. How long it may take is said at TimeLimit.
  *
  * Not handled: compressed and binary IGES; layers, colours and the structure of assemblies
  * beyond names and placement; curves, which vtkTrimLineSource reads.

@@ -1,5 +1,6 @@
 #include "vtkNURBSSurfaceSource.h"
 
+#include "FirstRank.h"
 #include "NURBSTessellation.h"
 #include "NurbsSurface.h"
 
@@ -164,7 +165,10 @@ int vtkNURBSSurfaceSource::RequestData(
   const std::string defect = nurbs::FindDefect(surface);
   if (!defect.empty())
   {
-    vtkErrorMacro(<< "The NURBS surface is not valid: " << defect << ".");
+    if (nurbs::IsFirstRank(vtkMultiProcessController::GetGlobalController()))
+    {
+      vtkErrorMacro(<< "The NURBS surface is not valid: " << defect << ".");
+    }
     // Not 0: the executive would add an error of its own, at every update again.
     return 1;
   }

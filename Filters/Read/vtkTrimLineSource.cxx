@@ -2,7 +2,9 @@
 
 #include "CADChildProcess.h"
 #include "CADFormat.h"
+#include "ChangeTime.h"
 #include "CurveChain.h"
+#include "FirstRank.h"
 #include "NURBSTessellation.h"
 #include "SheetSkin.h"
 #include "TrimLineFile.h"
@@ -71,13 +73,19 @@ struct vtkTrimLineSource::Cache
   vtkWeakPointer<vtkDataObject> Sheet;
   vtkMTimeType SheetTime = 0;
   nurbs::SheetSkin Skin;
+  std::string SheetError; ///< not empty: there is no skin
 
   void TakeSheet(vtkDataObject* sheet, vtkMultiProcessController* ranks)
   {
-    const vtkMTimeType time = sheet ? sheet->GetMTime() : 0;
+    const vtkMTimeType time = sheet ? nurbs::ChangeTime(sheet) : 0;
     if (this->Sheet != sheet || this->SheetTime != time || !sheet)
     {
-      this->Skin = sheet ? nurbs::BuildSheetSkin(sheet) : nurbs::SheetSkin();
+      this->Skin = nurbs::SheetSkin();
+      this->SheetError.clear();
+      if (sheet)
+      {
+        nurbs::BuildSheetSkin(sheet, this->Skin, this->SheetError);
+      }
       this->Sheet = sheet;
       this->SheetTime = time;
     }
@@ -304,18 +312,24 @@ int vtkTrimLineSource::RequestData(
   vtkDataObject* sheet = vtkDataObject::GetData(inputVector[0]);
   this->Kept->TakeSheet(sheet, this->Controller);
   // What follows asks all ranks for their pieces of the sheet, if there is one.
-  const bool complete = kept.Skin.AllAgree(!kept.Lines.empty());
-  if (!kept.Error.empty())
+  const bool complete =
+    kept.Skin.AllAgree(kept.Error.empty() && !kept.Lines.empty() && kept.SheetError.empty());
+  if (!kept.SheetError.empty())
+  {
+    vtkErrorMacro(<< kept.SheetError << ".");
+  }
+  // All ranks have the same line, and one tells of it.
+  const bool first = nurbs::IsFirstRank(this->Controller);
+  if (!kept.Error.empty() && first)
   {
     vtkErrorMacro(<< kept.Error << ".");
-    // Not 0: the executive would add an error of its own, at every update again.
-    return 1;
   }
   if (!complete)
   {
+    // Not 0: the executive would add an error of its own, at every update again.
     return 1;
   }
-  if (!kept.Warning.empty())
+  if (!kept.Warning.empty() && first)
   {
     vtkWarningMacro(<< kept.Warning << ".");
   }
@@ -324,7 +338,10 @@ int vtkTrimLineSource::RequestData(
   const std::string defect = nurbs::FindDefect(kept.Lines, sweep);
   if (!defect.empty())
   {
-    vtkErrorMacro(<< "The trim line is not valid: " << defect << ".");
+    if (first)
+    {
+      vtkErrorMacro(<< "The trim line is not valid: " << defect << ".");
+    }
     return 1;
   }
   const std::vector<nurbs::NurbsSurface> surfaces = nurbs::SweepLines(kept.Lines, sweep);

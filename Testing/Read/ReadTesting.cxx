@@ -51,6 +51,8 @@ void CheckRefusal(
   CHECK(!nurbs::HasNURBSFieldData(source->GetOutput()->GetFieldData()), part << ": field data");
   CHECK(capture->Errors.empty() || capture->Errors[0].find(part) != std::string::npos,
     "no \"" << part << "\" in " << capture->Errors[0]);
+  CHECK(capture->Errors.empty() || capture->Errors[0].find("..") == std::string::npos,
+    "two full stops: " << capture->Errors[0]);
 }
 
 //------------------------------------------------------------------------------

@@ -6,9 +6,12 @@
 #include "ReadTesting.h"
 #include "vtkTrimLineSource.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkParametricSpline.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -347,6 +350,32 @@ void TestAutomaticBySheet()
   CHECK(FieldValue(source, "Length") < 1.0, "the new mesh is flat");
   source->SetInputData(nullptr);
   CHECK(FieldValue(source, "Length") > 4.0, "no mesh any more");
+
+  // A block that changes in its place.
+  const auto block = MakeSheet([](const Vec3& p) { return p; });
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, block);
+  source->SetInputData(blocks);
+  CHECK(FieldValue(source, "Length") < 1.0, "a block");
+  block->GetPoints()->SetPoint(0, 0, 0, -30);
+  block->Modified();
+  CHECK(FieldValue(source, "Length") > 4.0, "the block has changed");
+}
+
+/// Cells with nodes that are not there: one error.
+void TestCorruptSheet()
+{
+  for (const vtkIdType node : { 819, 2000000000, -3 })
+  {
+    vtkNew<vtkTrimLineSource> source;
+    Give(source, { { 1, 3, 0.8 }, { 4, 5, 0.8 }, { 3, 8, 0.8 } }, false);
+    const auto sheet = MakeSheet([](const Vec3& p) { return p; });
+    vtkNew<vtkIdList> nodes;
+    sheet->GetCellPoints(7, nodes);
+    nodes->SetId(2, node);
+    sheet->GetCells()->ReplaceCellAtId(7, nodes);
+    CheckRefusal(source, "Cell 7 of the sheet", [&] { source->SetInputData(sheet); });
+  }
 }
 
 void TestModified()
@@ -368,6 +397,8 @@ void TestFile()
   Give(given, points, true);
   const NurbsSurface expected = SurfaceOf(given);
   for (const std::string text : { "x,y,z\n0,0,0\n4,0,0.5\n4,3,0\n-1e1,3,0\n0,0,0\n",
+         "\xEF\xBB\xBF"
+         "0,0,0\n4,0,0.5\n4,3,0\n-10,3,0\n",
          "# contour\r\n0; 0; 0\r\n+4;0;.5\r\n\r\n4 3\t0\r\n-10 3 0" })
   {
     const std::string path = OutputPath("line.csv");
@@ -468,6 +499,7 @@ int main()
   TestPolyline();
   TestAutomaticByLine();
   TestAutomaticBySheet();
+  TestCorruptSheet();
   TestModified();
   TestFile();
   TestBadInput();
