@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace trim
@@ -53,6 +54,12 @@ bool TakePoints(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
   if (!points || mesh.NumberOfPoints == 0)
   {
     return true;
+  }
+  if (mesh.NumberOfPoints > std::numeric_limits<int>::max())
+  {
+    error = "The grid has " + std::to_string(mesh.NumberOfPoints) +
+      " points, more than one rank can number: distribute it over several ranks.";
+    return false;
   }
   if (auto* doubles = vtkDoubleArray::FastDownCast(points->GetData()))
   {

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace trim
@@ -28,6 +29,13 @@ struct NodeGraph
   PageVector<int> Connectivity; ///< node numbers as they came
   int Bandwidth = 0;            ///< largest difference of these within an element
 };
+
+/// Whether so many elements can be ordered: their nodes and those round each are counted by int.
+inline bool CanOrderNodes(Id numberOfElements)
+{
+  constexpr Id MostNeighbours = 27; // in a block
+  return numberOfElements <= std::numeric_limits<int>::max() / MostNeighbours;
+}
 
 /// Where the nodes of a graph are: points of the mesh.
 class NodePlaces
