@@ -1,6 +1,7 @@
 #include "Skin.h"
 
 #include "ElementTopology.h"
+#include "Runs.h"
 
 #include <vtkSMPTools.h>
 
@@ -51,20 +52,56 @@ std::array<int, 4> SortedNodes(const std::array<Id, 8>& cell, const FaceNodes& f
 struct NodeRange
 {
   Id Begin, End;
+
+  bool IsApart(const NodeRange& other) const
+  {
+    return this->End <= other.Begin || this->Begin >= other.End;
+  }
 };
 
-/// Calls action(least node, rest, cell, face) for each facet whose least node is in the range.
-template <typename Action>
-void ForEachFacet(const HexMesh& mesh, const NodeRange& range, const Action& action)
+/// The least range with all nodes of a cell.
+NodeRange NodesOf(const std::array<Id, 8>& nodes, int count)
 {
-  std::array<Id, 8> nodes = {};
-  for (Id c = 0; c < mesh.NumberOfCells; ++c)
-  {
-    const int count = mesh.Cell(c, nodes);
-    const auto [least, largest] = std::minmax_element(nodes.begin(), nodes.begin() + count);
-    if (*largest < range.Begin || *least >= range.End)
+  const auto [least, largest] = std::minmax_element(nodes.begin(), nodes.begin() + count);
+  return { *least, *largest + 1 };
+}
+
+/// Cells of which one look tells whether any has nodes in a range.
+constexpr Id CellsInRun = 2000;
+
+/// The least and the largest node of each run of cells, as a range.
+std::vector<NodeRange> FindNodesOfRuns(const HexMesh& mesh)
+{
+  std::vector<NodeRange> runs(
+    NumberOfRuns(mesh.NumberOfCells, CellsInRun), { mesh.NumberOfPoints, 0 });
+  ForRuns(mesh.NumberOfCells, CellsInRun,
+    [&](Id run, Id begin, Id end)
     {
-      continue;
+      std::array<Id, 8> nodes = {};
+      for (Id c = begin; c < end; ++c)
+      {
+        const int count = mesh.Cell(c, nodes);
+        const NodeRange own = NodesOf(nodes, count);
+        runs[run].Begin = std::min(runs[run].Begin, own.Begin);
+        runs[run].End = std::max(runs[run].End, own.End);
+      }
+    });
+  return runs;
+}
+
+/// Calls action(least node, rest, cell, face) for each facet whose least node is in the range.
+/// @param runs from FindNodesOfRuns.
+template <typename Action>
+void ForEachFacet(const HexMesh& mesh, const std::vector<NodeRange>& runs, const NodeRange& range,
+  const Action& action)
+{
+  const auto visit = [&](Id c)
+  {
+    std::array<Id, 8> nodes = {};
+    const int count = mesh.Cell(c, nodes);
+    if (NodesOf(nodes, count).IsApart(range))
+    {
+      return;
     }
     const ElementTopology& topology = TopologyOf(count);
     for (int f = 0; f < topology.NumberOfFaces; ++f)
@@ -75,14 +112,27 @@ void ForEachFacet(const HexMesh& mesh, const NodeRange& range, const Action& act
         action(n[0], std::array<int, 3>{ n[1], n[2], n[3] }, c, f);
       }
     }
+  };
+  for (std::size_t run = 0; run < runs.size(); ++run)
+  {
+    if (runs[run].IsApart(range))
+    {
+      continue;
+    }
+    const Id first = static_cast<Id>(run) * CellsInRun;
+    for (Id c = first; c < std::min(mesh.NumberOfCells, first + CellsInRun); ++c)
+    {
+      visit(c);
+    }
   }
 }
 
 /// The facets with their least node in the range that no other element has.
-void FindSingles(const HexMesh& mesh, const NodeRange& range, std::vector<SkinFacet>& singles)
+void FindSingles(const HexMesh& mesh, const std::vector<NodeRange>& runs, const NodeRange& range,
+  std::vector<SkinFacet>& singles)
 {
   std::vector<std::size_t> begin(range.End - range.Begin + 1, 0);
-  ForEachFacet(mesh, range,
+  ForEachFacet(mesh, runs, range,
     [&](Id least, const std::array<int, 3>&, Id, int) { ++begin[least - range.Begin + 1]; });
   for (std::size_t i = 1; i < begin.size(); ++i)
   {
@@ -90,7 +140,7 @@ void FindSingles(const HexMesh& mesh, const NodeRange& range, std::vector<SkinFa
   }
   std::vector<SortedFacet> facets(begin.back());
   std::vector<std::size_t> next = begin;
-  ForEachFacet(mesh, range,
+  ForEachFacet(mesh, runs, range,
     [&](Id least, const std::array<int, 3>& rest, Id cell, int face) {
       facets[next[least - range.Begin]++] = { rest, face, cell };
     });
@@ -129,13 +179,14 @@ std::vector<NodeRange> DivideNodes(const HexMesh& mesh)
 std::vector<SkinFacet> FindSkin(const HexMesh& mesh)
 {
   const std::vector<NodeRange> ranges = DivideNodes(mesh);
+  const std::vector<NodeRange> runs = FindNodesOfRuns(mesh);
   std::vector<std::vector<SkinFacet>> found(ranges.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        FindSingles(mesh, ranges[i], found[i]);
+        FindSingles(mesh, runs, ranges[i], found[i]);
       }
     });
 

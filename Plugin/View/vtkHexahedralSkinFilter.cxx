@@ -4,10 +4,12 @@
 #include "ElementTopology.h"
 #include "GatherAttributes.h"
 #include "Skin.h"
+#include "ThreadScope.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkIdTypeArray.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -180,10 +182,20 @@ int vtkHexahedralSkinFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->GetFieldData()->PassData(input->GetFieldData());
   this->OutlineFlag = 0;
-  const std::vector<trim::SkinFacet> skin = trim::FindSkin(mesh);
+  auto* ranks = vtkMultiProcessController::GetGlobalController();
+  std::vector<trim::SkinFacet> skin;
+  trim::WithThreads(
+    !ranks || ranks->GetNumberOfProcesses() == 1, [&]() { skin = trim::FindSkin(mesh); });
   MakeSkin(vtkUnstructuredGrid::SafeDownCast(input), mesh, skin, output);
   this->LongestEdge = FindLongestEdge(mesh, skin);
   this->CleanupOutputData(output, 1);
   trim::TellRanges(output);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHexahedralSkinFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LongestEdge: " << this->LongestEdge << endl;
 }

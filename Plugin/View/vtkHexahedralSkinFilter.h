@@ -19,6 +19,7 @@ class NURBSTRIMVIEW_EXPORT vtkHexahedralSkinFilter : public vtkPVGeometryFilter
 public:
   static vtkHexahedralSkinFilter* New();
   vtkTypeMacro(vtkHexahedralSkinFilter, vtkPVGeometryFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Of all facets of the last output, 0 if they are not known.
   vtkGetMacro(LongestEdge, double);
