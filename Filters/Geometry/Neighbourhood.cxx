@@ -506,10 +506,9 @@ Neighbourhood ExamineWithin(const SurfaceModel& model, const Vec3& x, double gap
   {
     result.Normal += model.Data[sector.Face].Sign * sector.Weighted;
     result.Gap = std::max(result.Gap, sector.Away);
-    bool matched = sector.RayCount == 0;
     if (sector.Straight && sector.RayCount == 2)
     {
-      matched = FindPartner(sectors, sector, sector.Rays[0]) ||
+      const bool matched = FindPartner(sectors, sector, sector.Rays[0]) ||
         FindPartner(sectors, sector, sector.Rays[1]);
       result.Border = result.Border || !matched;
       continue;

@@ -159,22 +159,38 @@ void WarnOfCornersLost(TrimResult& result)
   }
 }
 
-/// A surface that touches no element, and is not hidden within one either.
-void WarnIfMissed(const Piece& piece, TrimResult& result)
+/// A surface that parts no element, and is not hidden within one either.
+/// @return whether it was warned of.
+bool WarnIfMissed(const Piece& piece, TrimResult& result)
 {
-  std::array<bool, 3> found{};
+  std::array<bool, 3> own{};
   for (const unsigned char status : result.ElementStatus)
   {
-    found[status] = true;
+    own[status] = true;
   }
-  const bool keep = piece.All.Any(found[ElementKeep]);
-  const bool eliminate = piece.All.Any(found[ElementEliminate]);
+  const bool treated = piece.All.Any(own[ElementToTreat]);
+  const bool keep = piece.All.Any(own[ElementKeep]);
+  const bool eliminate = piece.All.Any(own[ElementEliminate]);
   const bool hidden = piece.All.Any(!result.Found.Feasibilities.empty());
-  if (keep != eliminate && !hidden)
+  if (treated || keep == eliminate || hidden)
   {
-    result.Warnings.push_back(std::string("The trimming surface misses the grid, which is ") +
-      (keep ? "kept" : "eliminated") +
-      " whole: move the surface, or turn the side with InvertSide.");
+    return false;
+  }
+  result.Warnings.push_back("The trimming surface " +
+    std::string(
+      result.Near ? "touches the grid, but does not part it: it" : "misses the grid, which") +
+    " is " + (keep ? "kept" : "eliminated") +
+    " whole: move the surface, or turn the side with InvertSide.");
+  return true;
+}
+
+void WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
+{
+  if (!piece.All.Any(std::any_of(result.Kept.begin(), result.Kept.end(), [](char k) { return k; })))
+  {
+    result.Warnings.push_back(
+      "No element is left, as what the surface spares of the grid is too "
+      "little for one: refine the mesh, move the surface, or turn the side with InvertSide.");
   }
 }
 
@@ -182,9 +198,9 @@ void WarnIfMissed(const Piece& piece, TrimResult& result)
 
 void AddWarnings(const HexMesh& mesh, const Piece& piece, TrimResult& result)
 {
-  if (!result.Near)
+  if (!WarnIfMissed(piece, result))
   {
-    WarnIfMissed(piece, result);
+    WarnIfNothingIsLeft(piece, result);
   }
   WarnOfFeasibilities(mesh, piece, result);
   if (result.Near)

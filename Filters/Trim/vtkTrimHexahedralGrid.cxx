@@ -1,11 +1,13 @@
 #include "vtkTrimHexahedralGrid.h"
 
 #include "ArrayRanges.h"
+#include "ChangeTime.h"
 #include "ControllerRanks.h"
 #include "GhostCells.h"
 #include "InputScale.h"
 #include "MeshBlocks.h"
 #include "NURBSFieldData.h"
+#include "NodeOrdering.h"
 #include "OffcutGrid.h"
 #include "SharedBounds.h"
 #include "SharedNodes.h"
@@ -29,24 +31,68 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkWeakPointer.h"
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <string>
+#include <utility>
 
 namespace
 {
 
-/// When the surface changed last: a composite does not ask its blocks.
-vtkMTimeType TimeOf(vtkDataObject* data)
+/// The grid itself, or that of a composite which has one alone; null with an error else.
+vtkUnstructuredGrid* TakeOnlyGrid(vtkDataObject* input, std::string& error)
 {
-  vtkMTimeType time = data->GetMTime();
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
   {
-    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    return vtkUnstructuredGrid::SafeDownCast(input);
+  }
+  vtkDataObject* only = nullptr;
+  int count = 0;
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    vtkDataObject* leaf = it->GetCurrentDataObject();
+    if (!only || leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
     {
-      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
+      count += leaf->GetNumberOfElements(vtkDataObject::CELL) > 0;
+      only = leaf;
     }
   }
-  return time;
+  if (count > 1)
+  {
+    error = "The input grid comes in " + std::to_string(count) +
+      " blocks, which have to be trimmed as one mesh: make it one by Merge Blocks first.";
+    return nullptr;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(only);
+  if (only && !grid)
+  {
+    error = "The input holds a " + std::string(only->GetClassName()) +
+      ", but a grid of hexahedra is needed: give an unstructured grid.";
+  }
+  return grid;
+}
+
+/// The setters' limits let NaN through.
+std::string FindOptionDefect(const trim::TrimOptions& options)
+{
+  const std::pair<const char*, double> shares[] = { { "EliminationFraction",
+                                                      options.Ladder.EliminationFraction },
+    { "MinimumScaledJacobian", options.Ladder.QualityFloor }, { "Tolerance", options.Tolerance } };
+  for (const auto& share : shares)
+  {
+    if (!std::isfinite(share.second))
+    {
+      return std::string(share.first) + " is not a number: give one from 0 to 1.";
+    }
+  }
+  const bool near = options.KeepPoint.cwiseAbs().maxCoeff() < trim::LargestCoordinate;
+  return options.UseKeepPoint && !(options.KeepPoint.allFinite() && near)
+    ? "KeepPoint has a coordinate that is not finite or too large: give a point in the part of the "
+      "grid that is to stay."
+    : "";
 }
 
 std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
@@ -131,27 +177,25 @@ struct vtkTrimHexahedralGrid::Cache
     return true;
   }
 
-  bool TakeSurface(vtkDataObject* data, const trim::Ranks& ranks, std::string& error)
+  bool TakeSurface(vtkDataObject* data, std::string& error)
   {
-    if (this->SurfaceData == data && this->SurfaceTime == TimeOf(data))
+    if (this->SurfaceData == data && this->SurfaceTime == nurbs::ChangeTime(data))
     {
       return true;
     }
     this->SurfaceData = nullptr;
     this->Surface = nullptr;
-    const bool read = nurbs::ReadTrimmingSurface(data, this->OwnFaces, error);
-    if (!read && (ranks.Alone() || data->GetNumberOfElements(vtkDataObject::POINT) > 0))
+    if (data->GetNumberOfElements(vtkDataObject::POINT) == 0)
+    {
+      this->OwnFaces.clear(); // other ranks may have the surface
+    }
+    else if (!nurbs::ReadTrimmingSurface(data, this->OwnFaces, error))
     {
       error = "The trimming surface is not valid: " + error + ".";
       return false;
     }
-    if (!read)
-    {
-      this->OwnFaces.clear(); // other ranks have the surface
-      error.clear();
-    }
     this->SurfaceData = data;
-    this->SurfaceTime = TimeOf(data);
+    this->SurfaceTime = nurbs::ChangeTime(data);
     return true;
   }
 
@@ -166,12 +210,32 @@ struct vtkTrimHexahedralGrid::Cache
     auto faces = trim::ShareFaces(ranks, this->OwnFaces);
     if (faces.empty())
     {
-      error = "The trimming surface is empty: connect a CAD Surface Reader or a NURBS Surface "
-              "Source.";
+      error =
+        "The trimming surface is empty: see the error of its source, or connect a CAD Surface "
+        "Reader, Trim Line Source or NURBS Surface Source.";
       return false;
     }
     this->Surface = MakeSurface(std::move(faces));
     return true;
+  }
+
+  /// @param outputs of ports 0 to 2.
+  void Write(const trim::TrimResult& result, const trim::Ranks& ranks,
+    const trim::WriteOptions& options, bool offcut, const trim::Progress& progress,
+    const std::array<vtkUnstructuredGrid*, 3>& outputs) const
+  {
+    vtkUnstructuredGrid* own = this->Own.Grid;
+    trim::WriteTrimmedGrid(
+      own, this->Mesh, this->Blocks, ranks, result, *this->Surface, options, progress, outputs[0]);
+    trim::RestoreOriginalIds(this->Own, outputs[0]);
+    trim::WriteStatusGrid(own, result, outputs[1]);
+    trim::Summary::RemoveFrom(outputs[1]->GetFieldData());
+    if (offcut)
+    {
+      trim::WriteOffcutGrid(
+        own, this->Mesh, this->Blocks, ranks, result, options, progress, outputs[2]);
+      trim::RestoreOriginalIds(this->Own, outputs[2]);
+    }
   }
 };
 
@@ -208,13 +272,9 @@ int vtkTrimHexahedralGrid::FillInputPortInformation(int port, vtkInformation* in
 {
   // Optional, so that a missing one is reported by RequestData, with the remedy.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-    return 1;
-  }
-  // This order: with vtkDataSet alone the executive would loop over the blocks of a composite.
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  // This order: without composites the executive would loop over the blocks of one.
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
@@ -263,18 +323,20 @@ int vtkTrimHexahedralGrid::RequestUpdateExtent(
 
 //------------------------------------------------------------------------------
 bool vtkTrimHexahedralGrid::TakeInputs(
-  vtkUnstructuredGrid* grid, vtkDataObject* surface, const trim::Ranks& ranks, std::string& error)
+  vtkDataObject* input, vtkDataObject* surface, const trim::Ranks& ranks, std::string& error)
 {
+  vtkUnstructuredGrid* grid = TakeOnlyGrid(input, error);
   if (!grid)
   {
-    error = "No grid is connected to the first input: connect a grid of hexahedra.";
+    error = error.empty() ? "No grid is connected to the first input: connect a grid of hexahedra."
+                          : error;
   }
   else if (!surface)
   {
     error = "No trimming surface is connected to the second input: connect a CAD Surface Reader, "
             "Trim Line Source or NURBS Surface Source.";
   }
-  else if (this->Kept->TakeGrid(grid, error) && this->Kept->TakeSurface(surface, ranks, error))
+  else if (this->Kept->TakeGrid(grid, error) && this->Kept->TakeSurface(surface, error))
   {
     error.clear();
   }
@@ -304,8 +366,26 @@ int vtkTrimHexahedralGrid::RequestData(
 {
   const trim::ControllerRanks ranks(this->Controller);
   int success = 1;
-  trim::WithThreads(
-    ranks.Alone(), [&]() { success = this->Trim(inputVector, outputVector, ranks); });
+  try
+  {
+    trim::WithThreads(
+      ranks.Alone(), [&]() { success = this->Trim(inputVector, outputVector, ranks); });
+  }
+  catch (const std::bad_alloc&)
+  {
+    if (!ranks.Alone())
+    {
+      throw; // the other ranks would wait for this one
+    }
+    this->Kept = std::make_unique<Cache>();
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkUnstructuredGrid::GetData(outputVector, port)->Initialize();
+    }
+    return this->Refuse(ranks,
+      "The trim needs more memory than there is: close other data, or distribute the grid over "
+      "several ranks.");
+  }
   return success;
 }
 
@@ -313,17 +393,19 @@ int vtkTrimHexahedralGrid::RequestData(
 int vtkTrimHexahedralGrid::Trim(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector, const trim::Ranks& ranks)
 {
-  vtkUnstructuredGrid* trimmed = vtkUnstructuredGrid::GetData(outputVector, 0);
-  vtkUnstructuredGrid* statuses = vtkUnstructuredGrid::GetData(outputVector, 1);
-  vtkUnstructuredGrid* offcut = vtkUnstructuredGrid::GetData(outputVector, 2);
-  for (vtkUnstructuredGrid* output : { trimmed, statuses, offcut })
+  const std::array<vtkUnstructuredGrid*, 3> outputs = { vtkUnstructuredGrid::GetData(
+                                                          outputVector, 0),
+    vtkUnstructuredGrid::GetData(outputVector, 1), vtkUnstructuredGrid::GetData(outputVector, 2) };
+  for (vtkUnstructuredGrid* output : outputs)
   {
     // VTK has passed on the field data of the input already.
     trim::Summary::RemoveFrom(output->GetFieldData());
   }
-  std::string error;
-  if (!this->TakeInputs(vtkUnstructuredGrid::GetData(inputVector[0]),
-        vtkDataObject::GetData(inputVector[1]), ranks, error))
+  const trim::TrimOptions options = this->Options();
+  std::string error = FindOptionDefect(options);
+  if (!error.empty() ||
+    !this->TakeInputs(
+      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), ranks, error))
   {
     return this->Refuse(ranks, error);
   }
@@ -346,10 +428,8 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const trim::HexMesh& mesh = this->Kept->Mesh;
-  vtkUnstructuredGrid* own = this->Kept->Own.Grid;
-  nurbs::TrimmingSurface& surface = *this->Kept->Surface;
-  const trim::TrimResult result = trim::Trim(
-    mesh, this->Kept->Blocks, { ranks, this->Kept->Shared }, surface, this->Options(), progress);
+  const trim::TrimResult result = trim::Trim(mesh, this->Kept->Blocks,
+    { ranks, this->Kept->Shared }, *this->Kept->Surface, options, progress);
   if (!result.Error.empty())
   {
     return this->Refuse(ranks, result.Error);
@@ -358,33 +438,30 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return 1;
   }
-  trim::WriteOptions write;
-  write.RenumberNodes = this->RenumberNodes;
-  write.QualityOfAllElements = this->QualityOfAllElements;
-  trim::WriteTrimmedGrid(
-    own, mesh, this->Kept->Blocks, ranks, result, surface, write, progress, trimmed);
-  trim::RestoreOriginalIds(this->Kept->Own, trimmed);
-  trim::WriteStatusGrid(own, result, statuses);
-  trim::Summary::RemoveFrom(statuses->GetFieldData());
-  if (this->ProduceOffcut)
-  {
-    trim::WriteOffcutGrid(own, mesh, this->Kept->Blocks, ranks, result, write, progress, offcut);
-    trim::RestoreOriginalIds(this->Kept->Own, offcut);
-  }
+  const bool renumber = this->RenumberNodes && trim::CanOrderNodes(mesh.NumberOfCells);
+  this->Kept->Write(result, ranks, { renumber, this->QualityOfAllElements }, this->ProduceOffcut,
+    progress, outputs);
   if (ranks.Any(progress(1.0)))
   {
-    trimmed->Initialize();
-    statuses->Initialize();
-    offcut->Initialize();
+    for (vtkUnstructuredGrid* output : outputs)
+    {
+      output->Initialize();
+    }
     return 1;
   }
-  for (vtkUnstructuredGrid* output : { trimmed, statuses, offcut })
+  for (vtkUnstructuredGrid* output : outputs)
   {
     trim::TellRanges(output);
   }
   for (std::size_t i = 0; ranks.Rank() == 0 && i < result.Warnings.size(); ++i)
   {
     vtkWarningMacro(<< result.Warnings[i]);
+  }
+  if (this->RenumberNodes && !renumber)
+  {
+    vtkWarningMacro(<< "The nodes keep their order, as " << mesh.NumberOfCells
+                    << " elements are too many to renumber at once: distribute the grid over "
+                       "several ranks.");
   }
   return 1;
 }

@@ -240,7 +240,7 @@ private:
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     const trim::Ranks& ranks);
   /// Takes what has changed of the inputs; false, on all ranks, with an error.
-  bool TakeInputs(vtkUnstructuredGrid* grid, vtkDataObject* surface, const trim::Ranks& ranks,
+  bool TakeInputs(vtkDataObject* input, vtkDataObject* surface, const trim::Ranks& ranks,
     std::string& error);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
   /// a line of its own to the one that says what to do.

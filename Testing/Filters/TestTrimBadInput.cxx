@@ -61,11 +61,14 @@ void JudgeForm(const std::string& name, const std::string& message)
 }
 
 // words: alternatives separated by "|"; one of each must be in the message.
-void Judge(const std::string& name, vtkDataObject* grid, vtkDataObject* surface,
-  const std::vector<std::string>& words)
+void Judge(
+  const std::string& name, vtkDataObject* grid, vtkDataObject* surface,
+  const std::vector<std::string>& words,
+  const std::function<void(vtkTrimHexahedralGrid*)>& set = [](vtkTrimHexahedralGrid*) {})
 {
   const Listener listener;
   vtkNew<vtkTrimHexahedralGrid> filter;
+  set(filter);
   if (grid)
   {
     filter->SetInputDataObject(0, grid);
@@ -305,6 +308,35 @@ void TestPointsAndArrays(const Mesh& mesh)
   Judge("all nodes at one place", grid, plane, { "one place", "1 2 3" });
 }
 
+// Options that are no numbers, and a mesh in several blocks.
+void TestOptionsAndBlocks(const Mesh& mesh)
+{
+  const auto plane = GoodPlane(mesh);
+  using Filter = vtkTrimHexahedralGrid;
+  Judge("a fraction that is no number", mesh.Grid, plane, { "EliminationFraction", "0 to 1" },
+    [](Filter* filter) { filter->SetEliminationFraction(NaN); });
+  Judge("a floor that is no number", mesh.Grid, plane, { "MinimumScaledJacobian" },
+    [](Filter* filter) { filter->SetMinimumScaledJacobian(NaN); });
+  Judge("a tolerance that is no number", mesh.Grid, plane, { "Tolerance" },
+    [](Filter* filter) { filter->SetTolerance(NaN); });
+  for (const double x : { NaN, std::numeric_limits<double>::infinity(), 1e200 })
+  {
+    Judge("a keep point nowhere", mesh.Grid, plane, { "KeepPoint" },
+      [x](Filter* filter)
+      {
+        filter->UseKeepPointOn();
+        filter->SetKeepPoint(0, x, 0);
+      });
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, mesh.Grid);
+  blocks->SetBlock(2, MakeMesh("sheet1").Grid);
+  Judge("two blocks", blocks, plane, { "2 blocks", "Merge Blocks" });
+  vtkNew<vtkMultiBlockDataSet> poly;
+  poly->SetBlock(0, plane);
+  Judge("a block of poly data", poly, plane, { "vtkPolyData", "unstructured grid" });
+}
+
 // Two closed bodies, one of them inside out: nothing ends, but between them both sides meet.
 void TestMixedSides(const Mesh& mesh)
 {
@@ -378,6 +410,29 @@ void TestMissed(const Mesh& mesh)
     }
   }
 }
+
+// One warning where all goes: beyond a plane that leaves a tenth of a row, and by one in the skin.
+void TestNothingLeft(const Mesh& mesh)
+{
+  const auto& box = mesh.Box;
+  const Vec3 corner = box.Centre - Vec3(box.HalfX, box.HalfY, 0);
+  const std::pair<const char*, Vec3> cases[] = { { "No element is left",
+                                                   corner + 0.1 * box.ElementSize * Vec3::UnitX() },
+    { "touches the grid, but does not part it: it is eliminated", corner } };
+  for (const auto& item : cases)
+  {
+    const Outcome outcome =
+      RunTrim(mesh, PlaneThrough(item.second, Vec3::UnitX(), 100), TrimOptions());
+    if (!outcome.Errors.empty() || outcome.Case.Trimmed->GetNumberOfCells() != 0 ||
+      outcome.Warnings.size() != 1 || outcome.Warnings[0].find(item.first) == std::string::npos)
+    {
+      std::printf("FAIL %s: %lld cells, %zu warnings, %s\n", item.first,
+        static_cast<long long>(outcome.Case.Trimmed->GetNumberOfCells()), outcome.Warnings.size(),
+        outcome.Warnings.empty() ? "" : outcome.Warnings[0].c_str());
+      ++Wrong;
+    }
+  }
+}
 }
 
 int main()
@@ -387,9 +442,11 @@ int main()
   TestPointsAndArrays(mesh);
   TestSurfaces(mesh);
   TestLoopsAndShells(mesh);
+  TestOptionsAndBlocks(mesh);
   TestMixedSides(mesh);
   TestEnds(mesh);
   TestMissed(mesh);
+  TestNothingLeft(mesh);
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

@@ -2,13 +2,17 @@
  * @file TestTrimSpecial.cxx
  * @brief Surfaces that meet the mesh in special ways: exactly through nodes, edges and facets,
  * through an upright edge of the model, along a layer, touching only, or not at all; a keep point;
- * abort.
+ * the whole elimination fraction; points without cells; a composite of one grid; abort.
  */
 #include "Expect.h"
+#include "NURBSFieldData.h"
+#include "NodeClassification.h"
 #include "RunTrim.h"
+#include "SharedNodes.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
@@ -347,6 +351,76 @@ void TestWedgeOrder()
   Expect(FirstDifference(other.Offcut, as.Offcut).empty(), "turned wedges: port 2");
 }
 
+// The whole fraction keeps what is cut, but nothing that lies beyond the surface.
+void TestWholeFraction()
+{
+  const Mesh mesh = Sheet(20, 15, 2, Vec3(1, 1, 0.4));
+  for (const char* kind : { "plane", "cylinder" })
+  {
+    for (const int type : { 1, 2 })
+    {
+      TrimOptions options;
+      options.CorrectionType = type;
+      options.EliminationFraction = 1;
+      Report report(std::string("fraction 1 ") + kind);
+      const auto outcome =
+        RunAndJudge(mesh, MakeSurface(kind, mesh.Box, Placement()), options, report);
+      Wrong += report.Failures();
+      auto* status = outcome.Case.Trimmed->GetCellData()->GetArray("ElementStatus");
+      int kept = 0;
+      for (vtkIdType c = 0; c < status->GetNumberOfTuples(); ++c)
+      {
+        kept += status->GetComponent(c, 0) == 1;
+      }
+      Expect(kept == 0, "fraction 1: " + std::to_string(kept) + " elements beyond the surface");
+    }
+  }
+}
+
+// Points that no cell uses are no trouble, wherever they are and however many.
+void TestUnusedPoints()
+{
+  const Mesh mesh = Sheet(20, 15, 2, Vec3(1, 1, 0.4));
+  mesh.Grid->GetPointData()->Initialize();
+  Mesh more = mesh;
+  more.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  more.Grid->DeepCopy(mesh.Grid);
+  const Vec3 c = mesh.Box.Centre;
+  for (int i = 0; i < 1000; ++i)
+  {
+    more.Grid->GetPoints()->InsertNextPoint(
+      c[0] + (i % 2 ? 9 : -9), c[1] + 0.001 * i, c[2] + 0.3 * (i % 7));
+  }
+  const Surface plane = PlaneThrough(c + Vec3(0.3, 0, 0), Vec3::UnitX(), 100);
+  const Outcome with = RunTrim(more, plane, TrimOptions());
+  const Outcome without = RunTrim(mesh, plane, TrimOptions());
+  Expect(with.Clean() && FirstDifference(with.Case.Trimmed, without.Case.Trimmed).empty(),
+    "unused points: another trim");
+  auto* status = with.Case.Whole->GetPointData()->GetArray("NodeStatus");
+  int wrong = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    wrong += status->GetComponent(mesh.Grid->GetNumberOfPoints() + i, 0) != (i % 2 ? 1 : 0);
+  }
+  Expect(wrong == 0, "unused points: " + std::to_string(wrong) + " on the wrong side");
+}
+
+// A composite of one grid is that grid.
+void TestBlockAlone()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, mesh.Grid);
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, blocks);
+  filter->SetInputDataObject(1, surface.Data);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  const Outcome expected = RunTrim(mesh, surface, TrimOptions());
+  Expect(output && FirstDifference(output, expected.Case.Trimmed).empty(), "a block alone");
+}
+
 // Aborted at the first progress event: an empty output or a whole one, no crash, and the
 // filter works afterwards.
 void TestAbort()
@@ -377,6 +451,30 @@ void TestAbort()
   filter->Update();
   output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
   Expect(output->GetNumberOfCells() > 0, "abort: nothing comes out afterwards");
+}
+
+// Once work is to end the classification ends too, without an error or a guess.
+void TestAbortOfClassification()
+{
+  const Mesh mesh = Sheet(80, 80, 2, Vec3(1, 1, 0.4));
+  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  trim::HexMesh view;
+  std::string error;
+  std::vector<nurbs::NurbsSurface> faces;
+  Expect(trim::ViewGrid(mesh.Grid, view, error) &&
+      nurbs::ReadTrimmingSurface(surface.Data, faces, error),
+    "abort of classification: " + error);
+  const nurbs::TrimmingSurface trimming(std::move(faces), 0.0);
+  const trim::MeshBlocks blocks = trim::BuildMeshBlocks(view);
+  const trim::Ranks alone;
+  const trim::SharedNodes none;
+  for (const bool stop : { false, true })
+  {
+    trim::NodeClassification nodes;
+    const bool done = trim::ClassifyNodes(
+      view, blocks, { alone, none }, trimming, 1e-9, [stop] { return stop; }, nodes, error);
+    Expect(done != stop && error.empty(), "abort of classification: goes on, or an error");
+  }
 }
 
 void TestProgress()
@@ -422,7 +520,11 @@ int main()
   TestBlocksJoinedAtEdges();
   TestRepeatedFaces();
   TestWedgeOrder();
+  TestWholeFraction();
+  TestUnusedPoints();
+  TestBlockAlone();
   TestAbort();
+  TestAbortOfClassification();
   TestProgress();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
