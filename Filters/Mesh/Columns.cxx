@@ -17,6 +17,10 @@ namespace
 constexpr double ThicknessRatio = 1.5;
 /// Chains longer than this many elements count as open.
 constexpr int LongestChain = 64;
+/// A part is made of sheets if at least this share of its elements has a thickness.
+constexpr double SheetShare = 0.7;
+/// Less than this share of a part is no sheet of its own.
+constexpr double SmallestSheet = 0.1;
 /// How many elements of a part are sampled to measure the chains.
 constexpr int Samples = 200;
 /// Shifts that differ by less, in elements, are the same: rounding must not decide.
@@ -133,6 +137,38 @@ Chain MeasureChain(const Band& band, int element, int axis)
   return chain;
 }
 
+/// Of each axis of an element.
+std::array<Chain, 3> MeasureChains(const Band& band, int element)
+{
+  std::array<Chain, 3> chains;
+  for (int axis = 0; axis < TopologyOf(band.Elements[element].Count).NumberOfAxes; ++axis)
+  {
+    chains[axis] = MeasureChain(band, element, axis);
+  }
+  return chains;
+}
+
+/// Which of the chains of an element ends at the skin and is clearly the shortest, or -1.
+int ClearlyShortest(const std::array<Chain, 3>& chains, int count)
+{
+  for (int axis = 0; axis < count; ++axis)
+  {
+    const Chain& own = chains[axis];
+    // An open chain is longer than what the band shows of it.
+    const bool shortest = std::all_of(chains.begin(), chains.begin() + count,
+      [&own](const Chain& o)
+      {
+        return &o == &own || o.Length > ThicknessRatio * own.Length ||
+          (!o.Closed && o.Length > own.Length);
+      });
+    if (own.Closed && shortest)
+    {
+      return axis;
+    }
+  }
+  return -1;
+}
+
 /// A class of axes in one part, with its measured chains.
 struct Candidate
 {
@@ -142,6 +178,7 @@ struct Candidate
   double MeanLength = 0;
   double MeanShift = 0; ///< of the cut, from end to end
   double ClosedShare = 0;
+  double ClearShare = 0; ///< of the elements whose chain of this class is clearly their thickness
 };
 
 /// @param shift may be empty.
@@ -160,20 +197,24 @@ std::vector<Candidate> MeasureCandidates(
     {
       roots[axis] = axes.Find(Slot(e, axis));
     }
+    // The rings near the cut see whole columns; the halo may not.
+    const bool sampled = i % stride == 0 && band.Elements[e].Ring <= 1;
+    const auto chains = sampled ? MeasureChains(band, e) : std::array<Chain, 3>();
+    const int clear = sampled ? ClearlyShortest(chains, count) : -1;
     for (int axis = 0; axis < count; ++axis)
     {
       auto& candidate = candidates[roots[axis]];
       candidate.Root = roots[axis];
       const bool twice = std::count(roots.begin(), roots.end(), roots[axis]) > 1;
       ++(twice ? candidate.Twice : candidate.Covered);
-      // The rings near the cut see whole columns; the halo may not.
-      if (i % stride == 0 && band.Elements[e].Ring <= 1)
+      if (sampled)
       {
-        const Chain chain = MeasureChain(band, e, axis);
+        const Chain& chain = chains[axis];
         ++measured[roots[axis]];
         candidate.MeanLength += chain.Length;
         candidate.MeanShift += shift ? chain.Count * shift(e, axis) : 0.0;
         candidate.ClosedShare += chain.Closed ? 1.0 : 0.0;
+        candidate.ClearShare += axis == clear ? 1.0 : 0.0;
       }
     }
   }
@@ -186,6 +227,7 @@ std::vector<Candidate> MeasureCandidates(
       item.second.MeanLength /= n;
       item.second.MeanShift /= n;
       item.second.ClosedShare /= n;
+      item.second.ClearShare /= n;
       list.push_back(item.second);
     }
   }
@@ -214,6 +256,69 @@ int ChooseThickness(std::vector<Candidate> candidates, int partSize)
     return shortest && candidate.ClosedShare > 0.5 ? candidate.Root : -1;
   }
   return -1;
+}
+
+/// The axis of one element whose chain is clearly its thickness, or -1.
+int ThicknessOf(const Band& band, int e)
+{
+  return ClearlyShortest(MeasureChains(band, e), TopologyOf(band.Elements[e].Count).NumberOfAxes);
+}
+
+/// Whether the axes of two elements that a face joins go on through it.
+bool FitAt(const Band& band, const BandFace& face, const std::vector<signed char>& axis)
+{
+  const int a = axis[face.Element[0]], b = axis[face.Element[1]];
+  if (a < 0 || b < 0)
+  {
+    return true;
+  }
+  const auto& e0 = band.Elements[face.Element[0]];
+  const auto& e1 = band.Elements[face.Element[1]];
+  const bool ends0 = TopologyOf(e0.Count).FaceAxis[face.Slot[0]] == a;
+  const bool ends1 = TopologyOf(e1.Count).FaceAxis[face.Slot[1]] == b;
+  bool fit = ends0 == ends1;
+  for (int i = 0; i < face.Count && fit && !ends0; ++i)
+  {
+    const int next = face.Node[(i + 1) % face.Count];
+    fit = (AxisOfEdge(e0, face.Node[i], next) == a) == (AxisOfEdge(e1, face.Node[i], next) == b);
+  }
+  return fit;
+}
+
+/// Sheets that meet at a joint have a thickness axis each, and what joins them has none: where two
+/// do not fit the one that ends at the other gives way, else both.
+/// @return whether this is so of most of the part; `axis` of all others is -1 then.
+bool FindThicknesses(const Band& band, const std::vector<int>& part, std::vector<signed char>& axis)
+{
+  for (const int e : part)
+  {
+    axis[e] = static_cast<signed char>(ThicknessOf(band, e));
+  }
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const auto& face : band.Faces)
+    {
+      if (face.Element[1] < 0 || FitAt(band, face, axis))
+      {
+        continue;
+      }
+      std::array<bool, 2> ends{};
+      for (int side = 0; side < 2; ++side)
+      {
+        const int e = face.Element[side];
+        ends[side] = TopologyOf(band.Elements[e].Count).FaceAxis[face.Slot[side]] == axis[e];
+      }
+      for (int side = 0; side < 2; ++side)
+      {
+        axis[face.Element[side]] = ends[side] || ends[0] == ends[1] ? -1 : axis[face.Element[side]];
+      }
+      changed = true;
+    }
+  }
+  const auto found =
+    std::count_if(part.begin(), part.end(), [&axis](int e) { return axis[e] >= 0; });
+  return static_cast<double>(found) > SheetShare * static_cast<double>(part.size());
 }
 
 /// The node next to the first one of an element, along an axis of a class: tells axes apart by
@@ -381,9 +486,8 @@ void BuildPlainGroups(
     changed = false;
     for (const auto& part : parts)
     {
-      if (columns.HasThickness(part.front()) &&
-        std::any_of(
-          part.begin(), part.end(), [&](int e) { return HasBranchingPillar(band, columns, e); }))
+      if (std::any_of(part.begin(), part.end(),
+            [&](int e) { return columns.HasThickness(e) && HasBranchingPillar(band, columns, e); }))
       {
         std::for_each(part.begin(), part.end(), [&](int e) { columns.Axis[e] = -1; });
         changed = true;
@@ -452,9 +556,15 @@ Columns FindColumns(const Band& band)
   columns.Part = classes.PartOfElements(band);
   for (const auto& part : classes.Parts)
   {
-    const int root = ChooseThickness(
-      MeasureCandidates(band, part, {}, classes.Axes), static_cast<int>(part.size()));
-    classes.SetAxis(band, part, root, columns);
+    const auto candidates = MeasureCandidates(band, part, {}, classes.Axes);
+    const int root = ChooseThickness(candidates, static_cast<int>(part.size()));
+    const bool several = std::any_of(candidates.begin(), candidates.end(),
+      [root](const Candidate& c) { return c.Root != root && c.ClearShare > SmallestSheet; });
+    if (!several || !FindThicknesses(band, part, columns.Axis))
+    {
+      std::for_each(part.begin(), part.end(), [&](int e) { columns.Axis[e] = -1; });
+      classes.SetAxis(band, part, root, columns);
+    }
   }
   BuildPlainGroups(band, classes.Parts, columns);
   return columns;
@@ -465,7 +575,8 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
   AxisClasses classes(band);
   for (const auto& part : classes.Parts)
   {
-    if (!columns.HasThickness(part.front()))
+    if (std::none_of(
+          part.begin(), part.end(), [&columns](int e) { return columns.HasThickness(e); }))
     {
       const int root = ChooseBySteadiness(band, part, shift, largest, classes.Axes);
       classes.SetAxis(band, part, root, columns);

@@ -140,6 +140,10 @@ private:
   {
     const Vec3 from = this->TheMoves.Position[node];
     std::vector<Place> places = this->PlacesFor(node);
+    if (places.empty() && this->ComeToCorner(node))
+    {
+      return true;
+    }
     Vec3 nearest;
     if (this->Mover.Constrained(node, this->FreedomOf(node), from, true, nearest))
     {
@@ -166,6 +170,28 @@ private:
     this->TheMoves.Position[node] = best;
     this->TheMoves.Applied[node] = best != from ? Correction::Relax : this->TheMoves.Applied[node];
     return best != from;
+  }
+
+  /// Moves a node whose border ends right before the surface to that end; false if it is there, or
+  /// the elements do not stand it.
+  bool ComeToCorner(int node)
+  {
+    const Vec3 from = this->TheMoves.Position[node];
+    const NodeMove corner = this->Mover.EndAtCorner(node);
+    if (!corner.Found || corner.Target == from)
+    {
+      return false;
+    }
+    const std::vector<int> elements = this->ElementsAt({ node });
+    const std::vector<Standard> before = this->StandardsOf(elements, this->Limit);
+    this->TheMoves.Position[node] = AsStored(this->TheBand, corner.Target);
+    if (this->LowestOf(elements, before) < 0.0 || this->IsCoincident(node))
+    {
+      this->TheMoves.Position[node] = from;
+      return false;
+    }
+    this->TheMoves.Applied[node] = Correction::Relax;
+    return true;
   }
 
   /// Where a node comes to on the longest part of a way that the elements stand; it stays.
