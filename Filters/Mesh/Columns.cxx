@@ -556,14 +556,28 @@ Columns FindColumns(const Band& band)
   columns.Part = classes.PartOfElements(band);
   for (const auto& part : classes.Parts)
   {
+    const int root = ChooseThickness(
+      MeasureCandidates(band, part, {}, classes.Axes), static_cast<int>(part.size()));
+    classes.SetAxis(band, part, root, columns);
+  }
+  BuildPlainGroups(band, classes.Parts, columns);
+  return columns;
+}
+
+Columns FindJoinedSheets(const Band& band)
+{
+  AxisClasses classes(band);
+  Columns columns;
+  columns.Axis.assign(band.NumberOfElements(), -1);
+  columns.Part = classes.PartOfElements(band);
+  for (const auto& part : classes.Parts)
+  {
     const auto candidates = MeasureCandidates(band, part, {}, classes.Axes);
-    const int root = ChooseThickness(candidates, static_cast<int>(part.size()));
-    const bool several = std::any_of(candidates.begin(), candidates.end(),
-      [root](const Candidate& c) { return c.Root != root && c.ClearShare > SmallestSheet; });
-    if (!several || !FindThicknesses(band, part, columns.Axis))
+    const auto sheets = std::count_if(candidates.begin(), candidates.end(),
+      [](const Candidate& c) { return c.ClearShare > SmallestSheet; });
+    if (sheets < 2 || !FindThicknesses(band, part, columns.Axis))
     {
-      std::for_each(part.begin(), part.end(), [&](int e) { columns.Axis[e] = -1; });
-      classes.SetAxis(band, part, root, columns);
+      return NoColumns(band, std::move(columns.Part));
     }
   }
   BuildPlainGroups(band, classes.Parts, columns);

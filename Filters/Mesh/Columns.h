@@ -78,6 +78,13 @@ struct Columns
 
 Columns FindColumns(const Band& band);
 
+/**
+ * Columns of sheets that meet at joints, as of a tee or a cross: each sheet has a thickness axis of
+ * its own, which goes on along the width of another one, and the elements of the joint have none.
+ * None at all where there are no such sheets.
+ */
+Columns FindJoinedSheets(const Band& band);
+
 /// How far the cut wanders along an element, in elements, by element and axis.
 using AxisShift = std::function<double(int, int)>;
 

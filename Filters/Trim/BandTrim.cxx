@@ -3,8 +3,10 @@
 #include "BandQuality.h"
 #include "ColumnChoices.h"
 #include "Shortfalls.h"
+#include "TrimPipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 namespace trim
@@ -73,6 +75,68 @@ Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& opti
   return sum;
 }
 
+/// Whole elements that went though they lie on the kept side, or stayed beyond, farther than one
+/// edge from the surface: the sum of their squared distances, in edges.
+double SquaresAstray(const TrimBand& near, const nurbs::TrimmingSurface& surface)
+{
+  const Band& band = near.Mesh;
+  double sum = 0.0;
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    const unsigned char side = near.Trimmed.Kept[e] ? ElementEliminate : ElementKeep;
+    if (band.ElementStatus[e] != side)
+    {
+      continue;
+    }
+    const auto& element = band.Elements[e];
+    const auto& topology = TopologyOf(element.Count);
+    Vec3 centre = Vec3::Zero();
+    for (int i = 0; i < element.Count; ++i)
+    {
+      centre += band.Point[element.Node[i]] / element.Count;
+    }
+    double longest = 0.0;
+    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    {
+      const auto& edge = topology.Edges[i];
+      const Vec3 way = band.Point[element.Node[edge.Second]] - band.Point[element.Node[edge.First]];
+      longest = std::max(longest, way.norm());
+    }
+    const double distance = surface.ClosestPoint(centre).Distance / longest;
+    sum += distance > 1.0 ? distance * distance : 0.0;
+  }
+  return sum;
+}
+
+/// Where columns of a joint take elements along that lie far from the surface, each of its sheets
+/// gets columns of its own, if that is better on the whole.
+void TryJoinedSheets(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const LadderOptions& options, bool produceOffcut, const Progress& progress)
+{
+  Columns sheets = FindJoinedSheets(near.Mesh);
+  if (!sheets.HasColumns() || !sheets.Complete(near.Mesh, 2))
+  {
+    return;
+  }
+  const auto measure = [&]
+  {
+    Shortcomings sum = MeasureShortcomings(near, options);
+    sum.Squares += SquaresAstray(near, surface);
+    return sum;
+  };
+  const Shortcomings before = measure();
+  BandTrim whole = std::move(static_cast<BandTrim&>(near));
+  near.Structure = std::move(sheets);
+  std::array<int, 2> missed;
+  MeasureShares(near.Mesh, near.Structure, surface,
+    WidestGapShare * surface.Bounds().diagonal().norm(), near.Shares, missed);
+  Climb(near, surface, precision, options, produceOffcut, progress);
+  if (!(measure() < before))
+  {
+    static_cast<BandTrim&>(near) = std::move(whole);
+  }
+}
+
 /// Whether something is kept that is nearly all beyond the surface.
 bool KeepsCorners(const TrimBand& near)
 {
@@ -94,7 +158,11 @@ bool KeepsCorners(const TrimBand& near)
 void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const LadderOptions& options, bool produceOffcut, const Progress& progress)
 {
-  Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.0, 0.5));
+  Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.0, 0.4));
+  if (!progress(-1.0) && near.Structure.HasColumns() && SquaresAstray(near, surface) > 0.0)
+  {
+    TryJoinedSheets(near, surface, precision, options, produceOffcut, Part(progress, 0.4, 0.5));
+  }
   // Most trims leave nothing, and are not measured again.
   if (near.NodesLeft.empty() || near.NodesLeft.size() > MostLeft ||
     options.QualityFloor > HighestFloor)

@@ -351,6 +351,55 @@ void TestWedgeOrder()
   Expect(FirstDifference(other.Offcut, as.Offcut).empty(), "turned wedges: port 2");
 }
 
+/// The farthest whole element that went though it lies on the kept side, or stayed beyond.
+double FarthestAstray(const Outcome& outcome, const Surface& surface)
+{
+  auto* whole = outcome.Case.Whole.Get();
+  auto* ids = outcome.Case.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::vector<char> kept(whole->GetNumberOfCells(), 0);
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    kept[static_cast<vtkIdType>(ids->GetComponent(i, 0))] = 1;
+  }
+  auto* status = whole->GetCellData()->GetArray("ElementStatus");
+  double farthest = 0;
+  for (vtkIdType e = 0; e < whole->GetNumberOfCells(); ++e)
+  {
+    if (status->GetComponent(e, 0) == (kept[e] ? 1 : 0))
+    {
+      double b[6];
+      whole->GetCellBounds(e, b);
+      const Vec3 centre(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]));
+      farthest = std::max(farthest, std::abs(surface.Signed(centre)));
+    }
+  }
+  return farthest;
+}
+
+// Sheets that meet at a joint: the thickness of one goes on along the width of another, and columns
+// along it would take elements far from a leaning plane with them.
+void TestJoints()
+{
+  const Mesh mesh = MakeMesh("angle");
+  for (const int type : { 1, 2 })
+  {
+    for (int k = 0; k < 8; ++k)
+    {
+      const Vec3 normal(0.35 * std::sin(0.8 * k), 1, 0.35 * std::cos(0.8 * k));
+      const Surface plane =
+        PlaneThrough(mesh.Box.Centre + 0.13 * k * Vec3::UnitY(), normal.normalized(), 200);
+      TrimOptions options;
+      options.CorrectionType = type;
+      Report report("joint");
+      const Outcome outcome = RunAndJudge(mesh, plane, options, report);
+      const double farthest = FarthestAstray(outcome, plane) / mesh.Box.ElementSize;
+      Wrong += report.Failures() > 0;
+      Expect(farthest < 1.0,
+        "joint: an element on the wrong side, " + std::to_string(farthest) + " from the surface");
+    }
+  }
+}
+
 // The whole fraction keeps what is cut, but nothing that lies beyond the surface.
 void TestWholeFraction()
 {
@@ -520,6 +569,7 @@ int main()
   TestBlocksJoinedAtEdges();
   TestRepeatedFaces();
   TestWedgeOrder();
+  TestJoints();
   TestWholeFraction();
   TestUnusedPoints();
   TestBlockAlone();
