@@ -144,7 +144,7 @@ void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<c
 /// Kept columns whose nodes all go to the surface and leave nothing between them.
 bool Decision::EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept)
 {
-  const auto moving = FindMovingNodes(this->TheBand, kept);
+  const auto moving = FindMovingNodes(this->TheBand, this->TheColumns, kept);
   bool changed = false;
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
@@ -303,19 +303,38 @@ bool MeasureShares(const Band& band, const Columns& columns, const nurbs::Trimmi
   return true;
 }
 
-std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept)
+std::vector<char> FindMovingNodes(
+  const Band& band, const Columns& columns, const std::vector<char>& kept)
 {
+  std::vector<char> touchesKept(band.NumberOfNodes(), 0), touchesEliminated = touchesKept;
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    const auto& element = band.Elements[e];
+    for (int i = 0; i < element.Count; ++i)
+    {
+      (kept[e] ? touchesKept : touchesEliminated)[element.Node[i]] = 1;
+    }
+  }
+  // A node beyond the surface has to go to it where the border of the model is cut, or beside the
+  // new one; else it is in a cut-out that is not opened, and would only spoil the elements there.
+  const auto isAtBorder = [&](int n)
+  {
+    const auto elements = band.ElementsOfNode(n);
+    return columns.IsOnBorder(band, n) ||
+      std::any_of(elements.begin(), elements.end(),
+        [&](int e)
+        {
+          const auto& element = band.Elements[e];
+          return !columns.HasThickness(e) ||
+            std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
+              [&touchesEliminated](int other) { return touchesEliminated[other] != 0; });
+        });
+  };
   std::vector<char> moving(band.NumberOfNodes(), 0);
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    bool touchesKept = false;
-    bool touchesEliminated = band.NodeStatus[n] == NodeEliminate;
-    for (const int e : band.ElementsOfNode(n))
-    {
-      touchesKept |= kept[e] != 0;
-      touchesEliminated |= kept[e] == 0;
-    }
-    moving[n] = touchesKept && touchesEliminated && band.NodeStatus[n] != NodeOnSurface;
+    moving[n] = touchesKept[n] && band.NodeStatus[n] != NodeOnSurface &&
+      (touchesEliminated[n] || (band.NodeStatus[n] == NodeEliminate && isAtBorder(n)));
   }
   return moving;
 }

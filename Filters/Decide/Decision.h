@@ -96,9 +96,11 @@ private:
 
 /**
  * Nodes that have to lie on the new boundary: those that kept and eliminated elements share,
- * on either side of the surface, and eliminated nodes of kept elements.
+ * on either side of the surface, and eliminated nodes of kept elements, but for those in a cut-out
+ * of a sheet that is not opened.
  */
-std::vector<char> FindMovingNodes(const Band& band, const std::vector<char>& kept);
+std::vector<char> FindMovingNodes(
+  const Band& band, const Columns& columns, const std::vector<char>& kept);
 
 /// A face between a kept element and an eliminated one.
 inline bool IsCutFace(const BandFace& face, const std::vector<char>& kept)

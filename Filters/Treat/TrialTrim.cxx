@@ -127,7 +127,7 @@ TrimmedBand TrialTrim::Make(
   }
   else
   {
-    trimmed.Moving = FindMovingNodes(this->TheBand, trimmed.Kept);
+    trimmed.Moving = FindMovingNodes(this->TheBand, this->TheColumns, trimmed.Kept);
   }
   set = this->ForDecision(std::move(set), trimmed);
   trimmed.NodeMoves = MoveNodes(
