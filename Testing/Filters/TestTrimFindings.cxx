@@ -8,6 +8,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
@@ -215,6 +216,10 @@ void TestSmallHoles()
   ExpectNothing("hole of radius 2.2", sheet, Hole(sheet, 15.2, 15.3, 2.2), TrimOptions());
   // Round a node, with less than half of each element.
   ExpectOnly("hole round a node", sheet, Hole(sheet, 15, 15, 0.45), NotOpened, 2 * 4);
+  // Nothing moves for a hole that is not there.
+  const Outcome shut = RunTrim(sheet, Hole(sheet, 15, 15, 0.45), TrimOptions());
+  Expect(shut.Case.Trimmed->GetFieldData()->GetArray("MovedNodes")->GetComponent(0, 0) == 0,
+    "hole round a node: nodes moved");
   TrimOptions stepped;
   stepped.CorrectionType = 1;
   ExpectOnly("hole round a node, type I", sheet, Hole(sheet, 15, 15, 0.45), NotOpened, 8, stepped);
