@@ -3,10 +3,12 @@ add_library(NURBSTrimStages STATIC
   Mesh/Band.cxx
   Mesh/BandCells.cxx
   Mesh/Columns.cxx
+  Mesh/ElementChain.cxx
   Mesh/FreshArray.cxx
   Mesh/GatherAttributes.cxx
   Mesh/HexMesh.cxx
   Mesh/Jacobian.cxx
+  Mesh/LocalThickness.cxx
   Mesh/MeshBlocks.cxx
   Ranks/ControllerRanks.cxx
   Ranks/GatherBand.cxx

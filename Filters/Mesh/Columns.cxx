@@ -1,6 +1,8 @@
 #include "Columns.h"
 
 #include "DisjointSets.h"
+#include "ElementChain.h"
+#include "LocalThickness.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,14 +15,10 @@ namespace trim
 namespace
 {
 
-/// How much shorter than any other the chains of the thickness axis have to be.
-constexpr double ThicknessRatio = 1.5;
-/// Chains longer than this many elements count as open.
-constexpr int LongestChain = 64;
-/// A part is made of sheets if at least this share of its elements has a thickness.
-constexpr double SheetShare = 0.7;
 /// Less than this share of a part is no sheet of its own.
 constexpr double SmallestSheet = 0.1;
+/// A part is made of sheets if at least this share of its elements has a thickness.
+constexpr double SheetShare = 0.7;
 /// How many elements of a part are sampled to measure the chains.
 constexpr int Samples = 200;
 /// Shifts that differ by less, in elements, are the same: rounding must not decide.
@@ -29,22 +27,6 @@ constexpr double ShiftRounding = 1e-6;
 int Slot(int element, int axis)
 {
   return 3 * element + axis;
-}
-
-/// The axis of an element that is parallel to the edge between two of its nodes, or -1.
-int AxisOfEdge(const BandElement& element, int a, int b)
-{
-  const auto& topology = TopologyOf(element.Count);
-  for (int i = 0; i < topology.NumberOfEdges; ++i)
-  {
-    const int p = element.Node[topology.Edges[i].First];
-    const int q = element.Node[topology.Edges[i].Second];
-    if ((p == a && q == b) || (p == b && q == a))
-    {
-      return topology.Edges[i].Axis;
-    }
-  }
-  return -1;
 }
 
 /// Joins the axes that two elements share through a common face.
@@ -73,102 +55,6 @@ void UniteAxes(const Band& band, const BandFace& face, DisjointSets<int>& axes)
   }
 }
 
-double AxisLength(const Band& band, int element, int axis)
-{
-  const auto& e = band.Elements[element];
-  const auto& topology = TopologyOf(e.Count);
-  double sum = 0.0;
-  int count = 0;
-  for (int i = 0; i < topology.NumberOfEdges; ++i)
-  {
-    if (topology.Edges[i].Axis == axis)
-    {
-      sum +=
-        (band.Point[e.Node[topology.Edges[i].First]] - band.Point[e.Node[topology.Edges[i].Second]])
-          .norm();
-      ++count;
-    }
-  }
-  return sum / count;
-}
-
-struct Chain
-{
-  int Count = 1; ///< elements
-  double Length = 0;
-  bool Closed = true; ///< ends at the exterior on both sides
-};
-
-Chain MeasureChain(const Band& band, int element, int axis)
-{
-  Chain chain;
-  chain.Length = AxisLength(band, element, axis);
-  const auto& topology = TopologyOf(band.Elements[element].Count);
-  for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
-  {
-    if (topology.FaceAxis[slot] != axis)
-    {
-      continue;
-    }
-    int current = element;
-    int leaving = slot;
-    for (int step = 0;; ++step)
-    {
-      const auto& face = band.Faces[band.Elements[current].Face[leaving]];
-      const int side = face.Element[0] == current ? 1 : 0;
-      const int next = face.Element[side];
-      if (next < 0 || step == LongestChain)
-      {
-        chain.Closed = chain.Closed && next < 0 && face.Exterior;
-        break;
-      }
-      const int nextAxis = TopologyOf(band.Elements[next].Count).FaceAxis[face.Slot[side]];
-      if (nextAxis < 0)
-      {
-        chain.Closed = false;
-        break;
-      }
-      ++chain.Count;
-      chain.Length += AxisLength(band, next, nextAxis);
-      leaving = OppositeFace(face.Slot[side]);
-      current = next;
-    }
-  }
-  return chain;
-}
-
-/// Of each axis of an element.
-std::array<Chain, 3> MeasureChains(const Band& band, int element)
-{
-  std::array<Chain, 3> chains;
-  for (int axis = 0; axis < TopologyOf(band.Elements[element].Count).NumberOfAxes; ++axis)
-  {
-    chains[axis] = MeasureChain(band, element, axis);
-  }
-  return chains;
-}
-
-/// Which of the chains of an element ends at the skin and is clearly the shortest, or -1.
-int ClearlyShortest(const std::array<Chain, 3>& chains, int count)
-{
-  for (int axis = 0; axis < count; ++axis)
-  {
-    const Chain& own = chains[axis];
-    // An open chain is longer than what the band shows of it.
-    const bool shortest = std::all_of(chains.begin(), chains.begin() + count,
-      [&own](const Chain& o)
-      {
-        return &o == &own || o.Length > ThicknessRatio * own.Length ||
-          (!o.Closed && o.Length > own.Length);
-      });
-    if (own.Closed && shortest)
-    {
-      return axis;
-    }
-  }
-  return -1;
-}
-
 /// A class of axes in one part, with its measured chains.
 struct Candidate
 {
@@ -178,7 +64,6 @@ struct Candidate
   double MeanLength = 0;
   double MeanShift = 0; ///< of the cut, from end to end
   double ClosedShare = 0;
-  double ClearShare = 0; ///< of the elements whose chain of this class is clearly their thickness
 };
 
 /// @param shift may be empty.
@@ -197,24 +82,20 @@ std::vector<Candidate> MeasureCandidates(
     {
       roots[axis] = axes.Find(Slot(e, axis));
     }
-    // The rings near the cut see whole columns; the halo may not.
-    const bool sampled = i % stride == 0 && band.Elements[e].Ring <= 1;
-    const auto chains = sampled ? MeasureChains(band, e) : std::array<Chain, 3>();
-    const int clear = sampled ? ClearlyShortest(chains, count) : -1;
     for (int axis = 0; axis < count; ++axis)
     {
       auto& candidate = candidates[roots[axis]];
       candidate.Root = roots[axis];
       const bool twice = std::count(roots.begin(), roots.end(), roots[axis]) > 1;
       ++(twice ? candidate.Twice : candidate.Covered);
-      if (sampled)
+      // The rings near the cut see whole columns; the halo may not.
+      if (i % stride == 0 && band.Elements[e].Ring <= 1)
       {
-        const Chain& chain = chains[axis];
+        const Chain chain = MeasureChain(band, e, axis);
         ++measured[roots[axis]];
         candidate.MeanLength += chain.Length;
         candidate.MeanShift += shift ? chain.Count * shift(e, axis) : 0.0;
         candidate.ClosedShare += chain.Closed ? 1.0 : 0.0;
-        candidate.ClearShare += axis == clear ? 1.0 : 0.0;
       }
     }
   }
@@ -227,7 +108,6 @@ std::vector<Candidate> MeasureCandidates(
       item.second.MeanLength /= n;
       item.second.MeanShift /= n;
       item.second.ClosedShare /= n;
-      item.second.ClearShare /= n;
       list.push_back(item.second);
     }
   }
@@ -256,69 +136,6 @@ int ChooseThickness(std::vector<Candidate> candidates, int partSize)
     return shortest && candidate.ClosedShare > 0.5 ? candidate.Root : -1;
   }
   return -1;
-}
-
-/// The axis of one element whose chain is clearly its thickness, or -1.
-int ThicknessOf(const Band& band, int e)
-{
-  return ClearlyShortest(MeasureChains(band, e), TopologyOf(band.Elements[e].Count).NumberOfAxes);
-}
-
-/// Whether the axes of two elements that a face joins go on through it.
-bool FitAt(const Band& band, const BandFace& face, const std::vector<signed char>& axis)
-{
-  const int a = axis[face.Element[0]], b = axis[face.Element[1]];
-  if (a < 0 || b < 0)
-  {
-    return true;
-  }
-  const auto& e0 = band.Elements[face.Element[0]];
-  const auto& e1 = band.Elements[face.Element[1]];
-  const bool ends0 = TopologyOf(e0.Count).FaceAxis[face.Slot[0]] == a;
-  const bool ends1 = TopologyOf(e1.Count).FaceAxis[face.Slot[1]] == b;
-  bool fit = ends0 == ends1;
-  for (int i = 0; i < face.Count && fit && !ends0; ++i)
-  {
-    const int next = face.Node[(i + 1) % face.Count];
-    fit = (AxisOfEdge(e0, face.Node[i], next) == a) == (AxisOfEdge(e1, face.Node[i], next) == b);
-  }
-  return fit;
-}
-
-/// Sheets that meet at a joint have a thickness axis each, and what joins them has none: where two
-/// do not fit the one that ends at the other gives way, else both.
-/// @return whether this is so of most of the part; `axis` of all others is -1 then.
-bool FindThicknesses(const Band& band, const std::vector<int>& part, std::vector<signed char>& axis)
-{
-  for (const int e : part)
-  {
-    axis[e] = static_cast<signed char>(ThicknessOf(band, e));
-  }
-  for (bool changed = true; changed;)
-  {
-    changed = false;
-    for (const auto& face : band.Faces)
-    {
-      if (face.Element[1] < 0 || FitAt(band, face, axis))
-      {
-        continue;
-      }
-      std::array<bool, 2> ends{};
-      for (int side = 0; side < 2; ++side)
-      {
-        const int e = face.Element[side];
-        ends[side] = TopologyOf(band.Elements[e].Count).FaceAxis[face.Slot[side]] == axis[e];
-      }
-      for (int side = 0; side < 2; ++side)
-      {
-        axis[face.Element[side]] = ends[side] || ends[0] == ends[1] ? -1 : axis[face.Element[side]];
-      }
-      changed = true;
-    }
-  }
-  const auto found =
-    std::count_if(part.begin(), part.end(), [&axis](int e) { return axis[e] >= 0; });
-  return static_cast<double>(found) > SheetShare * static_cast<double>(part.size());
 }
 
 /// The node next to the first one of an element, along an axis of a class: tells axes apart by
@@ -402,6 +219,25 @@ struct AxisClasses
         }
       }
     }
+  }
+
+  /// Whether most elements of a part have a thickness, along axes of several classes.
+  bool AreSheets(const std::vector<int>& part, const Columns& columns)
+  {
+    std::map<int, int> ofClass;
+    int found = 0;
+    for (const int e : part)
+    {
+      if (columns.HasThickness(e))
+      {
+        ++found;
+        ++ofClass[this->Axes.Find(Slot(e, columns.Axis[e]))];
+      }
+    }
+    const double size = static_cast<double>(part.size());
+    const auto sheets = std::count_if(ofClass.begin(), ofClass.end(),
+      [size](const auto& c) { return c.second > SmallestSheet * size; });
+    return found > SheetShare * size && sheets > 1;
   }
 
   /// See Columns::Part.
@@ -572,10 +408,8 @@ Columns FindJoinedSheets(const Band& band)
   columns.Part = classes.PartOfElements(band);
   for (const auto& part : classes.Parts)
   {
-    const auto candidates = MeasureCandidates(band, part, {}, classes.Axes);
-    const auto sheets = std::count_if(candidates.begin(), candidates.end(),
-      [](const Candidate& c) { return c.ClearShare > SmallestSheet; });
-    if (sheets < 2 || !FindThicknesses(band, part, columns.Axis))
+    FindLocalThickness(band, part, columns.Axis);
+    if (!classes.AreSheets(part, columns))
     {
       return NoColumns(band, std::move(columns.Part));
     }
@@ -589,8 +423,7 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
   AxisClasses classes(band);
   for (const auto& part : classes.Parts)
   {
-    if (std::none_of(
-          part.begin(), part.end(), [&columns](int e) { return columns.HasThickness(e); }))
+    if (!columns.HasThickness(part.front()))
     {
       const int root = ChooseBySteadiness(band, part, shift, largest, classes.Axes);
       classes.SetAxis(band, part, root, columns);

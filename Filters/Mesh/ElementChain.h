@@ -1,0 +1,30 @@
+/**
+ * @file ElementChain.h
+ * @brief The row of elements through opposite faces, along one axis of an element.
+ */
+#ifndef ElementChain_h
+#define ElementChain_h
+
+#include "Band.h"
+
+namespace trim
+{
+
+/// How much shorter than any other the chains of a thickness axis have to be.
+constexpr double ThicknessRatio = 1.5;
+
+struct Chain
+{
+  int Count = 1; ///< elements
+  double Length = 0;
+  bool Closed = true; ///< ends at the exterior on both sides; one of too many elements does not
+};
+
+Chain MeasureChain(const Band& band, int element, int axis);
+
+/// The axis of an element that is parallel to the edge between two of its nodes, or -1.
+int AxisOfEdge(const BandElement& element, int a, int b);
+
+}
+
+#endif
