@@ -108,6 +108,8 @@ void TrimActions::ToggleStatuses()
 
 void TrimActions::CompareCorrectionTypes()
 {
-  SCOPED_UNDO_SET("Compare Correction Types");
   CorrectionComparison::Show(FindTrimSelection());
+  // With the views their link would go, on which ParaView clears the stack, even while it works on
+  // it: as after its own Add Camera Link there is nothing to undo.
+  CLEAR_UNDO_STACK();
 }
