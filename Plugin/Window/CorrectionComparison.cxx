@@ -1,10 +1,10 @@
 #include "CorrectionComparison.h"
 
+#include "QuietWindow.h"
 #include "TrimSelection.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
-#include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqView.h"
 
@@ -181,14 +181,16 @@ void CorrectionComparison::Show(const TrimSelection& selection)
 {
   pqView* active = pqActiveObjects::instance().activeView();
   vtkSMViewProxy* looking = active ? active->getViewProxy() : nullptr;
-  pqPipelineSource* selected = pqActiveObjects::instance().activeSource();
 
+  QuietWindow quiet;
   vtkNew<Controller> controller;
   std::array<vtkSMSourceProxy*, Types> trims;
   for (int i = 0; i < Types; ++i)
   {
     trims[i] = AddTrim(controller, selection, i + 1);
+    trims[i]->UpdatePipeline(); // while progress is shown
   }
+  quiet.StopDrawing();
 
   vtkSMSessionProxyManager* manager = trims[0]->GetSessionProxyManager();
   auto layoutProxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("misc", "ViewLayout"));
@@ -221,5 +223,4 @@ void CorrectionComparison::Show(const TrimSelection& selection)
   {
     view->StillRender();
   }
-  pqActiveObjects::instance().setActiveSource(selected);
 }

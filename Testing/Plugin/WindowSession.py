@@ -17,6 +17,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from Checks import OUTPUT_DIRECTORY, check, check_close, check_equal, summary  # noqa: F401
 from Replay import check_linked, pipeline
+from StillWindow import StillWindow  # noqa: F401
 
 
 def run(code):
