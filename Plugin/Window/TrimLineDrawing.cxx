@@ -3,8 +3,10 @@
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
+#include "pqProxyModifiedStateUndoElement.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
@@ -47,6 +49,16 @@ std::vector<double> PlacePoints(const double bounds[6])
   }
   return points;
 }
+
+/// The panel asks for Apply; so it does when the source comes back by Redo.
+void AskForApply(pqPipelineSource* source)
+{
+  source->setModifiedState(pqProxy::UNINITIALIZED);
+  vtkNew<pqProxyModifiedStateUndoElement> element;
+  element->SetSession(source->getServer()->session());
+  element->MadeUninitialized(source);
+  ADD_UNDO_ELEM(element);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -80,7 +92,7 @@ void TrimLineDrawing::Start(const SelectedOutput& mesh)
       line.GetPointer());
   if (source)
   {
-    source->setModifiedState(pqProxy::UNINITIALIZED);
+    AskForApply(source);
     pqActiveObjects::instance().setActiveSource(source);
   }
 }

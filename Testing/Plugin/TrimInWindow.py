@@ -103,4 +103,11 @@ window.pause(1500)
 window.picture("window-help.png")
 window.python("check_color((157, 188, 210), 5000, 'kept elements of the help page\\'s picture')")
 
+# A line that Undo has taken and Redo has brought back asks for Apply, as it did when it was made.
+window.action("DrawTrimLine")
+window.menu("menu_Edit", "actionEditUndo")
+window.menu("menu_Edit", "actionEditRedo")
+window.expect(MAIN + "/propertiesDock/propertiesPanel/Accept", "enabled", "true")
+window.python("check_equal(active().GetXMLName(), 'TrimLineSource', 'the active source')")
+
 window.run("trim-in-window")
