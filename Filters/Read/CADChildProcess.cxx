@@ -1,7 +1,7 @@
 #include "CADChildProcess.h"
 
-#include "ByteStream.h"
 #include "CADLibrary.h"
+#include "SurfaceBytes.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -34,42 +34,18 @@ enum class MessageKind : unsigned char
 };
 constexpr size_t HeaderSize = 1 + sizeof(std::uint64_t);
 
-void PackSurface(Packer& packer, const NamedSurface& named)
+void PackNamed(Packer& packer, const NamedSurface& named)
 {
-  const NurbsSurface& surface = named.Surface;
   packer.PutText(named.Name);
-  for (int value : { surface.DegreeU, surface.DegreeV, surface.CountU, surface.CountV })
-  {
-    packer.Put(value);
-  }
-  packer.PutAll(surface.KnotsU);
-  packer.PutAll(surface.KnotsV);
-  packer.PutAll(surface.ControlPoints);
-  packer.Put<std::uint64_t>(surface.TrimLoops.size());
-  for (const std::vector<Vec2>& loop : surface.TrimLoops)
-  {
-    packer.PutAll(loop);
-  }
+  PackSurface(packer, named.Surface);
 }
 
 /// False if the bytes make no sense, or the surface is not valid.
-bool UnpackSurface(Unpacker& unpacker, NamedSurface& named)
+bool UnpackNamed(Unpacker& unpacker, NamedSurface& named)
 {
-  NurbsSurface& surface = named.Surface;
   named.Name = unpacker.TakeText();
-  for (int* value : { &surface.DegreeU, &surface.DegreeV, &surface.CountU, &surface.CountV })
-  {
-    *value = unpacker.Take<int>();
-  }
-  unpacker.TakeAll(surface.KnotsU);
-  unpacker.TakeAll(surface.KnotsV);
-  unpacker.TakeAll(surface.ControlPoints);
-  surface.TrimLoops.resize(unpacker.TakeCount(8));
-  for (std::vector<Vec2>& loop : surface.TrimLoops)
-  {
-    unpacker.TakeAll(loop);
-  }
-  return unpacker.Good && FindDefect(surface).empty();
+  named.Surface = UnpackSurface(unpacker);
+  return unpacker.Good && FindDefect(named.Surface).empty();
 }
 
 void PackCurve(Packer& packer, const FileCurve& curve)
@@ -427,9 +403,9 @@ bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
     std::vector<NamedSurface> found;
     std::string text;
     const bool success = readers.ReadFile(path, unitInMillimetres, found, text, report);
-    return PackResult(success, text, found, PackSurface);
+    return PackResult(success, text, found, PackNamed);
   };
-  return ReadInChild(path, seconds, work, UnpackSurface, surfaces, error, progress);
+  return ReadInChild(path, seconds, work, UnpackNamed, surfaces, error, progress);
 }
 
 //------------------------------------------------------------------------------

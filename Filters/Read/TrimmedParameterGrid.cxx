@@ -119,10 +119,10 @@ struct Crossing
 using Chain = std::vector<int>;
 
 /// The division of a trimmed rectangle: cells, the loops' chains in them, pieces traced.
-class TrimmedGrid
+class ParameterGrid
 {
 public:
-  TrimmedGrid(const std::vector<double>& linesU, const std::vector<double>& linesV,
+  ParameterGrid(const std::vector<double>& linesU, const std::vector<double>& linesV,
     const std::vector<std::vector<Vec2>>& loops)
     : Lines{ ClearLines(linesU, loops, 0), ClearLines(linesV, loops, 1) }
   {
@@ -426,7 +426,7 @@ ParameterPolygons DivideRectangle(
 ParameterPolygons DivideTrimmedRectangle(const std::vector<double>& linesU,
   const std::vector<double>& linesV, const std::vector<std::vector<Vec2>>& loops)
 {
-  return TrimmedGrid(linesU, linesV, loops).Divide();
+  return ParameterGrid(linesU, linesV, loops).Divide();
 }
 
 //------------------------------------------------------------------------------

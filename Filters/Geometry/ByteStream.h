@@ -1,6 +1,7 @@
 /**
  * @file ByteStream.h
- * @brief Plain values to bytes and back, for what goes through a pipe to the same program.
+ * @brief Plain values to bytes and back, for what goes to another process of the same
+ * program, through a pipe or to another rank.
  */
 #ifndef ByteStream_h
 #define ByteStream_h
@@ -81,6 +82,7 @@ public:
     this->Good = this->Good && count <= (this->Bytes.size() - this->At) / size;
     return this->Good ? static_cast<size_t>(count) : 0;
   }
+  bool AtEnd() const { return !this->Good || this->At == this->Bytes.size(); }
   bool Good = true;
 
 private:
