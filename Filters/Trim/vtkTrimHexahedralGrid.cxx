@@ -23,6 +23,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
@@ -41,22 +42,24 @@ namespace
 {
 
 /// The grid itself, or that of a composite which has one alone; null with an error else.
-vtkUnstructuredGrid* TakeOnlyGrid(vtkDataObject* input, std::string& error)
+/// @param none stands for that of a composite which has none: other ranks may have it.
+vtkUnstructuredGrid* TakeOnlyGrid(
+  vtkDataObject* input, vtkUnstructuredGrid* none, std::string& error)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
   {
     return vtkUnstructuredGrid::SafeDownCast(input);
   }
-  vtkDataObject* only = nullptr;
+  vtkDataObject* only = none;
   int count = 0;
   auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
     vtkDataObject* leaf = it->GetCurrentDataObject();
-    if (!only || leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
+    if (leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
     {
-      count += leaf->GetNumberOfElements(vtkDataObject::CELL) > 0;
+      ++count;
       only = leaf;
     }
   }
@@ -67,7 +70,7 @@ vtkUnstructuredGrid* TakeOnlyGrid(vtkDataObject* input, std::string& error)
     return nullptr;
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(only);
-  if (only && !grid)
+  if (!grid)
   {
     error = "The input holds a " + std::string(only->GetClassName()) +
       ", but a grid of hexahedra is needed: give an unstructured grid.";
@@ -115,6 +118,7 @@ std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurf
 /// What depends on one input alone is kept until that input changes.
 struct vtkTrimHexahedralGrid::Cache
 {
+  const vtkNew<vtkUnstructuredGrid> NoGrid; ///< see TakeOnlyGrid
   vtkWeakPointer<vtkUnstructuredGrid> Grid;
   vtkMTimeType GridTime = 0;
   trim::OwnCells Own;
@@ -325,7 +329,7 @@ int vtkTrimHexahedralGrid::RequestUpdateExtent(
 bool vtkTrimHexahedralGrid::TakeInputs(
   vtkDataObject* input, vtkDataObject* surface, const trim::Ranks& ranks, std::string& error)
 {
-  vtkUnstructuredGrid* grid = TakeOnlyGrid(input, error);
+  vtkUnstructuredGrid* grid = TakeOnlyGrid(input, this->Kept->NoGrid, error);
   if (!grid)
   {
     error = error.empty() ? "No grid is connected to the first input: connect a grid of hexahedra."

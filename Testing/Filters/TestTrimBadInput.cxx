@@ -332,6 +332,7 @@ void TestOptionsAndBlocks(const Mesh& mesh)
   blocks->SetBlock(1, mesh.Grid);
   blocks->SetBlock(2, MakeMesh("sheet1").Grid);
   Judge("two blocks", blocks, plane, { "2 blocks", "Merge Blocks" });
+  Judge("no block", vtkNew<vtkMultiBlockDataSet>(), plane, { "no cells" });
   vtkNew<vtkMultiBlockDataSet> poly;
   poly->SetBlock(0, plane);
   Judge("a block of poly data", poly, plane, { "vtkPolyData", "unstructured grid" });
