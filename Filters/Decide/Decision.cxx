@@ -1,5 +1,6 @@
 #include "Decision.h"
 
+#include "DisjointSets.h"
 #include "EliminatedFraction.h"
 #include "Jacobian.h"
 #include "Manifold.h"
@@ -263,6 +264,61 @@ bool Decision::MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) 
   return false;
 }
 
+namespace
+{
+
+/// Nodes beyond the surface in a cut-out of a sheet of which no element goes, nor any beside it:
+/// there is no border that they could lie on, and moving them would spoil the elements for nothing.
+std::vector<char> FindShutCutOuts(
+  const Band& band, const Columns& columns, const std::vector<char>& touchesEliminated)
+{
+  std::vector<char> shut(band.NumberOfNodes(), 0);
+  bool any = false;
+  for (int n = 0; n < band.NumberOfNodes() && !any && !columns.ChosenByCut; ++n)
+  {
+    any =
+      band.NodeStatus[n] == NodeEliminate && !touchesEliminated[n] && !columns.IsOnBorder(band, n);
+  }
+  if (!any)
+  {
+    return shut; // as a rule
+  }
+  std::vector<char> open(band.NumberOfNodes(), 0);
+  DisjointSets<int> cutOuts(band.NumberOfNodes());
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    const auto& element = band.Elements[e];
+    const auto begin = element.Node.begin(), end = begin + element.Count;
+    const bool beside = !columns.HasThickness(e) ||
+      std::any_of(begin, end, [&touchesEliminated](int n) { return touchesEliminated[n] != 0; });
+    int first = -1;
+    for (auto n = begin; n != end; ++n)
+    {
+      if (band.NodeStatus[*n] == NodeEliminate)
+      {
+        open[*n] |= beside;
+        first = first < 0 ? *n : first;
+        cutOuts.Unite(first, *n);
+      }
+    }
+  }
+  std::vector<char> ofRoot(band.NumberOfNodes(), 0);
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    if (band.NodeStatus[n] == NodeEliminate)
+    {
+      ofRoot[cutOuts.Find(n)] |= open[n] || columns.IsOnBorder(band, n);
+    }
+  }
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    shut[n] = band.NodeStatus[n] == NodeEliminate && !ofRoot[cutOuts.Find(n)];
+  }
+  return shut;
+}
+
+}
+
 bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
   double gap, VolumeShares& shares, std::array<int, 2>& missedEdge)
 {
@@ -315,26 +371,13 @@ std::vector<char> FindMovingNodes(
       (kept[e] ? touchesKept : touchesEliminated)[element.Node[i]] = 1;
     }
   }
-  // A node beyond the surface has to go to it where the border of the model is cut, or beside the
-  // new one; else it is in a cut-out that is not opened, and would only spoil the elements there.
-  const auto isAtBorder = [&](int n)
-  {
-    const auto elements = band.ElementsOfNode(n);
-    return columns.IsOnBorder(band, n) ||
-      std::any_of(elements.begin(), elements.end(),
-        [&](int e)
-        {
-          const auto& element = band.Elements[e];
-          return !columns.HasThickness(e) ||
-            std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
-              [&touchesEliminated](int other) { return touchesEliminated[other] != 0; });
-        });
-  };
+  const std::vector<char> shut = FindShutCutOuts(band, columns, touchesEliminated);
   std::vector<char> moving(band.NumberOfNodes(), 0);
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    moving[n] = touchesKept[n] && band.NodeStatus[n] != NodeOnSurface &&
-      (touchesEliminated[n] || (band.NodeStatus[n] == NodeEliminate && isAtBorder(n)));
+    const bool beyond = band.NodeStatus[n] == NodeEliminate && !shut[n];
+    moving[n] =
+      touchesKept[n] && band.NodeStatus[n] != NodeOnSurface && (touchesEliminated[n] || beyond);
   }
   return moving;
 }

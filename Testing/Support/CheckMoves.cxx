@@ -1,5 +1,6 @@
 #include "Checks.h"
 
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
@@ -231,11 +232,32 @@ void CheckPlaces(const Evidence& e, Report& report)
 }
 }
 
+namespace
+{
+/// Points of port 0 of which all elements hold a cut-out that is not opened, as the filter says.
+std::vector<char> InShutHoles(const Evidence& e)
+{
+  constexpr double NotOpened = 5;
+  vtkDataArray* feasibility = e.Case.Trimmed->GetCellData()->GetArray("Feasibility");
+  std::vector<char> inside(e.Out.Points.size(), feasibility != nullptr);
+  for (Id c = 0; c < static_cast<Id>(e.Out.Elements.size()); ++c)
+  {
+    const Element& element = e.Out.Elements[c];
+    for (int i = 0; i < element.Size && feasibility; ++i)
+    {
+      inside[element.Node[i]] &= feasibility->GetComponent(c, 0) == NotOpened;
+    }
+  }
+  return inside;
+}
+}
+
 void CheckBoundary(const Evidence& e, Report& report)
 {
   if (e.Case.Options.CorrectionType != 1)
   {
     const std::vector<char> skin = SkinPoints(e);
+    const std::vector<char> shut = InShutHoles(e);
     vtkDataArray* distanceLeft = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
     for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
     {
@@ -253,6 +275,10 @@ void CheckBoundary(const Evidence& e, Report& report)
       if (!e.OnNewBoundary[p] && left == 0 && signedDistance < -e.Exact && e.Moved(p))
       {
         continue; // behind the cut: it came to lie inside
+      }
+      if (!e.OnNewBoundary[p] && left == 0 && shut[p])
+      {
+        continue; // there is no border
       }
       // Where it was, a node may be as far from the surface as the tolerance says.
       const bool stayed = e.NodeStatus[e.PointOf[p]] == 2 && !e.Moved(p);
