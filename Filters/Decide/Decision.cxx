@@ -267,8 +267,9 @@ bool Decision::MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) 
 namespace
 {
 
-/// Nodes beyond the surface in a cut-out of a sheet of which no element goes, nor any beside it:
-/// there is no border that they could lie on, and moving them would spoil the elements for nothing.
+/// Nodes beyond the surface in a cut-out of a sheet that holds no whole element, and of which none
+/// goes, nor any beside it: there is no border that they could lie on, and moving them would spoil
+/// the elements for nothing.
 std::vector<char> FindShutCutOuts(
   const Band& band, const Columns& columns, const std::vector<char>& touchesEliminated)
 {
@@ -289,7 +290,7 @@ std::vector<char> FindShutCutOuts(
   {
     const auto& element = band.Elements[e];
     const auto begin = element.Node.begin(), end = begin + element.Count;
-    const bool beside = !columns.HasThickness(e) ||
+    const bool beside = !columns.HasThickness(e) || band.ElementStatus[e] == ElementEliminate ||
       std::any_of(begin, end, [&touchesEliminated](int n) { return touchesEliminated[n] != 0; });
     int first = -1;
     for (auto n = begin; n != end; ++n)
