@@ -189,6 +189,18 @@ NodeMove NodeMover::EndAtCorner(int node) const
   return move;
 }
 
+NodeMove NodeMover::ComeToCorner(int node, const Vec3& from) const
+{
+  const auto elements = this->TheBand.ElementsOfNode(node);
+  const bool inSheet = !this->TheColumns.ChosenByCut &&
+    std::all_of(
+      elements.begin(), elements.end(), [this](int e) { return this->TheColumns.HasThickness(e); });
+  NodeMove move = inSheet ? this->EndAtCorner(node) : NodeMove();
+  move.Found = move.Found &&
+    this->Surface.ClosestPoint(move.Target).Distance < this->Surface.ClosestPoint(from).Distance;
+  return move;
+}
+
 NodeMove NodeMover::ProjectOnFaces(int node, NodeFreedom& freedom) const
 {
   NodeMove move;

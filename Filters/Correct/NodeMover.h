@@ -80,6 +80,9 @@ public:
    */
   NodeMove EndAtCorner(int node) const;
 
+  /// The same for a node of a sheet that is left off the surface, if it is nearer to it there.
+  NodeMove ComeToCorner(int node, const Vec3& from) const;
+
   /// Edges that type III may use at a node: not through the thickness, not off the skin.
   std::vector<int> SlidingEdges(int node) const;
 

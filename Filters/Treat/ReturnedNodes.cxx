@@ -177,8 +177,8 @@ private:
   bool ComeToCorner(int node)
   {
     const Vec3 from = this->TheMoves.Position[node];
-    const NodeMove corner = this->Mover.EndAtCorner(node);
-    if (!corner.Found || corner.Target == from)
+    const NodeMove corner = this->Mover.ComeToCorner(node, from);
+    if (!corner.Found)
     {
       return false;
     }

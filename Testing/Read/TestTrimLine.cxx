@@ -359,6 +359,7 @@ void TestAutomaticBySheet()
   CHECK(FieldValue(source, "Length") < 1.0, "a block");
   block->GetPoints()->SetPoint(0, 0, 0, -30);
   block->Modified();
+  source->Modified();
   CHECK(FieldValue(source, "Length") > 4.0, "the block has changed");
 }
 
