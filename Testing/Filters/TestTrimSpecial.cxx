@@ -405,12 +405,12 @@ void TestBesideCorner()
 {
   const Mesh mesh = Sheet(20, 20, 2, Vec3(1, 1, 0.5));
   const Surface plane =
-    PlaneThrough(mesh.Box.Centre + Vec3(1e-3, 0, 0), Vec3(1, 1, 0).normalized(), 200);
+    PlaneThrough(mesh.Box.Centre + Vec3(1e-5, 0, 0), Vec3(1, 1, 0).normalized(), 200);
   Report report("beside a corner");
   const Outcome outcome = RunAndJudge(mesh, plane, TrimOptions(), report);
   Wrong += report.Failures() > 0;
   auto* left = outcome.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
-  Expect(left->GetRange()[1] > 0 && left->GetRange()[1] < 2e-3,
+  Expect(left->GetRange()[1] > 0 && left->GetRange()[1] < 2e-5,
     "beside a corner: " + std::to_string(left->GetRange()[1]) + " left");
 }
 
