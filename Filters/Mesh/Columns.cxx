@@ -262,6 +262,16 @@ struct AxisClasses
   std::vector<std::vector<int>> Parts;
 };
 
+/// No element has an axis; the groups are to be built.
+/// @param part see Columns::Part.
+Columns WithoutAxes(const Band& band, std::vector<int> part)
+{
+  Columns columns;
+  columns.Part = std::move(part);
+  columns.Axis.assign(band.NumberOfElements(), -1);
+  return columns;
+}
+
 void BuildGroups(const Band& band, Columns& columns)
 {
   DisjointSets<int> elements(band.NumberOfElements());
@@ -387,9 +397,7 @@ bool Columns::Complete(const Band& band, int ring) const
 Columns FindColumns(const Band& band)
 {
   AxisClasses classes(band);
-  Columns columns;
-  columns.Axis.assign(band.NumberOfElements(), -1);
-  columns.Part = classes.PartOfElements(band);
+  Columns columns = WithoutAxes(band, classes.PartOfElements(band));
   for (const auto& part : classes.Parts)
   {
     const int root = ChooseThickness(
@@ -403,9 +411,7 @@ Columns FindColumns(const Band& band)
 Columns FindJoinedSheets(const Band& band)
 {
   AxisClasses classes(band);
-  Columns columns;
-  columns.Axis.assign(band.NumberOfElements(), -1);
-  columns.Part = classes.PartOfElements(band);
+  Columns columns = WithoutAxes(band, classes.PartOfElements(band));
   for (const auto& part : classes.Parts)
   {
     FindLocalThickness(band, part, columns.Axis);
@@ -435,9 +441,7 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
 
 Columns NoColumns(const Band& band, std::vector<int> part)
 {
-  Columns columns;
-  columns.Part = std::move(part);
-  columns.Axis.assign(band.NumberOfElements(), -1);
+  Columns columns = WithoutAxes(band, std::move(part));
   BuildGroups(band, columns);
   return columns;
 }

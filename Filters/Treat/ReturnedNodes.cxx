@@ -184,14 +184,22 @@ private:
     }
     const std::vector<int> elements = this->ElementsAt({ node });
     const std::vector<Standard> before = this->StandardsOf(elements, this->Limit);
-    this->TheMoves.Position[node] = AsStored(this->TheBand, corner.Target);
-    if (this->LowestOf(elements, before) < 0.0 || this->IsCoincident(node))
+    if (!this->StandsAt(node, corner.Target, elements, before))
     {
       this->TheMoves.Position[node] = from;
       return false;
     }
     this->TheMoves.Applied[node] = Correction::Relax;
     return true;
+  }
+
+  /// Puts a node somewhere; false if the elements at it do not keep what they are to keep, or it
+  /// lies on another node.
+  bool StandsAt(
+    int node, const Vec3& at, const std::vector<int>& elements, const std::vector<Standard>& before)
+  {
+    this->TheMoves.Position[node] = AsStored(this->TheBand, at);
+    return this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node);
   }
 
   /// Where a node comes to on the longest part of a way that the elements stand; it stays.
@@ -210,8 +218,7 @@ private:
       {
         continue;
       }
-      this->TheMoves.Position[node] = AsStored(this->TheBand, at);
-      if (this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node))
+      if (this->StandsAt(node, at, elements, before))
       {
         gone += step;
         reached = this->TheMoves.Position[node];

@@ -108,6 +108,23 @@ double SquaresAstray(const TrimBand& near, const nurbs::TrimmingSurface& surface
   return sum;
 }
 
+/// Trims a band once more, as `climb` does that is given what there is; what was before comes back
+/// where it is no better.
+/// @param least the shortcomings of what there is, afterwards of what is taken.
+template <typename ClimbAnew, typename MeasureAll>
+void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, Shortcomings& least)
+{
+  BandTrim before = std::move(static_cast<BandTrim&>(near));
+  climb(before);
+  const Shortcomings now = measure();
+  if (now < least)
+  {
+    least = now;
+    return;
+  }
+  static_cast<BandTrim&>(near) = std::move(before);
+}
+
 /// Where columns of a joint take elements along that lie far from the surface, each of its sheets
 /// gets columns of its own, if that is better on the whole.
 void TryJoinedSheets(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
@@ -124,17 +141,15 @@ void TryJoinedSheets(TrimBand& near, const nurbs::TrimmingSurface& surface, doub
     sum.Squares += SquaresAstray(near, surface);
     return sum;
   };
-  const Shortcomings before = measure();
-  BandTrim whole = std::move(static_cast<BandTrim&>(near));
-  near.Structure = std::move(sheets);
-  std::array<int, 2> missed;
-  MeasureShares(near.Mesh, near.Structure, surface,
-    WidestGapShare * surface.Bounds().diagonal().norm(), near.Shares, missed);
-  Climb(near, surface, precision, options, produceOffcut, progress);
-  if (!(measure() < before))
+  const auto climb = [&](const BandTrim&)
   {
-    static_cast<BandTrim&>(near) = std::move(whole);
-  }
+    near.Structure = std::move(sheets);
+    std::array<int, 2> missed;
+    MeasureShares(near.Mesh, near.Structure, surface, WidestGapOf(surface), near.Shares, missed);
+    Climb(near, surface, precision, options, produceOffcut, progress);
+  };
+  Shortcomings least = measure();
+  TryAnew(near, climb, measure, least);
 }
 
 /// Whether something is kept that is nearly all beyond the surface.
@@ -172,17 +187,15 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   Shortcomings least = MeasureShortcomings(near, options);
   const auto tryAgain = [&](const LadderOptions& with, bool columns, double begin, double end)
   {
-    BandTrim best = std::move(static_cast<BandTrim&>(near));
-    near.Structure = columns ? best.Structure : NoColumns(near.Mesh, best.Structure.Part);
-    near.Shares = columns ? best.Shares : VolumeShares{ best.Shares.Element, best.Shares.Element };
-    Climb(near, surface, precision, with, produceOffcut, Part(progress, begin, end));
-    const Shortcomings now = MeasureShortcomings(near, options);
-    if (now < least)
+    const auto climb = [&](const BandTrim& best)
     {
-      least = now;
-      return;
-    }
-    static_cast<BandTrim&>(near) = std::move(best);
+      const auto& shares = best.Shares;
+      near.Structure = columns ? best.Structure : NoColumns(near.Mesh, best.Structure.Part);
+      near.Shares = columns ? shares : VolumeShares{ shares.Element, shares.Element };
+      Climb(near, surface, precision, with, produceOffcut, Part(progress, begin, end));
+    };
+    TryAnew(
+      near, climb, [&] { return MeasureShortcomings(near, options); }, least);
   };
   if (!progress(-1.0) && least.Farthest >= FarthestLeft && KeepsCorners(near))
   {

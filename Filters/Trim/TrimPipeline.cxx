@@ -330,9 +330,8 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
 void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
 {
   auto& near = *result.Near;
-  const double gap = WidestGapShare * surface.Bounds().diagonal().norm();
   std::array<int, 2> missed{ -1, -1 };
-  if (!MeasureShares(near.Mesh, near.Structure, surface, gap, near.Shares, missed))
+  if (!MeasureShares(near.Mesh, near.Structure, surface, WidestGapOf(surface), near.Shares, missed))
   {
     const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
     result.Error = "The trimming surface ends inside the grid, near " + nurbs::PlaceText(place) +

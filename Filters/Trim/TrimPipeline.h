@@ -27,6 +27,12 @@ constexpr double GapShare = 1e-5;
 /// faces that they take for joined, most of them beside fillets.
 constexpr double WidestGapShare = 4e-4;
 
+/// The same as a length.
+inline double WidestGapOf(const nurbs::TrimmingSurface& surface)
+{
+  return WidestGapShare * surface.Bounds().diagonal().norm();
+}
+
 struct TrimOptions
 {
   LadderOptions Ladder;
