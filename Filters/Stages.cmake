@@ -2,8 +2,10 @@
 add_library(NURBSTrimStages STATIC
   Mesh/Band.cxx
   Mesh/BandCells.cxx
+  Mesh/BandPlace.cxx
   Mesh/Columns.cxx
   Mesh/ElementChain.cxx
+  Mesh/ElementMap.cxx
   Mesh/FreshArray.cxx
   Mesh/GatherAttributes.cxx
   Mesh/HexMesh.cxx
@@ -53,11 +55,13 @@ add_library(NURBSTrimStages STATIC
   Write/ArrayRanges.cxx
   Write/FindingArrays.cxx
   Write/GridPart.cxx
+  Write/MapValues.cxx
   Write/OffcutGrid.cxx
   Write/PartQuality.cxx
   Write/StatusArrays.cxx
   Write/Summary.cxx
   Write/TrimmedGrid.cxx
+  Write/ValueWeights.cxx
   Trim/BandTrim.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx

@@ -443,8 +443,8 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const bool renumber = this->RenumberNodes && trim::CanOrderNodes(mesh.NumberOfCells);
-  this->Kept->Write(result, ranks, { renumber, this->QualityOfAllElements }, this->ProduceOffcut,
-    progress, outputs);
+  this->Kept->Write(result, ranks, { renumber, this->QualityOfAllElements, this->MapValues },
+    this->ProduceOffcut, progress, outputs);
   if (ranks.Any(progress(1.0)))
   {
     for (vtkUnstructuredGrid* output : outputs)
@@ -484,6 +484,7 @@ void vtkTrimHexahedralGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumScaledJacobian: " << this->MinimumScaledJacobian << endl;
   os << indent << "RenumberNodes: " << this->RenumberNodes << endl;
   os << indent << "QualityOfAllElements: " << this->QualityOfAllElements << endl;
+  os << indent << "MapValues: " << this->MapValues << endl;
   os << indent << "Tolerance: " << this->Tolerance << endl;
   os << indent << "ProduceOffcut: " << this->ProduceOffcut << endl;
   os << indent << "Controller: " << this->Controller << endl;

@@ -180,6 +180,19 @@ public:
 
   ///@{
   /**
+   * Maps the input's values of floating point to the moved nodes and to the elements that changed
+   * their shape, in the trimmed grid and the offcut: a node gets the value that the mesh had at its
+   * new place, an element the mean over its new shape, within the range of the elements there and
+   * their neighbours. Off: each takes its own values along. Integers, ids and texts are always
+   * taken along. Default: off.
+   */
+  vtkSetMacro(MapValues, bool);
+  vtkGetMacro(MapValues, bool);
+  vtkBooleanMacro(MapValues, bool);
+  ///@}
+
+  ///@{
+  /**
    * Distance under which a node counts as on the surface where it is, relative to the diagonal of
    * the grid's bounding box. Nodes that are moved to the surface come to lie on it to 1e-9 of the
    * diagonal, whatever is set here. Default: 1e-9.
@@ -230,6 +243,7 @@ private:
   double MinimumScaledJacobian = 0.2;
   bool RenumberNodes = true;
   bool QualityOfAllElements = false;
+  bool MapValues = false;
   double Tolerance = 1e-9;
   bool ProduceOffcut = false;
   vtkMultiProcessController* Controller = nullptr;
@@ -240,8 +254,8 @@ private:
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     const trim::Ranks& ranks);
   /// Takes what has changed of the inputs; false, on all ranks, with an error.
-  bool TakeInputs(vtkDataObject* input, vtkDataObject* surface, const trim::Ranks& ranks,
-    std::string& error);
+  bool TakeInputs(
+    vtkDataObject* input, vtkDataObject* surface, const trim::Ranks& ranks, std::string& error);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
   /// a line of its own to the one that says what to do.
   int Refuse(const trim::Ranks& ranks, const std::string& error);

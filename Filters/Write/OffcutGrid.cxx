@@ -1,6 +1,7 @@
 #include "OffcutGrid.h"
 
 #include "GridPart.h"
+#include "MapValues.h"
 #include "PartQuality.h"
 
 #include <vtkFieldData.h>
@@ -111,10 +112,14 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   Summary summary;
   summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, part, nodesOf, output));
   WritePoints(input, mesh, part, moved, output);
+  const BandShapes shapes = ShapesOfOffcut(result);
+  if (options.MapValues)
+  {
+    MapValues(input, ranks, part, moved, shapes, output);
+  }
   Findings found = result.Found;
   found.Shortfalls = result.Found.ShortfallsOfOffcut;
   AddStatusesAndFindings(result, part, moved, found, output);
-  const BandShapes shapes = ShapesOfOffcut(result);
   AddScaledJacobians(mesh, part, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, part, shapes, ranks);
   SummariseTouched(shapes, summary);

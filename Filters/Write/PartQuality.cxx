@@ -23,7 +23,8 @@ BandShapes ShapesOfKept(const TrimResult& result)
   const TrimBand& near = *result.Near;
   const auto shapeOf = [&near](int e)
   { return near.Trimmed.Kept[e] ? FinalShape(near.Mesh, near.Trimmed, e) : FinalElement(); };
-  return { near.Mesh.NumberOfElements(), shapeOf, &near.Trimmed.NodeMoves };
+  return { near.Mesh.NumberOfElements(), shapeOf, [](int e) { return e; },
+    &near.Trimmed.NodeMoves };
 }
 
 BandShapes ShapesOfOffcut(const TrimResult& result)
@@ -39,7 +40,8 @@ BandShapes ShapesOfOffcut(const TrimResult& result)
     return { element.Count, element.Node, PointsOf(near.Rest, element),
       IsTouched(near.Mesh, near.Rest, element) };
   };
-  return { static_cast<int>(near.Rest.Elements.size()), shapeOf, &near.Rest.NodeMoves };
+  const auto elementOf = [&near](int i) { return near.Rest.Elements[i].Element; };
+  return { static_cast<int>(near.Rest.Elements.size()), shapeOf, elementOf, &near.Rest.NodeMoves };
 }
 
 void AddScaledJacobians(const HexMesh& mesh, const GridPart& part, const BandShapes& shapes,

@@ -19,7 +19,8 @@ struct BandShapes
   int Count = 0;
   /// By GridPart::InBand; with a Count of 0 where none of the part is. Thread-safe.
   std::function<FinalElement(int)> ShapeOf;
-  const Moves* NodeMoves = nullptr; ///< null if there are none
+  std::function<int(int)> BandElementOf; ///< the element of the band that it lies in
+  const Moves* NodeMoves = nullptr;      ///< null if there are none
 };
 BandShapes ShapesOfKept(const TrimResult& result);
 BandShapes ShapesOfOffcut(const TrimResult& result);

@@ -2,6 +2,7 @@
 
 #include "FindingArrays.h"
 #include "GridPart.h"
+#include "MapValues.h"
 #include "PartQuality.h"
 #include "Rescue.h"
 #include "Status.h"
@@ -159,9 +160,13 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   Summary summary;
   summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, kept, nodesOf, output));
   WritePoints(input, mesh, kept, moved, output);
+  const BandShapes shapes = ShapesOfKept(result);
+  if (options.MapValues)
+  {
+    MapValues(input, ranks, kept, moved, shapes, output);
+  }
   AddStatusesAndFindings(result, kept, moved, result.Found, output);
   AddRescues(result, kept.CellIds(), output->GetCellData());
-  const BandShapes shapes = ShapesOfKept(result);
   AddScaledJacobians(mesh, kept, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, kept, shapes, ranks);
   SummariseTouched(shapes, summary);

@@ -18,6 +18,7 @@ struct WriteOptions
 {
   bool RenumberNodes = true;
   bool QualityOfAllElements = false;
+  bool MapValues = false;
 };
 
 /**

@@ -71,6 +71,7 @@ void SetOptions(vtkTrimHexahedralGrid* filter, const TrimOptions& options)
   filter->SetTolerance(options.Tolerance);
   filter->SetProduceOffcut(options.ProduceOffcut);
   filter->SetMinimumScaledJacobian(options.MinimumScaledJacobian);
+  filter->SetMapValues(options.MapValues);
 }
 
 Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& options)

@@ -4,7 +4,7 @@
  *
  * TestRanks [ranks [mesh|all [surface|all [partition|all [all|some]]]]]
  * With "some" each combination gets one of the corrections and treatments, in turn. Every fifth
- * trim makes an offcut too.
+ * trim makes an offcut too, every second one maps the values.
  */
 #include "Pieces.h"
 
@@ -158,6 +158,7 @@ int main(int argc, char* argv[])
             options.CorrectionType = Treatments[k].first;
             options.Optimization = Treatments[k].second;
             options.ProduceOffcut = turn % 5 == 2;
+            options.MapValues = turn % 2 == 0;
             Compare(meshName + " " + kind + " " + partition + " " +
                 std::to_string(options.CorrectionType) + std::to_string(options.Optimization),
               mesh, surface, options, partition, ranks);

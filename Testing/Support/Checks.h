@@ -34,6 +34,7 @@ struct TrimOptions
   double Tolerance = 1e-9;
   bool ProduceOffcut = false;
   double MinimumScaledJacobian = 0.2;
+  bool MapValues = false;
 };
 
 /// Notes under this name are nodes of the new boundary that the filter reported as left.

@@ -1,0 +1,98 @@
+#include "BandPlace.h"
+
+#include "ElementMap.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+namespace trim
+{
+namespace
+{
+
+/// No node moves so far that a walk would need more elements.
+constexpr int LongestWalk = 24;
+/// How far outside of a facet, in parameters, still counts as inside.
+constexpr double InsideSlack = 1e-9;
+
+/// How far a point lies outside of each facet, by the facets' planes, in units of an element's
+/// width: where the point is too far away from a distorted element to have parameters in it.
+std::array<double, 6> OutsideOfPlanes(const ElementPoints& points, int count, const Vec3& point)
+{
+  const auto& topology = TopologyOf(count);
+  const Vec3 centre =
+    std::accumulate(points.begin(), points.begin() + count, Vec3(0, 0, 0)) / count;
+  std::array<double, 6> outside;
+  outside.fill(-1.0);
+  for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
+  {
+    const auto& face = topology.Faces[slot];
+    const auto corner = [&](int i) -> const Vec3& { return points[face.Node[i]]; };
+    Vec3 middle = Vec3::Zero();
+    for (int i = 0; i < face.Count; ++i)
+    {
+      middle += corner(i) / face.Count;
+    }
+    const Vec3 normal = (corner(2) - corner(0)).cross(corner(face.Count - 1) - corner(1));
+    const double width = 2.0 * normal.dot(middle - centre);
+    outside[slot] = width > 0.0 ? normal.dot(point - middle) / width : -1.0;
+  }
+  return outside;
+}
+
+}
+
+ElementPoints OriginalPoints(const Band& band, int element)
+{
+  const auto& own = band.Elements[element];
+  ElementPoints points;
+  for (int i = 0; i < own.Count; ++i)
+  {
+    points[i] = band.Point[own.Node[i]];
+  }
+  return points;
+}
+
+BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
+{
+  BandPlace nearest;
+  double least = std::numeric_limits<double>::infinity();
+  std::array<int, LongestWalk> passed;
+  int steps = 0;
+  for (int e = start; e >= 0 && steps < LongestWalk;)
+  {
+    passed[steps++] = e;
+    const int count = band.Elements[e].Count;
+    const ElementPoints points = OriginalPoints(band, e);
+    Vec3 parameters;
+    const bool found = FindParameters(points, count, point, parameters);
+    const auto outside = found ? Outside(count, parameters) : OutsideOfPlanes(points, count, point);
+    const double farthest = *std::max_element(outside.begin(), outside.end());
+    if (found && farthest < least)
+    {
+      least = farthest;
+      nearest = { e, ClampToElement(count, parameters), farthest <= InsideSlack };
+    }
+    // On through the facet that it lies farthest outside of, and that leads somewhere.
+    double most = InsideSlack;
+    int next = -1;
+    for (int slot = 0; slot < TopologyOf(count).NumberOfFaces; ++slot)
+    {
+      const int other = outside[slot] > most ? band.Neighbour(e, slot) : -1;
+      if (other >= 0 &&
+        std::find(passed.begin(), passed.begin() + steps, other) == passed.begin() + steps)
+      {
+        most = outside[slot];
+        next = other;
+      }
+    }
+    e = next;
+  }
+  return nearest;
+}
+
+}

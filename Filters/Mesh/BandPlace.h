@@ -1,0 +1,33 @@
+/**
+ * @file BandPlace.h
+ * @brief In which element of the band, as the mesh came, a point lies, and where in it.
+ */
+#ifndef BandPlace_h
+#define BandPlace_h
+
+#include "Band.h"
+#include "Jacobian.h"
+
+namespace trim
+{
+
+struct BandPlace
+{
+  int Element = -1;               ///< -1: none was found
+  Vec3 Parameters = Vec3::Zero(); ///< see ElementMap.h
+  bool Inside = false;            ///< the element holds the point
+};
+
+/// An element of the band where the mesh has it.
+ElementPoints OriginalPoints(const Band& band, int element);
+
+/**
+ * Walks from an element through facets to the one that holds a point, within its part of the mesh:
+ * another part may lie at the same place. Of a point outside of the mesh the place in the element
+ * that the walk came nearest to it in.
+ */
+BandPlace FindBandPlace(const Band& band, int start, const Vec3& point);
+
+}
+
+#endif

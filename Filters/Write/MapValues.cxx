@@ -1,0 +1,189 @@
+#include "MapValues.h"
+
+#include "ValueWeights.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace trim
+{
+namespace
+{
+
+/// What is mapped: rows, and where the items of the band are in input and output.
+struct Mapping
+{
+  std::vector<ValueRow> Rows;
+  std::vector<Id> Input;  ///< id of each node or element of the band; -1: another rank has it
+  std::vector<Id> Output; ///< place of each row's target; -1: it is not in this rank's part
+  bool KeepsRange;
+};
+
+bool IsMapped(vtkDataSetAttributes* attributes, int index)
+{
+  vtkAbstractArray* array = attributes->GetAbstractArray(index);
+  const int type = array->GetDataType();
+  const int role = attributes->IsArrayAnAttribute(index);
+  return array->GetName() && (type == VTK_FLOAT || type == VTK_DOUBLE) &&
+    role != vtkDataSetAttributes::GLOBALIDS && role != vtkDataSetAttributes::PEDIGREEIDS;
+}
+
+/// The names of the arrays to map on any rank, ascending.
+std::set<std::string> NamesToMap(vtkDataSetAttributes* attributes, const Ranks& ranks)
+{
+  std::vector<char> own;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    if (IsMapped(attributes, i))
+    {
+      const std::string name = attributes->GetArrayName(i);
+      own.insert(own.end(), name.begin(), name.end());
+      own.push_back('\0');
+    }
+  }
+  std::set<std::string> names;
+  const std::vector<char> all = ranks.Gather(own);
+  for (std::size_t i = 0; i < all.size(); i += names.insert(all.data() + i).first->size() + 1)
+  {
+  }
+  return names;
+}
+
+/// Values of an array at all nodes or elements of the band that rows are made of, in the order of
+/// the band; NaN elsewhere.
+std::vector<double> ValuesInBand(
+  vtkDataArray* array, int components, const Mapping& mapping, const Ranks& ranks)
+{
+  std::vector<char> needed(mapping.Input.size(), 0);
+  for (const ValueRow& row : mapping.Rows)
+  {
+    for (const auto& source : row.Sources)
+    {
+      needed[source.first] = 1;
+    }
+  }
+  std::vector<int> items;
+  std::vector<double> values;
+  for (std::size_t i = 0; array && i < needed.size(); ++i)
+  {
+    if (needed[i] && mapping.Input[i] >= 0)
+    {
+      items.push_back(static_cast<int>(i));
+      for (int c = 0; c < components; ++c)
+      {
+        values.push_back(array->GetComponent(mapping.Input[i], c));
+      }
+    }
+  }
+  items = ranks.Gather(items);
+  values = ranks.Gather(values);
+  std::vector<double> inBand(needed.size() * components, std::numeric_limits<double>::quiet_NaN());
+  // Backwards: what several ranks have is the first one's.
+  for (std::size_t i = items.size(); i-- > 0;)
+  {
+    std::copy_n(values.begin() + i * components, components,
+      inBand.begin() + static_cast<std::size_t>(items[i]) * components);
+  }
+  return inBand;
+}
+
+/// One component of a row; NaN if one of the values is not finite.
+double ValueOf(
+  const ValueRow& row, const std::vector<double>& values, int components, int c, bool keepsRange)
+{
+  double sum = 0.0;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& [source, weight] : row.Sources)
+  {
+    const double value = values[static_cast<std::size_t>(source) * components + c];
+    sum += weight * value;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return keepsRange && std::isfinite(sum) ? std::clamp(sum, low, high) : sum;
+}
+
+void Map(vtkDataSetAttributes* input, const Ranks& ranks, const Mapping& mapping,
+  vtkDataSetAttributes* output)
+{
+  for (const std::string& name : NamesToMap(input, ranks))
+  {
+    vtkDataArray* from = input->GetArray(name.c_str());
+    vtkDataArray* to = output->GetArray(name.c_str());
+    const int components = ranks.Largest(from ? from->GetNumberOfComponents() : 0);
+    const bool fits = (!from || from->GetNumberOfComponents() == components) && (!from || to);
+    if (ranks.Any(!fits))
+    {
+      continue;
+    }
+    const std::vector<double> values = ValuesInBand(from, components, mapping, ranks);
+    for (std::size_t i = 0; i < mapping.Rows.size(); ++i)
+    {
+      for (int c = 0; c < components && mapping.Output[i] >= 0; ++c)
+      {
+        const double value = ValueOf(mapping.Rows[i], values, components, c, mapping.KeepsRange);
+        if (std::isfinite(value))
+        {
+          to->SetComponent(mapping.Output[i], c, value);
+        }
+      }
+    }
+  }
+}
+
+Mapping OfNodes(const GridPart& part, const MovedNodes& moved)
+{
+  Mapping mapping{ WeightsOfNodes(moved), moved.TheBand->GlobalNode, {}, false };
+  for (const ValueRow& row : mapping.Rows)
+  {
+    const Id id = mapping.Input[row.Target];
+    mapping.Output.push_back(id >= 0 ? part.Number[id] : -1);
+  }
+  return mapping;
+}
+
+Mapping OfElements(const GridPart& part, const Band& band, const BandShapes& shapes)
+{
+  Mapping mapping{ WeightsOfElements(band, shapes), {}, {}, true };
+  for (const BandElement& element : band.Elements)
+  {
+    mapping.Input.push_back(element.Global);
+  }
+  std::vector<Id> placeOf(shapes.Count, -1);
+  for (Id i = 0; i < part.Cells.size(); ++i)
+  {
+    if (part.InBand[i] >= 0)
+    {
+      placeOf[part.InBand[i]] = i;
+    }
+  }
+  for (const ValueRow& row : mapping.Rows)
+  {
+    mapping.Output.push_back(placeOf[row.Target]);
+  }
+  return mapping;
+}
+
+}
+
+void MapValues(vtkUnstructuredGrid* input, const Ranks& ranks, const GridPart& part,
+  const MovedNodes& moved, const BandShapes& shapes, vtkUnstructuredGrid* output)
+{
+  if (!moved.TheBand)
+  {
+    return;
+  }
+  Map(input->GetPointData(), ranks, OfNodes(part, moved), output->GetPointData());
+  Map(input->GetCellData(), ranks, OfElements(part, *moved.TheBand, shapes), output->GetCellData());
+}
+
+}
