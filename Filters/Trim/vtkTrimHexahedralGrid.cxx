@@ -1,36 +1,24 @@
 #include "vtkTrimHexahedralGrid.h"
 
 #include "ArrayRanges.h"
-#include "ChangeTime.h"
 #include "ControllerRanks.h"
 #include "GhostCells.h"
 #include "InputScale.h"
-#include "MeshBlocks.h"
-#include "NURBSFieldData.h"
 #include "NodeOrdering.h"
 #include "OffcutGrid.h"
-#include "SharedBounds.h"
-#include "SharedNodes.h"
-#include "SharedSurface.h"
 #include "ThreadScope.h"
+#include "TrimInputs.h"
 #include "TrimPipeline.h"
 #include "TrimmedGrid.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkWeakPointer.h"
 
 #include <array>
 #include <cmath>
@@ -40,43 +28,6 @@
 
 namespace
 {
-
-/// The grid itself, or that of a composite which has one alone; null with an error else.
-/// @param none stands for that of a composite which has none: other ranks may have it.
-vtkUnstructuredGrid* TakeOnlyGrid(
-  vtkDataObject* input, vtkUnstructuredGrid* none, std::string& error)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    return vtkUnstructuredGrid::SafeDownCast(input);
-  }
-  vtkDataObject* only = none;
-  int count = 0;
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    vtkDataObject* leaf = it->GetCurrentDataObject();
-    if (leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
-    {
-      ++count;
-      only = leaf;
-    }
-  }
-  if (count > 1)
-  {
-    error = "The input grid comes in " + std::to_string(count) +
-      " blocks, which have to be trimmed as one mesh: make it one by Merge Blocks first.";
-    return nullptr;
-  }
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(only);
-  if (!grid)
-  {
-    error = "The input holds a " + std::string(only->GetClassName()) +
-      ", but a grid of hexahedra is needed: give an unstructured grid.";
-  }
-  return grid;
-}
 
 /// The setters' limits let NaN through.
 std::string FindOptionDefect(const trim::TrimOptions& options)
@@ -98,156 +49,32 @@ std::string FindOptionDefect(const trim::TrimOptions& options)
     : "";
 }
 
-std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
+/// @param outputs of ports 0 to 2.
+void WriteOutputs(const trim::TrimInputs& inputs, const trim::TrimResult& result,
+  const trim::Ranks& ranks, const trim::WriteOptions& options, bool offcut,
+  const trim::Progress& progress, const std::array<vtkUnstructuredGrid*, 3>& outputs)
 {
-  nurbs::Box3 box;
-  for (const auto& face : faces)
+  vtkUnstructuredGrid* own = inputs.Own().Grid;
+  trim::WriteTrimmedGrid(own, inputs.Mesh(), inputs.Blocks(), ranks, result, inputs.Surface(),
+    options, progress, outputs[0]);
+  trim::RestoreOriginalIds(inputs.Own(), outputs[0]);
+  trim::WriteStatusGrid(own, result, outputs[1]);
+  trim::Summary::RemoveFrom(outputs[1]->GetFieldData());
+  if (offcut)
   {
-    for (const auto& point : face.ControlPoints)
-    {
-      box.extend(nurbs::Vec3(point[0], point[1], point[2]));
-    }
+    trim::WriteOffcutGrid(
+      own, inputs.Mesh(), inputs.Blocks(), ranks, result, options, progress, outputs[2]);
+    trim::RestoreOriginalIds(inputs.Own(), outputs[2]);
   }
-  const double size = box.diagonal().norm();
-  return std::make_unique<nurbs::TrimmingSurface>(
-    std::move(faces), trim::GapShare * size, trim::WidestGapShare * size);
 }
 
 }
-
-/// What depends on one input alone is kept until that input changes.
-struct vtkTrimHexahedralGrid::Cache
-{
-  const vtkNew<vtkUnstructuredGrid> NoGrid; ///< see TakeOnlyGrid
-  vtkWeakPointer<vtkUnstructuredGrid> Grid;
-  vtkMTimeType GridTime = 0;
-  trim::OwnCells Own;
-  trim::HexMesh Mesh;
-  trim::MeshBlocks Blocks;
-  bool Joined = false; ///< Blocks and Shared know of the other ranks' pieces
-  trim::SharedNodes Shared;
-
-  vtkWeakPointer<vtkDataObject> SurfaceData;
-  vtkMTimeType SurfaceTime = 0;
-  std::vector<nurbs::NurbsSurface> OwnFaces;       ///< those that this rank was given
-  std::unique_ptr<nurbs::TrimmingSurface> Surface; ///< of all ranks' faces; null: not made yet
-
-  bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
-  {
-    if (this->Grid == grid && this->GridTime == grid->GetMTime())
-    {
-      return true;
-    }
-    this->Grid = nullptr;
-    this->Joined = false;
-    if (!trim::ViewGrid(grid, this->Mesh, error))
-    {
-      return false;
-    }
-    this->Own = trim::TakeOwnCells(grid, this->Mesh);
-    if (this->Own.Selected && !trim::ViewGrid(this->Own.Grid, this->Mesh, error))
-    {
-      return false;
-    }
-    this->Grid = grid;
-    this->GridTime = grid->GetMTime();
-    return true;
-  }
-
-  /// Collective: what the pieces have in common.
-  bool JoinPieces(const trim::Ranks& ranks, std::string& error)
-  {
-    if (!ranks.Any(!this->Joined))
-    {
-      return true;
-    }
-    this->Joined = false;
-    if (ranks.Sum(this->Mesh.NumberOfCells) == 0)
-    {
-      error = "The input grid has no cells: connect a grid of hexahedra.";
-      return false;
-    }
-    auto* ids = vtkIdTypeArray::SafeDownCast(this->Own.Grid->GetPointData()->GetGlobalIds());
-    const bool lacksIds = this->Mesh.NumberOfPoints > 0 && !ids;
-    const bool useIds = !ranks.Any(lacksIds) && ids;
-    this->Blocks = trim::BuildMeshBlocks(this->Mesh);
-    if (!trim::FindSharedNodes(this->Mesh, this->Blocks, useIds ? ids->GetPointer(0) : nullptr,
-          ranks, this->Shared, error))
-    {
-      return false;
-    }
-    trim::ShareBounds(ranks, this->Blocks);
-    this->Joined = true;
-    return true;
-  }
-
-  bool TakeSurface(vtkDataObject* data, std::string& error)
-  {
-    if (this->SurfaceData == data && this->SurfaceTime == nurbs::ChangeTime(data))
-    {
-      return true;
-    }
-    this->SurfaceData = nullptr;
-    this->Surface = nullptr;
-    if (data->GetNumberOfElements(vtkDataObject::POINT) == 0)
-    {
-      this->OwnFaces.clear(); // other ranks may have the surface
-    }
-    else if (!nurbs::ReadTrimmingSurface(data, this->OwnFaces, error))
-    {
-      error = "The trimming surface is not valid: " + error + ".";
-      return false;
-    }
-    this->SurfaceData = data;
-    this->SurfaceTime = nurbs::ChangeTime(data);
-    return true;
-  }
-
-  /// Collective: the whole surface on each rank.
-  bool JoinSurface(const trim::Ranks& ranks, std::string& error)
-  {
-    if (!ranks.Any(!this->Surface))
-    {
-      return true;
-    }
-    this->Surface = nullptr;
-    auto faces = trim::ShareFaces(ranks, this->OwnFaces);
-    if (faces.empty())
-    {
-      error =
-        "The trimming surface is empty: see the error of its source, or connect a CAD Surface "
-        "Reader, Trim Line Source or NURBS Surface Source.";
-      return false;
-    }
-    this->Surface = MakeSurface(std::move(faces));
-    return true;
-  }
-
-  /// @param outputs of ports 0 to 2.
-  void Write(const trim::TrimResult& result, const trim::Ranks& ranks,
-    const trim::WriteOptions& options, bool offcut, const trim::Progress& progress,
-    const std::array<vtkUnstructuredGrid*, 3>& outputs) const
-  {
-    vtkUnstructuredGrid* own = this->Own.Grid;
-    trim::WriteTrimmedGrid(
-      own, this->Mesh, this->Blocks, ranks, result, *this->Surface, options, progress, outputs[0]);
-    trim::RestoreOriginalIds(this->Own, outputs[0]);
-    trim::WriteStatusGrid(own, result, outputs[1]);
-    trim::Summary::RemoveFrom(outputs[1]->GetFieldData());
-    if (offcut)
-    {
-      trim::WriteOffcutGrid(
-        own, this->Mesh, this->Blocks, ranks, result, options, progress, outputs[2]);
-      trim::RestoreOriginalIds(this->Own, outputs[2]);
-    }
-  }
-};
 
 vtkStandardNewMacro(vtkTrimHexahedralGrid);
 
 //------------------------------------------------------------------------------
 vtkTrimHexahedralGrid::vtkTrimHexahedralGrid()
-  : Kept(new Cache)
+  : Inputs(new trim::TrimInputs)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -265,8 +92,7 @@ void vtkTrimHexahedralGrid::SetController(vtkMultiProcessController* controller)
 {
   if (this->Controller != controller)
   {
-    this->Kept->Joined = false;
-    this->Kept->Surface = nullptr;
+    this->Inputs->ForgetOtherRanks();
   }
   vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
 }
@@ -326,45 +152,6 @@ int vtkTrimHexahedralGrid::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTrimHexahedralGrid::TakeInputs(
-  vtkDataObject* input, vtkDataObject* surface, const trim::Ranks& ranks, std::string& error)
-{
-  vtkUnstructuredGrid* grid = TakeOnlyGrid(input, this->Kept->NoGrid, error);
-  if (!grid)
-  {
-    error = error.empty() ? "No grid is connected to the first input: connect a grid of hexahedra."
-                          : error;
-  }
-  else if (!surface)
-  {
-    error = "No trimming surface is connected to the second input: connect a CAD Surface Reader, "
-            "Trim Line Source or NURBS Surface Source.";
-  }
-  else if (this->Kept->TakeGrid(grid, error) && this->Kept->TakeSurface(surface, error))
-  {
-    error.clear();
-  }
-  if (!ranks.Alone() && !error.empty())
-  {
-    error = "Rank " + std::to_string(ranks.Rank()) + ": " + error;
-  }
-  error = ranks.FirstText(error);
-  if (!error.empty())
-  {
-    return false;
-  }
-  if (!this->Kept->JoinSurface(ranks, error) || !this->Kept->JoinPieces(ranks, error))
-  {
-    return false;
-  }
-  const nurbs::Box3& bounds = this->Kept->Blocks.Bounds;
-  error = trim::FindGridScaleDefect(bounds);
-  error =
-    error.empty() ? trim::FindSurfaceScaleDefect(bounds, this->Kept->Surface->Bounds()) : error;
-  return error.empty();
-}
-
-//------------------------------------------------------------------------------
 int vtkTrimHexahedralGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -381,7 +168,7 @@ int vtkTrimHexahedralGrid::RequestData(
     {
       throw; // the other ranks would wait for this one
     }
-    this->Kept = std::make_unique<Cache>();
+    this->Inputs = std::make_unique<trim::TrimInputs>();
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
     {
       vtkUnstructuredGrid::GetData(outputVector, port)->Initialize();
@@ -408,7 +195,7 @@ int vtkTrimHexahedralGrid::Trim(
   const trim::TrimOptions options = this->Options();
   std::string error = FindOptionDefect(options);
   if (!error.empty() ||
-    !this->TakeInputs(
+    !this->Inputs->Take(
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), ranks, error))
   {
     return this->Refuse(ranks, error);
@@ -431,9 +218,9 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return 1;
   }
-  const trim::HexMesh& mesh = this->Kept->Mesh;
-  const trim::TrimResult result = trim::Trim(mesh, this->Kept->Blocks,
-    { ranks, this->Kept->Shared }, *this->Kept->Surface, options, progress);
+  const trim::TrimInputs& inputs = *this->Inputs;
+  const trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(),
+    { ranks, inputs.Shared() }, inputs.Surface(), options, progress);
   if (!result.Error.empty())
   {
     return this->Refuse(ranks, result.Error);
@@ -442,8 +229,8 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return 1;
   }
-  const bool renumber = this->RenumberNodes && trim::CanOrderNodes(mesh.NumberOfCells);
-  this->Kept->Write(result, ranks, { renumber, this->QualityOfAllElements, this->MapValues },
+  const bool renumber = this->RenumberNodes && trim::CanOrderNodes(inputs.Mesh().NumberOfCells);
+  WriteOutputs(inputs, result, ranks, { renumber, this->QualityOfAllElements, this->MapValues },
     this->ProduceOffcut, progress, outputs);
   if (ranks.Any(progress(1.0)))
   {
@@ -463,7 +250,7 @@ int vtkTrimHexahedralGrid::Trim(
   }
   if (this->RenumberNodes && !renumber)
   {
-    vtkWarningMacro(<< "The nodes keep their order, as " << mesh.NumberOfCells
+    vtkWarningMacro(<< "The nodes keep their order, as " << inputs.Mesh().NumberOfCells
                     << " elements are too many to renumber at once: distribute the grid over "
                        "several ranks.");
   }

@@ -40,7 +40,8 @@
  * vtkOriginalCellIds.
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
- * where it was not computed), every array of the input, and a summary in its field data.
+ * where it was not computed), every array of the input (see MapValues), and a summary in its field
+ * data.
  *
  * On several ranks each gives its piece of the grid, and what it has of the surface. The result, as
  * a mesh, is that of the whole grid on one rank; only the numbering differs. Nodes that pieces
@@ -71,6 +72,7 @@ class vtkMultiProcessController;
 namespace trim
 {
 class Ranks;
+class TrimInputs;
 struct TrimOptions;
 }
 
@@ -248,14 +250,10 @@ private:
   bool ProduceOffcut = false;
   vtkMultiProcessController* Controller = nullptr;
 
-  struct Cache;
-  std::unique_ptr<Cache> Kept;
+  std::unique_ptr<trim::TrimInputs> Inputs;
 
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     const trim::Ranks& ranks);
-  /// Takes what has changed of the inputs; false, on all ranks, with an error.
-  bool TakeInputs(
-    vtkDataObject* input, vtkDataObject* surface, const trim::Ranks& ranks, std::string& error);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
   /// a line of its own to the one that says what to do.
   int Refuse(const trim::Ranks& ranks, const std::string& error);

@@ -1,0 +1,208 @@
+#include "TrimInputs.h"
+
+#include "ChangeTime.h"
+#include "InputScale.h"
+#include "NURBSFieldData.h"
+#include "SharedBounds.h"
+#include "SharedSurface.h"
+#include "TrimPipeline.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkIdTypeArray.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+
+#include <utility>
+
+namespace trim
+{
+namespace
+{
+
+/// The grid itself, or that of a composite which has one alone; null with an error else.
+/// @param none stands for that of a composite which has none: other ranks may have it.
+vtkUnstructuredGrid* TakeOnlyGrid(
+  vtkDataObject* input, vtkUnstructuredGrid* none, std::string& error)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    return vtkUnstructuredGrid::SafeDownCast(input);
+  }
+  vtkDataObject* only = none;
+  int count = 0;
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    vtkDataObject* leaf = it->GetCurrentDataObject();
+    if (leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
+    {
+      ++count;
+      only = leaf;
+    }
+  }
+  if (count > 1)
+  {
+    error = "The input grid comes in " + std::to_string(count) +
+      " blocks, which have to be trimmed as one mesh: make it one by Merge Blocks first.";
+    return nullptr;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(only);
+  if (!grid)
+  {
+    error = "The input holds a " + std::string(only->GetClassName()) +
+      ", but a grid of hexahedra is needed: give an unstructured grid.";
+  }
+  return grid;
+}
+
+std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
+{
+  nurbs::Box3 box;
+  for (const auto& face : faces)
+  {
+    for (const auto& point : face.ControlPoints)
+    {
+      box.extend(nurbs::Vec3(point[0], point[1], point[2]));
+    }
+  }
+  const double size = box.diagonal().norm();
+  return std::make_unique<nurbs::TrimmingSurface>(
+    std::move(faces), GapShare * size, WidestGapShare * size);
+}
+
+}
+
+void TrimInputs::ForgetOtherRanks()
+{
+  this->Joined = false;
+  this->TheSurface = nullptr;
+}
+
+bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
+{
+  if (this->Grid == grid && this->GridTime == grid->GetMTime())
+  {
+    return true;
+  }
+  this->Grid = nullptr;
+  this->Joined = false;
+  if (!ViewGrid(grid, this->TheMesh, error))
+  {
+    return false;
+  }
+  this->TheOwn = TakeOwnCells(grid, this->TheMesh);
+  if (this->TheOwn.Selected && !ViewGrid(this->TheOwn.Grid, this->TheMesh, error))
+  {
+    return false;
+  }
+  this->Grid = grid;
+  this->GridTime = grid->GetMTime();
+  return true;
+}
+
+bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
+{
+  if (!ranks.Any(!this->Joined))
+  {
+    return true;
+  }
+  this->Joined = false;
+  if (ranks.Sum(this->TheMesh.NumberOfCells) == 0)
+  {
+    error = "The input grid has no cells: connect a grid of hexahedra.";
+    return false;
+  }
+  auto* ids = vtkIdTypeArray::SafeDownCast(this->TheOwn.Grid->GetPointData()->GetGlobalIds());
+  const bool lacksIds = this->TheMesh.NumberOfPoints > 0 && !ids;
+  const bool useIds = !ranks.Any(lacksIds) && ids;
+  this->TheBlocks = BuildMeshBlocks(this->TheMesh);
+  if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
+        this->TheShared, error))
+  {
+    return false;
+  }
+  ShareBounds(ranks, this->TheBlocks);
+  this->Joined = true;
+  return true;
+}
+
+bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
+{
+  if (this->SurfaceData == data && this->SurfaceTime == nurbs::ChangeTime(data))
+  {
+    return true;
+  }
+  this->SurfaceData = nullptr;
+  this->TheSurface = nullptr;
+  if (data->GetNumberOfElements(vtkDataObject::POINT) == 0)
+  {
+    this->OwnFaces.clear(); // other ranks may have the surface
+  }
+  else if (!nurbs::ReadTrimmingSurface(data, this->OwnFaces, error))
+  {
+    error = "The trimming surface is not valid: " + error + ".";
+    return false;
+  }
+  this->SurfaceData = data;
+  this->SurfaceTime = nurbs::ChangeTime(data);
+  return true;
+}
+
+bool TrimInputs::JoinSurface(const Ranks& ranks, std::string& error)
+{
+  if (!ranks.Any(!this->TheSurface))
+  {
+    return true;
+  }
+  this->TheSurface = nullptr;
+  auto faces = ShareFaces(ranks, this->OwnFaces);
+  if (faces.empty())
+  {
+    error = "The trimming surface is empty: see the error of its source, or connect a CAD Surface "
+            "Reader, Trim Line Source or NURBS Surface Source.";
+    return false;
+  }
+  this->TheSurface = MakeSurface(std::move(faces));
+  return true;
+}
+
+bool TrimInputs::Take(
+  vtkDataObject* grid, vtkDataObject* surface, const Ranks& ranks, std::string& error)
+{
+  vtkUnstructuredGrid* only = TakeOnlyGrid(grid, this->NoGrid, error);
+  if (!only)
+  {
+    error = error.empty() ? "No grid is connected to the first input: connect a grid of hexahedra."
+                          : error;
+  }
+  else if (!surface)
+  {
+    error = "No trimming surface is connected to the second input: connect a CAD Surface Reader, "
+            "Trim Line Source or NURBS Surface Source.";
+  }
+  else if (this->TakeGrid(only, error) && this->TakeSurface(surface, error))
+  {
+    error.clear();
+  }
+  if (!ranks.Alone() && !error.empty())
+  {
+    error = "Rank " + std::to_string(ranks.Rank()) + ": " + error;
+  }
+  error = ranks.FirstText(error);
+  if (!error.empty())
+  {
+    return false;
+  }
+  if (!this->JoinSurface(ranks, error) || !this->JoinPieces(ranks, error))
+  {
+    return false;
+  }
+  const nurbs::Box3& bounds = this->TheBlocks.Bounds;
+  error = FindGridScaleDefect(bounds);
+  error = error.empty() ? FindSurfaceScaleDefect(bounds, this->TheSurface->Bounds()) : error;
+  return error.empty();
+}
+
+}

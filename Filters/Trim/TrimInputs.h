@@ -1,0 +1,75 @@
+/**
+ * @file TrimInputs.h
+ * @brief The grid and the trimming surface of a trim, with all that depends on one of them alone:
+ * it is kept until that one changes.
+ */
+#ifndef TrimInputs_h
+#define TrimInputs_h
+
+#include "GhostCells.h"
+#include "HexMesh.h"
+#include "MeshBlocks.h"
+#include "SharedNodes.h"
+#include "TrimmingSurface.h"
+
+#include <vtkDataObject.h>
+#include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkWeakPointer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace trim
+{
+
+class TrimInputs
+{
+public:
+  /**
+   * Takes what has changed of the inputs, and shares it among the ranks. Collective.
+   *
+   * @param grid an unstructured grid, a composite with one, or null if there is none.
+   * @param surface poly data that carries NURBS surfaces, or null if there is none.
+   * @param error what is wrong and what to do; the same on all ranks.
+   * @return false, on all ranks, with an error.
+   */
+  bool Take(vtkDataObject* grid, vtkDataObject* surface, const Ranks& ranks, std::string& error);
+
+  /// The ranks are others from now on.
+  void ForgetOtherRanks();
+
+  // After Take:
+  const OwnCells& Own() const { return this->TheOwn; } ///< the grid without ghost cells
+  const HexMesh& Mesh() const { return this->TheMesh; }
+  const MeshBlocks& Blocks() const { return this->TheBlocks; }
+  const SharedNodes& Shared() const { return this->TheShared; }
+  nurbs::TrimmingSurface& Surface() const { return *this->TheSurface; }
+
+private:
+  bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error);
+  bool TakeSurface(vtkDataObject* data, std::string& error);
+  /// Collective: what the pieces have in common.
+  bool JoinPieces(const Ranks& ranks, std::string& error);
+  /// Collective: the whole surface on each rank.
+  bool JoinSurface(const Ranks& ranks, std::string& error);
+
+  const vtkNew<vtkUnstructuredGrid> NoGrid; ///< stands for that of a composite without one
+  vtkWeakPointer<vtkUnstructuredGrid> Grid;
+  vtkMTimeType GridTime = 0;
+  OwnCells TheOwn;
+  HexMesh TheMesh;
+  MeshBlocks TheBlocks;
+  bool Joined = false; ///< TheBlocks and TheShared know of the other ranks' pieces
+  SharedNodes TheShared;
+
+  vtkWeakPointer<vtkDataObject> SurfaceData;
+  vtkMTimeType SurfaceTime = 0;
+  std::vector<nurbs::NurbsSurface> OwnFaces;          ///< those that this rank was given
+  std::unique_ptr<nurbs::TrimmingSurface> TheSurface; ///< of all ranks' faces; null: not made yet
+};
+
+}
+
+#endif
