@@ -1,5 +1,6 @@
 #include "Offcut.h"
 
+#include "CoincidentNodes.h"
 #include "ElementTopology.h"
 #include "Relaxation.h"
 
@@ -45,6 +46,7 @@ public:
   {
     this->TakeNodes();
     this->TakeElements();
+    this->DropCollapsed();
     this->PlaceDropped();
     this->SplitBad(true);
     this->RelaxBad();
@@ -92,6 +94,75 @@ private:
           { node, rest.Node[i], rest.Node[i + 2] });
       }
     }
+  }
+
+  /// Where nodes of the cut came to a corner of the model, columns of the offcut have lost a side:
+  /// they do without the nodes that were there before, if no other elements have them.
+  void DropCollapsed()
+  {
+    for (int column = 0; column < this->TheBand.NumberOfElements(); ++column)
+    {
+      const auto* first = this->Members.begin(column);
+      const auto* last = this->Members.end(column);
+      const bool whole = first != last &&
+        std::all_of(first, last,
+          [this](int e) { return this->Slots[e].Count == 8 && this->TheColumns.HasThickness(e); });
+      for (int corner = 0; whole && corner < 4; ++corner)
+      {
+        const int pillar = this->PillarAt(*first, corner);
+        if (this->IsOnlyIn(column, pillar) &&
+          (this->HaveMet(column, pillar, this->PillarAt(*first, corner + 1)) ||
+            this->HaveMet(column, pillar, this->PillarAt(*first, corner + 3))))
+        {
+          std::for_each(first, last,
+            [&](int e) { this->Slots[e] = this->HalfOf(e, this->CornerAt(e, pillar) + 1, 0); });
+          break;
+        }
+      }
+    }
+  }
+
+  /// Calls test(element, end, corner) for the nodes of a pillar in a column; false if one fails or
+  /// an element does not have them.
+  template <typename Test>
+  bool AllOfPillar(int column, int pillar, const Test& test) const
+  {
+    return std::all_of(this->Members.begin(column), this->Members.end(column),
+      [&](int e)
+      {
+        const int corner = this->CornerAt(e, pillar);
+        return corner >= 0 && test(e, this->NodeAt(e, 0, corner), 0) &&
+          test(e, this->NodeAt(e, 1, corner), 1);
+      });
+  }
+
+  /// Whether no elements but those of a column have the nodes of a pillar.
+  bool IsOnlyIn(int column, int pillar) const
+  {
+    return this->AllOfPillar(column, pillar,
+      [&](int, int node, int)
+      {
+        const auto elements = this->TheBand.ElementsOfNode(node);
+        return !this->Shared[node] &&
+          std::all_of(elements.begin(), elements.end(),
+            [&](int e) { return this->TheColumns.Column[e] == column; });
+      });
+  }
+
+  /// Whether two pillars of a column have come together in all its layers.
+  bool HaveMet(int column, int a, int b) const
+  {
+    return this->AllOfPillar(column, a,
+      [&](int e, int node, int end)
+      {
+        const int corner = this->CornerAt(e, b);
+        const int other = corner >= 0 ? this->NodeAt(e, end, corner) : -1;
+        const auto distance = [node, other](const std::vector<Vec3>& at)
+        { return (at[node] - at[other]).norm(); };
+        return other >= 0 &&
+          distance(this->Result.NodeMoves.Position) <
+          SmallestDistanceShare * distance(this->TheBand.Point);
+      });
   }
 
   ElementPoints Points(const RelaxedElement& element) const

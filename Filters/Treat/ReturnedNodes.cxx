@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -60,7 +61,7 @@ public:
       changed = false;
       for (const int node : left)
       {
-        changed |= !this->Given.Aborted() && this->ComeNearer(node);
+        changed |= !this->Given.Aborted() && this->ComeNearer(node, left);
       }
       any |= changed;
     }
@@ -136,11 +137,11 @@ private:
 
   /// Moves a node to the place nearest to the surface that the elements stand; false if that is
   /// where it was.
-  bool ComeNearer(int node)
+  bool ComeNearer(int node, const std::vector<int>& left)
   {
     const Vec3 from = this->TheMoves.Position[node];
     std::vector<Place> places = this->PlacesFor(node);
-    if (places.empty() && this->ComeToCorner(node))
+    if (places.empty() && this->ComeToCorner(node, left))
     {
       return true;
     }
@@ -172,34 +173,39 @@ private:
     return best != from;
   }
 
-  /// Moves a node whose border ends right before the surface to that end; false if it is there, or
-  /// the elements do not stand it.
-  bool ComeToCorner(int node)
+  /// Moves a node whose border ends right before the surface to that end, together with the others
+  /// left in its pillar, as one alone would twist a thin element; else by itself. False if it is
+  /// there, or the elements do not stand it.
+  bool ComeToCorner(int node, const std::vector<int>& left)
   {
-    const Vec3 from = this->TheMoves.Position[node];
-    const NodeMove corner = this->Mover.ComeToCorner(node, from);
-    if (!corner.Found)
-    {
-      return false;
-    }
-    const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<Standard> before = this->StandardsOf(elements, this->Limit);
-    if (!this->StandsAt(node, corner.Target, elements, before))
-    {
-      this->TheMoves.Position[node] = from;
-      return false;
-    }
-    this->TheMoves.Applied[node] = Correction::Relax;
-    return true;
+    std::vector<int> pillar;
+    std::copy_if(left.begin(), left.end(), std::back_inserter(pillar),
+      [&](int n) { return this->Mover.PillarOf(n) == this->Mover.PillarOf(node); });
+    return this->GoToCorner(pillar) || (pillar.size() > 1 && this->GoToCorner({ node }));
   }
 
-  /// Puts a node somewhere; false if the elements at it do not keep what they are to keep, or it
-  /// lies on another node.
-  bool StandsAt(
-    int node, const Vec3& at, const std::vector<int>& elements, const std::vector<Standard>& before)
+  bool GoToCorner(const std::vector<int>& nodes)
   {
-    this->TheMoves.Position[node] = AsStored(this->TheBand, at);
-    return this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node);
+    const State before = this->StateOf(nodes);
+    const std::vector<int> elements = this->ElementsAt(nodes);
+    const std::vector<Standard> standards = this->StandardsOf(elements, this->Limit);
+    bool any = false;
+    for (const int node : nodes)
+    {
+      const NodeMove corner = this->Mover.ComeToCorner(node, this->TheMoves.Position[node]);
+      if (corner.Found)
+      {
+        any = true;
+        this->TheMoves.Position[node] = AsStored(this->TheBand, corner.Target);
+        this->TheMoves.Applied[node] = Correction::Relax;
+      }
+    }
+    if (any && this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before))
+    {
+      return true;
+    }
+    this->Restore(before);
+    return false;
   }
 
   /// Where a node comes to on the longest part of a way that the elements stand; it stays.
@@ -218,7 +224,8 @@ private:
       {
         continue;
       }
-      if (this->StandsAt(node, at, elements, before))
+      this->TheMoves.Position[node] = AsStored(this->TheBand, at);
+      if (this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node))
       {
         gone += step;
         reached = this->TheMoves.Position[node];
