@@ -19,6 +19,7 @@ add_library(NURBSTrimStages STATIC
   Ranks/SharedNodes.cxx
   Ranks/SharedSurface.cxx
   Classify/EdgeCrossing.cxx
+  Classify/EndInside.cxx
   Classify/NodeClassification.cxx
   Classify/PieceSides.cxx
   Decide/Decision.cxx

@@ -1,6 +1,7 @@
 #include "NodeClassification.h"
 
 #include "ElementTopology.h"
+#include "EndInside.h"
 #include "PieceSides.h"
 #include "PlaceText.h"
 #include "Runs.h"
@@ -311,7 +312,29 @@ bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
 {
   SideSets<Index> sets(mesh, blocks, result.CandidateCells);
   ResolveBorderNodes(mesh, piece, result.CandidateCells, surface, near, result, sets);
-  return CarryStatus(mesh, blocks, piece, surface, near, result, sets, error);
+  if (!CarryStatus(mesh, blocks, piece, surface, near, result, sets, error))
+  {
+    return false;
+  }
+  // What has all nodes on one side contradicts nothing, but may end in the middle of an element.
+  const auto has = [&](unsigned char side)
+  {
+    return piece.All.Any(std::any_of(
+      near.Ids.begin(), near.Ids.end(), [&](Id node) { return result.Status[node] == side; }));
+  };
+  const bool keeps = has(NodeKeep);
+  const bool eliminates = has(NodeEliminate);
+  SurfaceEnd end;
+  if (!(keeps && eliminates) && FindEndInside(mesh, result, surface, end.At))
+  {
+    end.Distance = 0.0;
+  }
+  if (piece.All.Any(end.Distance == 0.0))
+  {
+    error = EndOfSurface(piece, near, end);
+    return false;
+  }
+  return true;
 }
 
 }

@@ -382,6 +382,32 @@ void TestEnds(const Mesh& mesh)
   }
 }
 
+// One that parts no two nodes ends inside as well: in an element, and where facets of elements
+// meet. One that ends right above the skin does not.
+void TestEndsInAnElement(const Mesh& mesh)
+{
+  const auto& box = mesh.Box;
+  const Vec3 node = box.Centre - Vec3(box.HalfX, box.HalfY, box.HalfZ) +
+    box.ElementSize * Vec3(3, 3, 0) + box.LayerThickness * Vec3::UnitZ();
+  const std::pair<const char*, Vec3> ends[] = { { "in an element", Vec3(0.3, 0.45, 0.1) },
+    { "between elements", Vec3(0, 0.45, 0.1) }, { "at an edge", Vec3(0, 0, 0.1) } };
+  for (const auto& end : ends)
+  {
+    Judge(std::string("ends ") + end.first, mesh.Grid,
+      PlaneThrough(node + end.second, Vec3::UnitX(), 0.05).Data, { "ends inside the grid, at (" });
+  }
+  const Outcome outcome = RunTrim(mesh,
+    PlaneThrough(
+      node + Vec3(0.3, 0, box.Centre[2] + box.HalfZ + 5.001 - node[2]), Vec3::UnitX(), 5),
+    TrimOptions());
+  if (!outcome.Errors.empty() || outcome.Warnings.size() != 1)
+  {
+    std::printf("FAIL ends above the skin: %s\n",
+      outcome.Errors.empty() ? "not one warning" : outcome.Errors[0].c_str());
+    ++Wrong;
+  }
+}
+
 // No error: a surface beside the grid keeps or eliminates it whole, by the side it lies on.
 void TestMissed(const Mesh& mesh)
 {
@@ -445,6 +471,7 @@ int main()
   TestLoopsAndShells(mesh);
   TestOptionsAndBlocks(mesh);
   TestMixedSides(mesh);
+  TestEndsInAnElement(mesh);
   TestEnds(mesh);
   TestMissed(mesh);
   TestNothingLeft(mesh);

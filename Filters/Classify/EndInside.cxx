@@ -1,0 +1,114 @@
+#include "EndInside.h"
+
+#include "ElementMap.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace trim
+{
+namespace
+{
+using nurbs::FootKind;
+
+/// How far within elements the surface has to end to end inside the grid, in diagonals of one.
+constexpr double InsideMargin = 1e-4;
+
+/// Whether all that is round a place belongs to some of a few elements.
+bool IsWithin(const HexMesh& mesh, const std::vector<Id>& cells, const Vec3& place)
+{
+  ElementPoints points;
+  const auto holds = [&](Id cell, const Vec3& at)
+  {
+    const int count = PointsOfCell(mesh, cell, points);
+    Vec3 parameters;
+    if (!FindParameters(points, count, at, parameters))
+    {
+      return false;
+    }
+    const auto outside = Outside(count, parameters);
+    return *std::max_element(outside.begin(), outside.end()) <= 0.0;
+  };
+  const double step = InsideMargin * CellBox(mesh, cells.front()).diagonal().norm();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vec3 way(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+    if (std::none_of(
+          cells.begin(), cells.end(), [&](Id cell) { return holds(cell, place + step * way); }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Candidate cells that have a node in common with each of them.
+class CellNeighbours
+{
+public:
+  CellNeighbours(const HexMesh& mesh, const std::vector<Id>& cells)
+    : Mesh(mesh)
+  {
+    this->ForNodes(cells, [this](Id node, Id cell) { this->CellsOf[node].push_back(cell); });
+  }
+  std::vector<Id> Round(Id cell) const
+  {
+    std::vector<Id> round;
+    this->ForNodes({ cell },
+      [&](Id node, Id)
+      {
+        const auto& cells = this->CellsOf.at(node);
+        round.insert(round.end(), cells.begin(), cells.end());
+      });
+    std::sort(round.begin(), round.end());
+    round.erase(std::unique(round.begin(), round.end()), round.end());
+    return round;
+  }
+
+private:
+  template <typename Visit>
+  void ForNodes(const std::vector<Id>& cells, const Visit& visit) const
+  {
+    std::array<Id, 8> nodes;
+    for (const Id c : cells)
+    {
+      const int count = this->Mesh.Cell(c, nodes);
+      std::for_each(nodes.begin(), nodes.begin() + count, [&](Id node) { visit(node, c); });
+    }
+  }
+
+  const HexMesh& Mesh;
+  std::unordered_map<Id, std::vector<Id>> CellsOf;
+};
+
+}
+
+bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
+  const nurbs::TrimmingSurface& surface, Place& place)
+{
+  const NodeFeet& near = nodes.Near;
+  const auto isAtEnd = [&near](Id node)
+  { return near.Feet[near.Find(node)].Kind == FootKind::Border; };
+  std::array<Id, 8> cell;
+  const CellNeighbours neighbours(mesh, nodes.CandidateCells);
+  for (const Id c : nodes.CandidateCells)
+  {
+    ElementPoints points;
+    const int count = PointsOfCell(mesh, c, points);
+    mesh.Cell(c, cell);
+    const int places = std::any_of(cell.begin(), cell.begin() + count, isAtEnd) ? 27 : 0;
+    for (int i = 0; i < places; ++i)
+    {
+      const Vec3 at = ClampToElement(count, 0.5 * Vec3(i % 3, i / 3 % 3, i / 9));
+      const auto foot = surface.ClosestPoint(MapToSpace(points, count, at));
+      if (foot.Kind == FootKind::Border && IsWithin(mesh, neighbours.Round(c), foot.Point))
+      {
+        place = ToPlace(foot.Point);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}
