@@ -148,8 +148,9 @@ std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const Surface
   if (nearest->Distance >= std::numeric_limits<double>::max())
   {
     return "The trimming surface has its two sides mixed up near " + at +
-      ": where several bodies touch or cross each other, leave one of them; where a body is "
-      "turned inside out, repair it in the CAD program.";
+      ": where several bodies touch or cross each other, leave one of them; where open patches "
+      "beside each other face the same way, turn one round; where a body is turned inside out, "
+      "repair it in the CAD program.";
   }
   return "The trimming surface ends inside the grid, at " + at +
     ", and so does not part it: extend the surface beyond the grid or close it.";

@@ -15,6 +15,13 @@ namespace
 {
 /// Below this share of the lengths involved points coincide, directions are parallel.
 constexpr double Negligible = 1e-9;
+/// The same for points that were written with some digits only.
+constexpr double WrittenShare = 1e-5;
+/// A line whose ends are nearer to each other than this share of its length is meant to be closed;
+/// up to the larger one if it would go straight on.
+constexpr double ClosedShare = 1e-3;
+constexpr double OpenShare = 0.02;
+constexpr double StraightOnCosine = 0.5;
 
 /// A cubic over [First, Last] in Bezier form.
 struct CubicPiece
@@ -120,6 +127,45 @@ ConvertedCurve JoinPieces(
   }
   return curve;
 }
+
+/// Whether the way from the end of an open line back to its beginning goes on as the line does at
+/// one of the two: round a slot it goes across.
+bool GoesOn(const std::vector<Vec3>& points)
+{
+  const Vec3 way = (points.front() - points.back()).normalized();
+  const Vec3 last = (points.back() - points[points.size() - 2]).normalized();
+  const Vec3 first = (points[1] - points[0]).normalized();
+  return std::max(way.dot(last), way.dot(first)) > StraightOnCosine;
+}
+
+/// What is cut off along a line that is meant to be closed, but is not, goes by the sense in which
+/// it was drawn.
+std::string FindNearlyClosedDefect(const std::vector<Vec3>& points, double length)
+{
+  const double gap = (points.back() - points.front()).norm();
+  if (points.size() < 3 || gap > OpenShare * length ||
+    (gap > ClosedShare * length && !GoesOn(points)))
+  {
+    return {};
+  }
+  if (!(gap > Negligible * length))
+  {
+    return "it ends where it begins; set Closed and remove the last point";
+  }
+  std::ostringstream text;
+  text << "it ends " << gap
+       << " from where it begins, and is open; set Closed, or let its ends lie "
+       << "farther apart, outside of the part";
+  return text.str();
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool EndsWhereItBegins(const std::vector<Vec3>& points)
+{
+  const double gap = (points.back() - points.front()).norm();
+  return gap <= WrittenShare * ChordLengths(points, false).back();
 }
 
 //------------------------------------------------------------------------------
@@ -150,12 +196,7 @@ std::string FindPointDefect(const std::vector<Vec3>& points, bool closed)
       return text.str();
     }
   }
-  if (!closed && count > 2 &&
-    !((points.back() - points.front()).norm() > Negligible * lengths.back()))
-  {
-    return "it ends where it begins; set Closed and remove the last point";
-  }
-  return {};
+  return closed ? std::string() : FindNearlyClosedDefect(points, lengths.back());
 }
 
 //------------------------------------------------------------------------------

@@ -20,10 +20,13 @@ struct TrimLine
   std::string Name; ///< may be empty
 };
 
+/// Whether the last point is the first one again, but for the digits that a file gives.
+bool EndsWhereItBegins(const std::vector<Vec3>& points);
+
 /**
  * Says what is wrong with points for a line: too few (2, closed 3), values that are not finite,
- * consecutive points that coincide. The text names the thing, its place (points counted from 0)
- * and what to do; empty: nothing is wrong.
+ * consecutive points that coincide, an open line that ends beside its beginning. The text names the
+ * thing, its place (points counted from 0) and what to do; empty: nothing is wrong.
  */
 std::string FindPointDefect(const std::vector<Vec3>& points, bool closed);
 

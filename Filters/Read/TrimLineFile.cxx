@@ -3,6 +3,8 @@
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -10,24 +12,61 @@ namespace nurbs
 {
 namespace
 {
+/// The values of a line, without the quotes that some programs put round them.
 std::vector<std::string> SplitLine(const std::string& line)
 {
   std::vector<std::string> values;
   bool between = true;
+  bool quoted = false;
   for (char c : line)
   {
-    const bool blank = c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';';
+    const bool quote = c == '"';
+    quoted = quoted != quote;
+    const bool blank =
+      !quoted && !quote && (c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';');
     if (!blank && between)
     {
       values.emplace_back();
     }
-    if (!blank)
+    if (!blank && !quote)
     {
       values.back() += c;
     }
     between = blank;
   }
   return values;
+}
+
+/// In which columns of a file the coordinates are, and how many columns it has.
+struct Layout
+{
+  std::array<size_t, 3> Columns{ 0, 1, 2 };
+  size_t Width = 3;
+};
+
+/// As the names in a header say, those of ParaView's spreadsheet among them; three columns if they
+/// say nothing.
+Layout FindLayout(const std::vector<std::string>& names)
+{
+  Layout layout;
+  for (size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::string letter(1, "xyz"[axis]);
+    const std::string component = "points:" + std::to_string(axis);
+    const auto found = std::find_if(names.begin(), names.end(),
+      [&](const std::string& name)
+      {
+        const std::string lower = vtksys::SystemTools::LowerCase(name);
+        return lower == letter || lower == component;
+      });
+    if (found == names.end())
+    {
+      return {};
+    }
+    layout.Columns[axis] = static_cast<size_t>(found - names.begin());
+  }
+  layout.Width = names.size();
+  return layout;
 }
 
 /// The mark that spreadsheets put before UTF-8.
@@ -52,19 +91,21 @@ bool ReadNumber(const std::string& text, double& number)
   return result.ec == std::errc() && result.ptr == end;
 }
 
-size_t CountNumbers(const std::vector<std::string>& values, Vec3& point)
+bool ReadPoint(const std::vector<std::string>& values, const Layout& layout, Vec3& point)
 {
-  size_t count = 0;
-  double number = 0.0;
-  for (size_t i = 0; i < values.size(); ++i)
+  bool complete = values.size() == layout.Width;
+  for (size_t axis = 0; axis < 3 && complete; ++axis)
   {
-    if (ReadNumber(values[i], number))
-    {
-      ++count;
-      point[i < 3 ? i : 2] = number;
-    }
+    complete = ReadNumber(values[layout.Columns[axis]], point[axis]);
   }
-  return count;
+  return complete && point.allFinite();
+}
+
+bool HasNumber(const std::vector<std::string>& values)
+{
+  double number;
+  return std::any_of(values.begin(), values.end(),
+    [&number](const std::string& value) { return ReadNumber(value, number); });
 }
 }
 
@@ -81,26 +122,28 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
   }
   SkipByteOrderMark(stream);
   std::string line;
+  Layout layout;
   bool headerMayCome = true;
   for (size_t number = 1; std::getline(stream, line); ++number)
   {
     const std::vector<std::string> values = SplitLine(line);
-    if (values.empty() || values[0][0] == '#')
+    if (values.empty() || (!values[0].empty() && values[0][0] == '#'))
     {
       continue;
     }
-    Vec3 point = Vec3::Zero();
-    const size_t count = CountNumbers(values, point);
-    const bool header = headerMayCome && count == 0;
+    const bool header = headerMayCome && !HasNumber(values);
     headerMayCome = false;
     if (header)
     {
+      layout = FindLayout(values);
       continue;
     }
-    if (values.size() != 3 || count != 3 || !point.allFinite())
+    Vec3 point;
+    if (!ReadPoint(values, layout, point))
     {
       error = file + ", line " + std::to_string(number) + " is \"" + line.substr(0, 60) +
-        "\"; expected three finite numbers x, y, z";
+        "\"; expected three finite numbers x, y, z, or a header that says which columns they are "
+        "in";
       return false;
     }
     points.push_back(point);

@@ -14,8 +14,9 @@ namespace nurbs
 {
 /**
  * Reads points from a CSV file: x, y, z in each line, separated by commas, semicolons, blanks or
- * tabs. Empty lines and lines that begin with # are passed over, and so is a header, the first
- * other line if none of its values is a number.
+ * tabs, quoted or not. Empty lines and lines that begin with # are passed over, and so is a header,
+ * the first other line if none of its values is a number; where it names columns x, y, z, or
+ * Points:0 to 2 as ParaView does, there may be others.
  *
  * @return false with one line in `error` that names the file, the line and what is expected, if
  * the file cannot be read, or has a line that is not three numbers.

@@ -274,8 +274,8 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
     {
       return kept;
     }
-    // Contours in files end where they began.
-    if (points.size() > 3 && points.front() == points.back())
+    // Contours in files end where they began, but for the digits that were written.
+    if (points.size() > 3 && nurbs::EndsWhereItBegins(points))
     {
       closed = true;
       points.pop_back();

@@ -400,7 +400,11 @@ void TestFile()
   for (const std::string text : { "x,y,z\n0,0,0\n4,0,0.5\n4,3,0\n-1e1,3,0\n0,0,0\n",
          "\xEF\xBB\xBF"
          "0,0,0\n4,0,0.5\n4,3,0\n-10,3,0\n",
-         "# contour\r\n0; 0; 0\r\n+4;0;.5\r\n\r\n4 3\t0\r\n-10 3 0" })
+         "# contour\r\n0; 0; 0\r\n+4;0;.5\r\n\r\n4 3\t0\r\n-10 3 0",
+         "\"0\",\"0\",\"0\"\n\"4\",\"0\",\"0.5\"\n4,3,0\n-10,3,0\n0.0001,0,0\n",
+         "\"Point ID\",\"Points:0\",\"Points:1\",\"Points:2\",\"Points_Magnitude\"\n0,0,0,0,0\n"
+         "1,4,0,0.5,4.03\n2,4,3,0,5\n3,-10,3,0,10.44\n",
+         "Z Y X\n0 0 0\n0.5 0 4\n0 3 4\n0 3 -10\n" })
   {
     const std::string path = OutputPath("line.csv");
     WriteText(path, text);
@@ -450,6 +454,21 @@ void TestBadInput()
     });
   CheckError("point 2 is not finite", [nan](Source* s) { s->SetPoint(2, 0, nan, 0); });
   CheckError("it ends where it begins; set Closed", [](Source* s) { s->SetPoint(3, 0, 0, 0); });
+  // Hardly open, or going on to where it began; the narrow slot beside them is open.
+  const auto ends = [](double x, double y)
+  {
+    return [x, y](Source* s)
+    {
+      s->SetLineType(vtkTrimLineSource::POLYLINE);
+      Give(s, { { 0, 0, 0 }, { 50, 0, 0 }, { 50, 40, 0 }, { 0, 40, 0 }, { x, y, 0 } }, false);
+    };
+  };
+  CheckError("it ends 0.1 from where it begins, and is open", ends(-0.1, 0));
+  CheckError("it ends 2 from where it begins, and is open", ends(0, 2));
+  vtkNew<Source> slot;
+  Give(slot, { { 0, 0, 0 }, { 90, 0, 0 }, { 90, 3, 0 }, { 0, 3, 0 } }, false);
+  slot->Update();
+  CHECK(slot->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT) > 0, "a slot");
   CheckError("not finite", [infinity](Source* s) { s->SetDirection(0, infinity, 0); });
   CheckError("Direction is along the line at (0, 0, 0)",
     [](Source* s) {
@@ -484,6 +503,8 @@ void TestBadInput()
   CheckFileError("is cut short", "ISO-10303-21;\nHEADER;\n");
   CheckFileError("line 3 is \"1,2\"; expected three", "x,y,z\n0,0,0\n1,2\n");
   CheckFileError("line 2", "0,0,0\n1,2,3,4\n");
+  CheckFileError("line 2 is \"0,1,2,3\"; expected three", "id,x,y\n0,1,2,3\n");
+  CheckFileError("line 3", "id,x,y,z\n0,1,2,3\n1,2,3\n");
   CheckFileError("line 2", "0,0,0\nx,y,z\n");
   CheckFileError("line 1", "0,0,nan\n1,2,3\n");
   CheckFileError("line 2", "0,0,0\n1,2,3mm\n");
