@@ -89,11 +89,13 @@ void ResolveBorderNodes(const HexMesh& mesh, const Piece& piece, const std::vect
   const nurbs::TrimmingSurface& surface, const NodeFeet& near, NodeClassification& result,
   SideSets<Index>& sets)
 {
+  const bool any = std::any_of(near.Feet.begin(), near.Feet.end(),
+    [](const Foot& foot) { return foot.Kind != FootKind::Interior; });
   std::vector<NodeVote> votes;
   std::array<Id, 8> nodes;
-  for (const Id c : candidates)
+  for (std::size_t i = 0; any && i < candidates.size(); ++i)
   {
-    const int count = mesh.Cell(c, nodes);
+    const int count = mesh.Cell(candidates[i], nodes);
     const auto& topology = TopologyOf(count);
     for (int e = 0; e < topology.NumberOfEdges; ++e)
     {
@@ -207,10 +209,10 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
   return true;
 }
 
-/// Gives nodes of far clusters the side of their cluster; returns, ascending, those that still have
-/// none.
-std::vector<Id> AssignSidesOfClusters(
-  const HexMesh& mesh, const MeshBlocks& blocks, NodeClassification& result)
+/// Gives nodes the side of their set; returns, ascending, those that still have none.
+template <typename Index>
+std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks,
+  const std::vector<unsigned char>& ofRoot, SideSets<Index>& sets, NodeClassification& result)
 {
   constexpr Id grain = 50000;
   constexpr unsigned char unknown = NodeUnknown;
@@ -218,15 +220,18 @@ std::vector<Id> AssignSidesOfClusters(
   ForRuns(mesh.NumberOfPoints, grain,
     [&](Id part, Id begin, Id end)
     {
+      unsigned char* const status = result.Status.data();
+      const unsigned char* const sides = result.ClusterSide.data();
       for (Id i = begin; i < end; ++i)
       {
-        if (result.Status[i] != NodeUnknown)
+        if (status[i] != NodeUnknown)
         {
           continue;
         }
         const int run = blocks.FirstRunOf(i);
-        result.Status[i] = run == MeshBlocks::NoRun ? unknown : result.ClusterSide[run];
-        if (result.Status[i] == NodeUnknown)
+        const unsigned char side = run == MeshBlocks::NoRun ? unknown : sides[run];
+        status[i] = side == NodeUnknown ? ofRoot[sets.Find(i)] : side;
+        if (status[i] == NodeUnknown)
         {
           left[part].push_back(i);
         }
@@ -249,25 +254,25 @@ std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
 {
   constexpr unsigned char unknown = NodeUnknown;
   result.ClusterSide.assign(sets.NumberOfRuns(), NodeUnknown);
-  for (Id run = 0; run < sets.NumberOfRuns(); ++run)
-  {
-    result.ClusterSide[run] = sets.IsFarCluster(run) ? ofRoot[sets.FindCluster(run)] : unknown;
-  }
+  vtkSMPTools::For(0, sets.NumberOfRuns(), 10000,
+    [&](Id begin, Id end)
+    {
+      for (Id run = begin; run < end; ++run)
+      {
+        result.ClusterSide[run] = sets.IsFarCluster(run) ? ofRoot[sets.FindCluster(run)] : unknown;
+      }
+    });
   std::vector<std::pair<Id, OutermostNodes>> farParts;
   std::unordered_map<Index, std::size_t> partOfRoot;
-  for (const Id i : AssignSidesOfClusters(mesh, blocks, result))
+  for (const Id i : AssignSidesOfNodes(mesh, blocks, ofRoot, sets, result))
   {
     const Index root = sets.Find(i);
-    result.Status[i] = ofRoot[root];
-    if (ofRoot[root] == NodeUnknown)
+    const auto part = partOfRoot.emplace(root, farParts.size());
+    if (part.second)
     {
-      const auto part = partOfRoot.emplace(root, farParts.size());
-      if (part.second)
-      {
-        farParts.emplace_back(root, OutermostNodes());
-      }
-      farParts[part.first->second].second.Add(ToPlace(mesh.Point(i)));
+      farParts.emplace_back(root, OutermostNodes());
     }
+    farParts[part.first->second].second.Add(ToPlace(mesh.Point(i)));
   }
   return farParts;
 }

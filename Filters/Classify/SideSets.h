@@ -9,8 +9,11 @@
 #ifndef SideSets_h
 #define SideSets_h
 
-#include "DisjointSets.h"
+#include "ConcurrentSets.h"
 #include "MeshBlocks.h"
+#include "Runs.h"
+
+#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <vector>
@@ -18,6 +21,7 @@
 namespace trim
 {
 
+/// A set is told by its root: a run of cells, or a node behind all runs. All threads may ask.
 template <typename Index>
 class SideSets
 {
@@ -27,8 +31,7 @@ public:
     : Mesh(mesh)
     , Blocks(blocks)
     , IsFar(blocks.IsCluster)
-    , Number(mesh.NumberOfPoints)
-    , Sets(static_cast<Index>(blocks.IsCluster.size()))
+    , Sets(this->Size())
   {
     for (const Id c : candidates)
     {
@@ -36,10 +39,12 @@ public:
     }
     this->UniteCells(candidates);
     this->UniteClusters();
-    this->NumberOtherNodes(candidates);
   }
 
-  Index Size() const { return this->Sets.Size(); }
+  Index Size() const
+  {
+    return static_cast<Index>(this->NumberOfRuns() + this->Mesh.NumberOfPoints);
+  }
   /// The set of a node; it changes as sets are united.
   Index Find(Id node) { return this->Sets.Find(this->SetOf(node)); }
   void Unite(Id a, Id b) { this->Sets.Unite(this->SetOf(a), this->SetOf(b)); }
@@ -50,26 +55,14 @@ public:
   Id NumberOfRuns() const { return static_cast<Id>(this->IsFar.size()); }
 
 private:
-  /// Node that has a number of its own: its first run of cells is no far cluster.
-  bool IsSingle(Id node) const
+  /// The set of a node before any are united: its first run of cells, if that is a far cluster, or
+  /// one of its own.
+  Index SetOf(Id node) const
   {
     const int run = this->Blocks.FirstRunOf(node);
-    return run == MeshBlocks::NoRun || !this->IsFar[run];
-  }
-  /// The set of a node before any are united: its cluster, or one of its own.
-  Index SetOf(Id node)
-  {
-    if (!this->IsSingle(node))
-    {
-      return Index(this->Blocks.FirstRunOf(node));
-    }
-    // Zero is a run's number, or there is no run: so no node of its own has it.
-    Index& number = this->Number[node];
-    if (number == 0)
-    {
-      number = this->Sets.Append();
-    }
-    return number;
+    return run == MeshBlocks::NoRun || !this->IsFar[run]
+      ? static_cast<Index>(this->NumberOfRuns() + node)
+      : static_cast<Index>(run);
   }
 
   template <typename Action>
@@ -86,97 +79,89 @@ private:
   /// Joins the nodes of each cell that the surface does not meet, outside of clusters.
   void UniteCells(const std::vector<Id>& candidates)
   {
-    auto next = candidates.begin();
-    Index root = -1;
-    for (Id run = 0; run < this->NumberOfRuns(); ++run)
-    {
-      if (this->IsFar[run])
+    vtkSMPTools::For(0, this->NumberOfRuns(), 4000,
+      [&](Id begin, Id end)
       {
-        continue;
-      }
-      this->ForCells(run,
-        [&](Id c, const std::array<Id, 8>& nodes, int count)
+        auto next = std::lower_bound(
+          candidates.begin(), candidates.end(), begin * MeshBlocks::CellsPerCluster);
+        for (Id run = begin; run < end; ++run)
         {
-          if (next != candidates.end() && *next == c)
+          if (!this->IsFar[run])
           {
-            ++next;
-            return;
+            this->UniteCellsOf(run, candidates, next);
           }
-          // Cells that follow one another are neighbours as a rule, so their root is known.
-          const Index first = this->SetOf(nodes[0]);
-          if (root < 0 || !this->Sets.HangsOn(first, root))
-          {
-            root = this->Sets.Find(first);
-          }
-          for (int i = 1; i < count; ++i)
-          {
-            root = this->Sets.Attach(this->SetOf(nodes[i]), root);
-          }
-        });
-    }
+        }
+      });
+  }
+
+  /// @param[in,out] next the first candidate not before the run.
+  void UniteCellsOf(
+    Id run, const std::vector<Id>& candidates, std::vector<Id>::const_iterator& next)
+  {
+    this->ForCells(run,
+      [&](Id c, const std::array<Id, 8>& nodes, int count)
+      {
+        if (next != candidates.end() && *next == c)
+        {
+          ++next;
+          return;
+        }
+        const Index first = this->SetOf(nodes[0]);
+        for (int i = 1; i < count; ++i)
+        {
+          this->Sets.Unite(this->SetOf(nodes[i]), first);
+        }
+      });
   }
 
   /// Joins far clusters with one another, and with the sets of their nodes.
   void UniteClusters()
   {
-    int done = -1; // cluster whose nodes are joined
-    for (const auto& link : this->Blocks.Links)
-    {
-      if (!this->IsFar[link.first])
+    const auto& links = this->Blocks.Links;
+    vtkSMPTools::For(0, static_cast<Id>(links.size()), 20000,
+      [&](Id begin, Id end)
       {
-        continue;
-      }
-      if (this->IsFar[link.second])
-      {
-        this->Sets.Unite(Index(link.first), Index(link.second));
-      }
-      else if (done != link.first)
-      {
-        done = link.first;
-        this->UniteNodes(done);
-      }
-    }
+        int done = -1; // cluster whose nodes are joined
+        for (Id i = begin; i < end; ++i)
+        {
+          const auto& link = links[i];
+          if (!this->IsFar[link.first])
+          {
+            continue;
+          }
+          if (this->IsFar[link.second])
+          {
+            this->Sets.Unite(Index(link.first), Index(link.second));
+          }
+          else if (done != link.first)
+          {
+            done = link.first;
+            this->UniteNodes(done);
+          }
+        }
+      });
   }
 
   void UniteNodes(Index cluster)
   {
-    Index root = this->Sets.Find(cluster);
-    Index before = cluster; // what most nodes after it belong to
     this->ForCells(cluster,
       [&](Id, const std::array<Id, 8>& nodes, int count)
       {
         for (int i = 0; i < count; ++i)
         {
           const Index set = this->SetOf(nodes[i]);
-          root = set == before ? root : this->Sets.Attach(set, root);
-          before = set;
+          if (set != cluster)
+          {
+            this->Sets.Unite(set, cluster);
+          }
         }
       });
   }
 
-  /// Numbers nodes that no other cell has.
-  void NumberOtherNodes(const std::vector<Id>& candidates)
-  {
-    for (const Id node : this->Blocks.UnusedNodes)
-    {
-      this->SetOf(node);
-    }
-    std::array<Id, 8> nodes;
-    for (const Id c : candidates)
-    {
-      const int count = this->Mesh.Cell(c, nodes);
-      for (int i = 0; i < count; ++i)
-      {
-        this->SetOf(nodes[i]);
-      }
-    }
-  }
-
   const HexMesh& Mesh;
   const MeshBlocks& Blocks;
-  std::vector<char> IsFar;  ///< of each run of cells
-  PageVector<Index> Number; ///< of single nodes, 0: none yet
-  DisjointSets<Index> Sets;
+  std::vector<char> IsFar; ///< of each run of cells
+  ConcurrentSets<Index> Sets;
 };
 
 }

@@ -10,9 +10,8 @@
 
 #include "HexMesh.h"
 #include "Jacobian.h"
+#include "Runs.h"
 #include "TrimmingSurface.h"
-
-#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <atomic>
@@ -85,8 +84,9 @@ template <typename Test>
 std::vector<Id> FindCells(
   const HexMesh& mesh, const MeshBlocks& blocks, const Test& test, CellSearch search)
 {
+  constexpr Id grain = 64;
   const Id count = blocks.NumberOfBlocks();
-  std::vector<std::vector<Id>> found(count);
+  std::vector<std::vector<Id>> found(NumberOfRuns(count, grain));
   const auto searchRun = [&](Id first, Id last, std::vector<Id>& cells)
   {
     if (!test(blocks.RunBoxes[first / MeshBlocks::CellsPerRun].template cast<double>()))
@@ -101,8 +101,8 @@ std::vector<Id> FindCells(
       }
     }
   };
-  vtkSMPTools::For(0, count, 64,
-    [&](Id begin, Id end)
+  ForRuns(count, grain,
+    [&](Id part, Id begin, Id end)
     {
       for (Id b = begin; b < end; ++b)
       {
@@ -113,7 +113,7 @@ std::vector<Id> FindCells(
         const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
         for (Id c = MeshBlocks::FirstCell(b); c < last; c += MeshBlocks::CellsPerRun)
         {
-          searchRun(c, std::min(last, c + MeshBlocks::CellsPerRun), found[b]);
+          searchRun(c, std::min(last, c + MeshBlocks::CellsPerRun), found[part]);
         }
       }
     });

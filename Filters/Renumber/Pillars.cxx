@@ -127,7 +127,7 @@ void AddAlong(const Vec3& direction, Vec3& sum)
 }
 
 /// Unites the nodes above one another; returns the mean direction from one to the next.
-Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, ConcurrentSets& sets)
+Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, ConcurrentSets<int>& sets)
 {
   const auto count = static_cast<Id>(graph.Offset.size()) - 1;
   std::vector<Vec3> up(NumberOfRuns(count, Grain), Vec3::Zero());
@@ -156,7 +156,7 @@ Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, Concurr
 }
 
 /// Numbers the sets in the order of their roots; returns how many there are.
-int NumberSets(int count, ConcurrentSets& sets, PageVector<int>& number)
+int NumberSets(int count, ConcurrentSets<int>& sets, PageVector<int>& number)
 {
   const auto isRoot = [&sets](Id n) { return sets.IsRoot(static_cast<int>(n)); };
   std::vector<int> first(NumberOfRuns(count, Grain) + 1, 0);
@@ -200,7 +200,7 @@ int NumberSets(int count, ConcurrentSets& sets, PageVector<int>& number)
 
 Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position)
 {
-  ConcurrentSets sets(graph.NumberOfNodes, vtkSMPTools::GetEstimatedNumberOfThreads() < 2);
+  ConcurrentSets<int> sets(graph.NumberOfNodes);
   const Vec3 up = UniteShortEdges(graph, position, sets);
   Pillars pillars;
   pillars.Count = NumberSets(graph.NumberOfNodes, sets, pillars.Pillar);

@@ -8,37 +8,39 @@
 
 #include "PageVector.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <atomic>
 
 namespace trim
 {
 
+template <typename Index>
 class ConcurrentSets
 {
 public:
-  /// @param alone whether one thread unites: it needs no locked instructions.
-  ConcurrentSets(int count, bool alone)
+  explicit ConcurrentSets(Index count)
     : Back(count)
-    , Alone(alone)
+    , Alone(vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
   {
   }
 
-  bool IsRoot(int i) const { return this->Parent(i) == i; }
+  bool IsRoot(Index i) const { return this->Parent(i) == i; }
 
-  int Find(int i)
+  Index Find(Index i)
   {
-    for (int parent = this->Parent(i); parent != i; parent = this->Parent(i))
+    for (Index parent = this->Parent(i); parent != i; parent = this->Parent(i))
     {
       // Whoever halves the path meanwhile leads it to an ancestor as well.
-      const int next = this->Parent(parent);
+      const Index next = this->Parent(parent);
       this->Back[i].store(i - next, std::memory_order_relaxed);
       i = next;
     }
     return i;
   }
 
-  void Unite(int a, int b)
+  void Unite(Index a, Index b)
   {
     if (this->Parent(a) == this->Parent(b))
     {
@@ -46,9 +48,9 @@ public:
     }
     while ((a = this->Find(a)) != (b = this->Find(b)))
     {
-      const int large = std::max(a, b);
-      const int back = large - std::min(a, b);
-      int none = 0;
+      const Index large = std::max(a, b);
+      const Index back = large - std::min(a, b);
+      Index none = 0;
       if (this->Alone)
       {
         this->Back[large].store(back, std::memory_order_relaxed);
@@ -62,10 +64,10 @@ public:
   }
 
 private:
-  int Parent(int i) const { return i - this->Back[i].load(std::memory_order_relaxed); }
+  Index Parent(Index i) const { return i - this->Back[i].load(std::memory_order_relaxed); }
 
-  nurbs::PageVector<std::atomic<int>> Back; ///< from a member to its parent; 0: a root
-  bool Alone;
+  nurbs::PageVector<std::atomic<Index>> Back; ///< from a member to its parent; 0: a root
+  bool Alone;                                 ///< one thread needs no locked instructions
 };
 
 }
