@@ -14,6 +14,15 @@ namespace
 
 /// Of an element.
 constexpr int MostFaces = 6;
+/// In place of a number: the face has that of its first side.
+constexpr int IsTwin = -2;
+
+/// The other ends of the three edges at each node of an element.
+using NeighbourNodes = std::array<std::array<int, 3>, 8>;
+constexpr NeighbourNodes HexahedronNeighbours = { { { 1, 3, 4 }, { 0, 2, 5 }, { 1, 3, 6 },
+  { 0, 2, 7 }, { 0, 5, 7 }, { 1, 4, 6 }, { 2, 5, 7 }, { 3, 4, 6 } } };
+constexpr NeighbourNodes WedgeNeighbours = { { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 0, 4, 5 },
+  { 1, 3, 5 }, { 2, 3, 4 } } };
 
 /// The nodes of a face in ascending order: the same from both its elements.
 std::array<int, 4> FaceKey(const BandElement& element, int slot)
@@ -54,27 +63,39 @@ Band::Band(BandCells cells, int rings, bool singlePrecision)
 
 void Band::TakeElements(const BandCells& cells)
 {
-  for (const auto& node : cells.Nodes)
-  {
-    this->GlobalNode.push_back(node.Global);
-    this->Point.push_back(node.Point);
-    this->NodeStatus.push_back(node.Status);
-  }
-  for (const auto& cell : cells.Cells)
-  {
-    BandElement element;
-    element.Global = cell.Global;
-    element.Count = cell.Count;
-    element.Ring = cell.Ring;
-    element.Face.fill(-1);
-    element.Node.fill(-1);
-    if (cell.Global >= 0)
+  const int nodes = static_cast<int>(cells.Nodes.size());
+  this->GlobalNode.resize(nodes);
+  this->Point.resize(nodes);
+  this->NodeStatus.resize(nodes);
+  ForAll(nodes,
+    [&](int n)
     {
-      this->ElementByCell.emplace_back(cell.Global, this->NumberOfElements());
+      this->GlobalNode[n] = cells.Nodes[n].Global;
+      this->Point[n] = cells.Nodes[n].Point;
+      this->NodeStatus[n] = cells.Nodes[n].Status;
+    });
+  const int count = static_cast<int>(cells.Cells.size());
+  this->Elements.resize(count);
+  this->ElementStatus.resize(count);
+  ForAll(count,
+    [&](int e)
+    {
+      const auto& cell = cells.Cells[e];
+      auto& element = this->Elements[e];
+      element.Global = cell.Global;
+      element.Count = cell.Count;
+      element.Ring = cell.Ring;
+      element.Face.fill(-1);
+      element.Node.fill(-1);
+      std::copy_n(cell.Node.begin(), cell.Count, element.Node.begin());
+      this->ElementStatus[e] = cell.Status;
+    });
+  for (int e = 0; e < count; ++e)
+  {
+    if (this->Elements[e].Global >= 0)
+    {
+      this->ElementByCell.emplace_back(this->Elements[e].Global, e);
     }
-    std::copy_n(cell.Node.begin(), cell.Count, element.Node.begin());
-    this->Elements.push_back(element);
-    this->ElementStatus.push_back(cell.Status);
   }
   std::sort(this->ElementByCell.begin(), this->ElementByCell.end());
 }
@@ -83,16 +104,13 @@ std::vector<Band::Side> Band::FindTwins() const
 {
   const int count = this->NumberOfElements();
   PageVector<std::array<int, 4>> keys(MostFaces * static_cast<std::size_t>(count));
-  vtkSMPTools::For(0, count, 500,
-    [&](Id begin, Id end)
+  ForAll(count,
+    [&](int e)
     {
-      for (Id e = begin; e < end; ++e)
+      const auto& element = this->Elements[e];
+      for (int slot = 0; slot < TopologyOf(element.Count).NumberOfFaces; ++slot)
       {
-        const auto& element = this->Elements[e];
-        for (int slot = 0; slot < TopologyOf(element.Count).NumberOfFaces; ++slot)
-        {
-          keys[MostFaces * e + slot] = FaceKey(element, slot);
-        }
+        keys[MostFaces * e + slot] = FaceKey(element, slot);
       }
     });
   // By their first nodes only few are left to be compared.
@@ -131,18 +149,31 @@ std::vector<Band::Side> Band::FindTwins() const
 void Band::BuildFaces()
 {
   const std::vector<Side> twins = this->FindTwins();
-  this->Faces.reserve(4 * this->Elements.size());
+  std::vector<int> number(twins.size(), -1); // of the face that a side is the first of
+  int count = 0;
   for (int e = 0; e < this->NumberOfElements(); ++e)
   {
     for (int slot = 0; slot < TopologyOf(this->Elements[e].Count).NumberOfFaces; ++slot)
     {
       // Of three elements with one face the first two are twins, as no face has more than two.
-      if (this->Elements[e].Face[slot] < 0)
+      const Side& twin = twins[MostFaces * e + slot];
+      int& own = number[MostFaces * e + slot];
+      own = own == IsTwin ? IsTwin : count++;
+      if (own != IsTwin && twin.Element >= 0)
       {
-        this->AddFace({ e, slot }, twins[MostFaces * e + slot]);
+        number[MostFaces * twin.Element + twin.Slot] = IsTwin;
       }
     }
   }
+  this->Faces.resize(count);
+  ForAll(static_cast<int>(number.size()),
+    [&](int side)
+    {
+      if (number[side] >= 0)
+      {
+        this->SetFace(number[side], { side / MostFaces, side % MostFaces }, twins[side]);
+      }
+    });
   this->FaceLists = BuildLists(this->NumberOfNodes(),
     [this](auto&& add)
     {
@@ -156,11 +187,11 @@ void Band::BuildFaces()
     });
 }
 
-void Band::AddFace(Side side, Side twin)
+void Band::SetFace(int number, Side side, Side twin)
 {
   auto& element = this->Elements[side.Element];
   const auto& corners = TopologyOf(element.Count).Faces[side.Slot];
-  BandFace face;
+  BandFace& face = this->Faces[number];
   face.Count = corners.Count;
   face.Node.fill(-1);
   for (int i = 0; i < face.Count; ++i)
@@ -169,21 +200,24 @@ void Band::AddFace(Side side, Side twin)
   }
   face.Element[0] = side.Element;
   face.Slot[0] = side.Slot;
-  element.Face[side.Slot] = static_cast<int>(this->Faces.size());
+  element.Face[side.Slot] = number;
   if (twin.Element >= 0)
   {
     face.Element[1] = twin.Element;
     face.Slot[1] = twin.Slot;
-    this->Elements[twin.Element].Face[twin.Slot] = element.Face[side.Slot];
+    this->Elements[twin.Element].Face[twin.Slot] = number;
   }
   face.Exterior = twin.Element < 0 && element.Ring < this->Halo;
-  this->Faces.push_back(face);
 }
 
 void Band::BuildEdges()
 {
   constexpr Id length = 1000;
   std::vector<std::vector<BandEdge>> edges(NumberOfRuns(this->NumberOfNodes(), length));
+  for (auto& list : edges)
+  {
+    list.reserve(4 * length);
+  }
   ForRuns(this->NumberOfNodes(), length,
     [&](Id run, Id begin, Id end)
     {
@@ -213,23 +247,21 @@ void Band::ListEdges(int node, std::vector<BandEdge>& edges) const
   for (const int e : this->ElementsOfNode(node))
   {
     const auto& element = this->Elements[e];
-    const auto& topology = TopologyOf(element.Count);
-    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    const auto corner = std::find(element.Node.begin(), element.Node.end(), node);
+    const auto& neighbours = element.Count == 8 ? HexahedronNeighbours : WedgeNeighbours;
+    for (const int i : neighbours[corner - element.Node.begin()])
     {
-      const int a = element.Node[topology.Edges[i].First];
-      const int b = element.Node[topology.Edges[i].Second];
-      if (std::min(a, b) == node)
+      const BandEdge edge{ node, element.Node[i] };
+      const bool known = std::any_of(edges.begin() + first, edges.end(),
+        [&edge](const BandEdge& other) { return other.Second == edge.Second; });
+      if (edge.Second > node && !known)
       {
-        edges.push_back({ node, std::max(a, b) });
+        edges.push_back(edge);
       }
     }
   }
-  const auto begin = edges.begin() + first;
-  std::sort(
-    begin, edges.end(), [](const BandEdge& a, const BandEdge& b) { return a.Second < b.Second; });
-  edges.erase(std::unique(begin, edges.end(),
-                [](const BandEdge& a, const BandEdge& b) { return a.Second == b.Second; }),
-    edges.end());
+  std::sort(edges.begin() + first, edges.end(),
+    [](const BandEdge& a, const BandEdge& b) { return a.Second < b.Second; });
 }
 
 int Band::FindEdge(int a, int b) const

@@ -110,7 +110,7 @@ private:
   /// same nodes.
   std::vector<Side> FindTwins() const;
   void BuildFaces();
-  void AddFace(Side side, Side twin);
+  void SetFace(int number, Side side, Side twin);
   void BuildEdges();
   /// The edges from a node to later ones, ascending.
   void ListEdges(int node, std::vector<BandEdge>& edges) const;

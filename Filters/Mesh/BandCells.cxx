@@ -1,8 +1,13 @@
 #include "BandCells.h"
 
 #include "Band.h"
+#include "Runs.h"
+
+#include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -18,117 +23,142 @@ int Locate(const std::vector<Id>& sorted, Id value)
   return it != sorted.end() && *it == value ? static_cast<int>(it - sorted.begin()) : -1;
 }
 
-/// The cells among which the rings grow, in numbers of their own.
-struct NearMesh
+/// Breadth-first rings over cells that share a node, among the cells near the cut.
+class Rings
 {
-  std::vector<Id> Nodes;
-  std::vector<std::array<int, 8>> Cells;
+public:
+  Rings(const HexMesh& mesh, const std::vector<Id>& near, const std::vector<Id>& seeds)
+    : Near(near)
+    , Nodes(near.size())
+    , Counts(near.size())
+    , OfCell(near.size(), -1)
+    , Marks(mesh.NumberOfPoints)
+  {
+    this->ForCells([&](Id c) { this->Counts[c] = mesh.OrientedCell(near[c], this->Nodes[c]); });
+    ForAll(static_cast<int>(seeds.size()), [&](int i) { this->Take(Locate(near, seeds[i]), 0); });
+  }
+
+  void Grow(int rings, const SpreadRing& spread)
+  {
+    for (int ring = 1; ring <= rings; ++ring)
+    {
+      if (spread)
+      {
+        this->SpreadNodes(ring, spread);
+      }
+      // What a cell of this ring marks is of no account for the others of it.
+      this->ForCells(
+        [&](Id c)
+        {
+          if (this->OfCell[c] < 0 && this->IsReached(c, ring))
+          {
+            this->Take(c, ring);
+          }
+        });
+    }
+  }
+
+  /// The cells of all rings, their nodes numbered in the order in which they come.
+  /// @param[out] ids of these nodes.
+  std::vector<BandCells::Cell> Cells(std::vector<Id>& ids)
+  {
+    std::vector<BandCells::Cell> cells;
+    for (std::size_t c = 0; c < this->Near.size(); ++c)
+    {
+      if (this->OfCell[c] >= 0)
+      {
+        cells.push_back({ this->Near[c], this->Counts[c], this->OfCell[c], 0, {} });
+        for (int i = 0; i < this->Counts[c]; ++i)
+        {
+          cells.back().Node[i] = this->NumberOf(this->Nodes[c][i], ids);
+        }
+      }
+    }
+    return cells;
+  }
+
+private:
+  template <typename Action>
+  void ForCells(const Action& action)
+  {
+    vtkSMPTools::For(0, static_cast<Id>(this->Near.size()), 2000,
+      [&](Id begin, Id end)
+      {
+        for (Id c = begin; c < end; ++c)
+        {
+          action(c);
+        }
+      });
+  }
+
+  int MarkOf(Id node) const { return this->Marks[node].load(std::memory_order_relaxed); }
+  void Mark(Id node, int mark)
+  {
+    if (this->MarkOf(node) == 0)
+    {
+      this->Marks[node].store(mark, std::memory_order_relaxed);
+    }
+  }
+
+  void Take(Id c, int ring)
+  {
+    this->OfCell[c] = ring;
+    for (int i = 0; i < this->Counts[c]; ++i)
+    {
+      this->Mark(this->Nodes[c][i], ring + 1);
+    }
+  }
+
+  bool IsReached(Id c, int ring) const
+  {
+    const auto& nodes = this->Nodes[c];
+    return std::any_of(nodes.begin(), nodes.begin() + this->Counts[c],
+      [&](Id node)
+      {
+        const int mark = this->MarkOf(node);
+        return mark > 0 && mark <= ring;
+      });
+  }
+
+  /// Marks what nodes the ring before has reached elsewhere.
+  void SpreadNodes(int ring, const SpreadRing& spread)
+  {
+    std::vector<Id> reached;
+    for (std::size_t c = 0; c < this->Near.size(); ++c)
+    {
+      const auto& nodes = this->Nodes[c];
+      std::copy_if(nodes.begin(), nodes.begin() + (this->OfCell[c] < 0 ? 0 : this->Counts[c]),
+        std::back_inserter(reached), [&](Id node) { return this->MarkOf(node) == ring; });
+    }
+    std::sort(reached.begin(), reached.end());
+    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    spread(reached);
+    for (const Id node : reached)
+    {
+      this->Mark(node, ring);
+    }
+  }
+
+  int NumberOf(Id node, std::vector<Id>& ids)
+  {
+    int mark = this->MarkOf(node);
+    if (mark > 0)
+    {
+      ids.push_back(node);
+      mark = -static_cast<int>(ids.size());
+      this->Marks[node].store(mark, std::memory_order_relaxed);
+    }
+    return -mark - 1;
+  }
+
+  const std::vector<Id>& Near;
+  PageVector<std::array<Id, 8>> Nodes;
   std::vector<int> Counts;
-  PageVector<int> Number; ///< of each node of the mesh plus one, 0: it has none
+  std::vector<int> OfCell; ///< -1: not reached
+  /// Of each node of the mesh: one more than the first ring with a cell of it, 0: none; at last, of
+  /// those in rings, how far below zero its number is, the first being -1.
+  PageVector<std::atomic<int>> Marks;
 };
-
-NearMesh TakeNearMesh(const HexMesh& mesh, const std::vector<Id>& near)
-{
-  NearMesh taken;
-  taken.Number.resize(mesh.NumberOfPoints);
-  taken.Cells.resize(near.size());
-  taken.Counts.resize(near.size());
-  std::array<Id, 8> nodes;
-  for (std::size_t c = 0; c < near.size(); ++c)
-  {
-    taken.Counts[c] = mesh.OrientedCell(near[c], nodes);
-    for (int i = 0; i < taken.Counts[c]; ++i)
-    {
-      int& number = taken.Number[nodes[i]];
-      if (number == 0)
-      {
-        taken.Nodes.push_back(nodes[i]);
-        number = static_cast<int>(taken.Nodes.size());
-      }
-      taken.Cells[c][i] = number - 1;
-    }
-  }
-  return taken;
-}
-
-/// Nodes of the front cells that no ring has reached yet, with what was reached elsewhere.
-std::vector<int> ReachNodes(const NearMesh& mesh, const std::vector<int>& front,
-  const SpreadRing& spread, std::vector<char>& seen)
-{
-  std::vector<int> reached;
-  for (const int c : front)
-  {
-    for (int i = 0; i < mesh.Counts[c]; ++i)
-    {
-      const int node = mesh.Cells[c][i];
-      if (!seen[node])
-      {
-        seen[node] = 1;
-        reached.push_back(node);
-      }
-    }
-  }
-  if (!spread)
-  {
-    return reached;
-  }
-  std::vector<Id> ids(reached.size());
-  std::transform(
-    reached.begin(), reached.end(), ids.begin(), [&](int node) { return mesh.Nodes[node]; });
-  spread(ids);
-  for (std::size_t i = reached.size(); i < ids.size(); ++i)
-  {
-    const int node = mesh.Number[ids[i]] - 1;
-    if (node >= 0 && !seen[node])
-    {
-      seen[node] = 1;
-      reached.push_back(node);
-    }
-  }
-  return reached;
-}
-
-/// Breadth-first rings over cells that share a node; -1 outside.
-std::vector<int> GrowRings(
-  const NearMesh& mesh, const std::vector<int>& seeds, int rings, const SpreadRing& spread)
-{
-  const int numberOfNodes = static_cast<int>(mesh.Nodes.size());
-  const auto links = BuildLists(numberOfNodes,
-    [&](auto&& add)
-    {
-      for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
-      {
-        for (int i = 0; i < mesh.Counts[c]; ++i)
-        {
-          add(mesh.Cells[c][i], static_cast<int>(c));
-        }
-      }
-    });
-  std::vector<int> ring(mesh.Cells.size(), -1);
-  std::vector<char> seen(numberOfNodes, 0);
-  std::vector<int> front = seeds;
-  for (const int c : front)
-  {
-    ring[c] = 0;
-  }
-  for (int r = 1; r <= rings; ++r)
-  {
-    const std::vector<int> reached = ReachNodes(mesh, front, spread, seen);
-    front.clear();
-    for (const int node : reached)
-    {
-      for (const int* other = links.begin(node); other != links.end(node); ++other)
-      {
-        if (ring[*other] < 0)
-        {
-          ring[*other] = r;
-          front.push_back(*other);
-        }
-      }
-    }
-  }
-  return ring;
-}
 
 /// Node places (equal where the coordinates are) that a cell joins, ascending.
 template <typename PlaceOf>
@@ -174,56 +204,71 @@ void SplitTies(const BandCells& band, std::vector<int>& order)
     [&](int a, int b) { return place[a] != place[b] ? place[a] < place[b] : keys[a] < keys[b]; });
 }
 
+/// Nodes by x, roughly: each list holds those before all of the next one.
+Band::Lists BucketNodes(const std::vector<BandCells::Node>& nodes)
+{
+  const auto count = static_cast<int>(nodes.size());
+  const auto range = std::minmax_element(nodes.begin(), nodes.end(),
+    [](const auto& a, const auto& b) { return a.Point[0] < b.Point[0]; });
+  const double low = count > 0 ? range.first->Point[0] : 0.0;
+  const double width = count > 0 ? range.second->Point[0] - low : 0.0;
+  const int buckets = 1 + count / 32;
+  const double scale = width > 0.0 ? buckets / width : 0.0;
+  return BuildLists(buckets,
+    [&](auto&& add)
+    {
+      for (int n = 0; n < count; ++n)
+      {
+        // Rounded, too, no step of this turns the order round.
+        add(static_cast<int>(std::min(buckets - 1.0, scale * (nodes[n].Point[0] - low))), n);
+      }
+    });
+}
+
 std::vector<int> OrderNodes(const BandCells& band)
 {
-  std::vector<std::pair<Vec3, int>> places;
-  places.reserve(band.Nodes.size());
-  for (const auto& node : band.Nodes)
-  {
-    places.emplace_back(node.Point, static_cast<int>(places.size()));
-  }
-  std::sort(places.begin(), places.end(),
-    [](const auto& a, const auto& b)
-    { return a.first == b.first ? a.second < b.second : LiesBefore(a.first, b.first); });
-  std::vector<int> order;
-  order.reserve(places.size());
-  for (const auto& place : places)
-  {
-    order.push_back(place.second);
-  }
-  SplitTies(band, order);
-  return order;
+  Band::Lists buckets = BucketNodes(band.Nodes);
+  const auto pointOf = [&band](int node) -> const Vec3& { return band.Nodes[node].Point; };
+  vtkSMPTools::For(0, static_cast<Id>(buckets.Offset.size()) - 1, 50,
+    [&](Id begin, Id end)
+    {
+      for (Id b = begin; b < end; ++b)
+      {
+        std::sort(buckets.Item.begin() + buckets.Offset[b],
+          buckets.Item.begin() + buckets.Offset[b + 1],
+          [&pointOf](int a, int b)
+          { return pointOf(a) == pointOf(b) ? a < b : LiesBefore(pointOf(a), pointOf(b)); });
+      }
+    });
+  SplitTies(band, buckets.Item);
+  return std::move(buckets.Item);
 }
 
 /// By their sorted nodes; mostly the first of these decides.
 std::vector<int> OrderCells(const BandCells& band)
 {
-  std::vector<std::pair<int, int>> cells; // first node and cell
-  cells.reserve(band.Cells.size());
-  for (const auto& cell : band.Cells)
-  {
-    cells.emplace_back(*std::min_element(cell.Node.begin(), cell.Node.begin() + cell.Count),
-      static_cast<int>(cells.size()));
-  }
-  const auto key = [&band](int c) { return CellKey(band.Cells[c], [](int node) { return node; }); };
-  std::sort(cells.begin(), cells.end(),
-    [&key](const auto& a, const auto& b)
+  Band::Lists byFirstNode = BuildLists(static_cast<int>(band.Nodes.size()),
+    [&band](auto&& add)
     {
-      if (a.first != b.first)
+      int c = 0;
+      for (const auto& cell : band.Cells)
       {
-        return a.first < b.first;
+        add(*std::min_element(cell.Node.begin(), cell.Node.begin() + cell.Count), c++);
       }
-      const auto keyA = key(a.second);
-      const auto keyB = key(b.second);
-      return keyA == keyB ? a.second < b.second : keyA < keyB;
     });
-  std::vector<int> order;
-  order.reserve(cells.size());
-  for (const auto& cell : cells)
+  const auto key = [&band](int c) { return CellKey(band.Cells[c], [](int node) { return node; }); };
+  for (std::size_t n = 0; n < band.Nodes.size(); ++n)
   {
-    order.push_back(cell.second);
+    std::sort(byFirstNode.Item.begin() + byFirstNode.Offset[n],
+      byFirstNode.Item.begin() + byFirstNode.Offset[n + 1],
+      [&key](int a, int b)
+      {
+        const auto keyA = key(a);
+        const auto keyB = key(b);
+        return keyA == keyB ? a < b : keyA < keyB;
+      });
   }
-  return order;
+  return std::move(byFirstNode.Item);
 }
 
 }
@@ -232,35 +277,20 @@ BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
   const std::vector<Id>& near, int rings, const PageVector<unsigned char>& nodeStatus,
   const PageVector<unsigned char>& elementStatus, const SpreadRing& spread)
 {
-  const NearMesh nearMesh = TakeNearMesh(mesh, near);
-  std::vector<int> seedCells;
-  for (const Id seed : seeds)
-  {
-    seedCells.push_back(Locate(near, seed));
-  }
-  const auto ring = GrowRings(nearMesh, seedCells, rings, spread);
+  Rings grown(mesh, near, seeds);
+  grown.Grow(rings, spread);
+  std::vector<Id> ids;
   BandCells band;
-  std::vector<int> local(nearMesh.Nodes.size(), -1);
-  for (std::size_t c = 0; c < near.size(); ++c)
+  band.Cells = grown.Cells(ids);
+  for (auto& cell : band.Cells)
   {
-    if (ring[c] < 0)
-    {
-      continue;
-    }
-    BandCells::Cell cell{ near[c], nearMesh.Counts[c], ring[c], elementStatus[near[c]], {} };
-    for (int i = 0; i < cell.Count; ++i)
-    {
-      int& at = local[nearMesh.Cells[c][i]];
-      if (at < 0)
-      {
-        const Id node = nearMesh.Nodes[nearMesh.Cells[c][i]];
-        at = static_cast<int>(band.Nodes.size());
-        band.Nodes.push_back({ node, mesh.Point(node), nodeStatus[node] });
-      }
-      cell.Node[i] = at;
-    }
-    band.Cells.push_back(cell);
+    cell.Status = elementStatus[cell.Global];
   }
+  band.Nodes.resize(ids.size());
+  ForAll(static_cast<int>(ids.size()),
+    [&](int n) {
+      band.Nodes[n] = { ids[n], mesh.Point(ids[n]), nodeStatus[ids[n]] };
+    });
   return band;
 }
 

@@ -1,8 +1,10 @@
 #include "Columns.h"
 
+#include "ConcurrentSets.h"
 #include "DisjointSets.h"
 #include "ElementChain.h"
 #include "LocalThickness.h"
+#include "Runs.h"
 
 #include <algorithm>
 #include <limits>
@@ -30,12 +32,8 @@ int Slot(int element, int axis)
 }
 
 /// Joins the axes that two elements share through a common face.
-void UniteAxes(const Band& band, const BandFace& face, DisjointSets<int>& axes)
+void UniteAxes(const Band& band, const BandFace& face, ConcurrentSets<int>& axes)
 {
-  if (face.Element[1] < 0)
-  {
-    return;
-  }
   const auto& e0 = band.Elements[face.Element[0]];
   const auto& e1 = band.Elements[face.Element[1]];
   const int end0 = TopologyOf(e0.Count).FaceAxis[face.Slot[0]];
@@ -68,7 +66,7 @@ struct Candidate
 
 /// @param shift may be empty.
 std::vector<Candidate> MeasureCandidates(
-  const Band& band, const std::vector<int>& part, const AxisShift& shift, DisjointSets<int>& axes)
+  const Band& band, const std::vector<int>& part, const AxisShift& shift, ConcurrentSets<int>& axes)
 {
   std::map<int, Candidate> candidates;
   std::map<int, int> measured;
@@ -140,7 +138,7 @@ int ChooseThickness(std::vector<Candidate> candidates, int partSize)
 
 /// The node next to the first one of an element, along an axis of a class: tells axes apart by
 /// place.
-int NextAlong(const Band& band, int e, int root, DisjointSets<int>& axes)
+int NextAlong(const Band& band, int e, int root, ConcurrentSets<int>& axes)
 {
   const auto& element = band.Elements[e];
   const auto& topology = TopologyOf(element.Count);
@@ -160,7 +158,7 @@ int NextAlong(const Band& band, int e, int root, DisjointSets<int>& axes)
 
 /// Root of the axis along which the cut of a part wanders least, or -1.
 int ChooseBySteadiness(const Band& band, const std::vector<int>& part, const AxisShift& shift,
-  double largest, DisjointSets<int>& axes)
+  double largest, ConcurrentSets<int>& axes)
 {
   auto candidates = MeasureCandidates(band, part, shift, axes);
   const auto next = [&](const Candidate& c) { return NextAlong(band, part.front(), c.Root, axes); };
@@ -185,23 +183,28 @@ struct AxisClasses
   explicit AxisClasses(const Band& band)
     : Axes(3 * band.NumberOfElements())
   {
-    DisjointSets<int> joined(band.NumberOfElements());
-    for (const auto& face : band.Faces)
-    {
-      UniteAxes(band, face, this->Axes);
-      if (face.Element[1] >= 0)
+    const int count = band.NumberOfElements();
+    ConcurrentSets<int> joined(count);
+    ForAll(static_cast<int>(band.Faces.size()),
+      [&](int f)
       {
-        joined.Unite(face.Element[0], face.Element[1]);
+        const auto& face = band.Faces[f];
+        if (face.Element[1] >= 0)
+        {
+          UniteAxes(band, face, this->Axes);
+          joined.Unite(face.Element[0], face.Element[1]);
+        }
+      });
+    std::vector<int> partOfRoot(count, -1);
+    for (int e = 0; e < count; ++e)
+    {
+      int& part = partOfRoot[joined.Find(e)];
+      if (part < 0)
+      {
+        part = static_cast<int>(this->Parts.size());
+        this->Parts.emplace_back();
       }
-    }
-    std::map<int, std::vector<int>> elementsOfPart;
-    for (int e = 0; e < band.NumberOfElements(); ++e)
-    {
-      elementsOfPart[joined.Find(e)].push_back(e);
-    }
-    for (auto& part : elementsOfPart)
-    {
-      this->Parts.push_back(std::move(part.second));
+      this->Parts[part].push_back(e);
     }
   }
 
@@ -258,8 +261,8 @@ struct AxisClasses
     return partOf;
   }
 
-  DisjointSets<int> Axes;
-  std::vector<std::vector<int>> Parts;
+  ConcurrentSets<int> Axes;
+  std::vector<std::vector<int>> Parts; ///< by their first elements
 };
 
 /// No element has an axis; the groups are to be built.
