@@ -1,6 +1,8 @@
 #include "CutEdges.h"
 
+#include "AddUnique.h"
 #include "EdgeCrossing.h"
+#include "Runs.h"
 #include "Status.h"
 
 #include <vtkSMPTools.h>
@@ -14,26 +16,25 @@ namespace
 
 constexpr double Missed = -1.0;
 
-/// Calls take(i, j) for each edge of the tetrahedra, once or several times.
-template <std::size_t N, typename Take>
-void ForEdges(const std::array<Tetrahedron, N>& tetrahedra, const Take& take)
+void SortUnique(std::vector<std::array<int, 2>>& edges)
 {
-  for (const auto& tetrahedron : tetrahedra)
-  {
-    for (int i = 1; i < 4; ++i)
-    {
-      for (int j = 0; j < i; ++j)
-      {
-        take(tetrahedron[i], tetrahedron[j]);
-      }
-    }
-  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-template <typename Take>
-void ForEdgesOf(int count, const Take& take)
+/// The edges of the tetrahedra, each once and both ways.
+template <std::size_t N>
+std::vector<std::array<int, 2>> EdgesOf(const std::array<Tetrahedron, N>& tetrahedra)
 {
-  count == 8 ? ForEdges(HexahedronTetrahedra, take) : ForEdges(WedgeTetrahedra, take);
+  std::vector<std::array<int, 2>> edges;
+  for (const auto& tetrahedron : tetrahedra)
+  {
+    for (int i = 0; i < 12; ++i)
+    {
+      AddUnique(edges, { tetrahedron[i / 3], tetrahedron[(i / 3 + i % 3 + 1) % 4] });
+    }
+  }
+  return edges;
 }
 
 }
@@ -47,31 +48,39 @@ CutEdges::CutEdges(const Band& band, const nurbs::TrimmingSurface& surface, doub
 
 void CutEdges::ListEdges(const Band& band)
 {
-  const auto add = [&](int a, int b)
-  {
-    if (this->Status[a] == NodeEliminate && this->Status[b] != NodeEliminate &&
-      this->Status[b] != NodeOnSurface)
+  constexpr Id length = 1000;
+  const auto ofHexahedron = EdgesOf(HexahedronTetrahedra);
+  const auto ofWedge = EdgesOf(WedgeTetrahedra);
+  const auto eliminated = [this](int node) { return this->Status[node] == NodeEliminate; };
+  std::vector<std::vector<std::array<int, 2>>> lists(NumberOfRuns(band.NumberOfElements(), length));
+  ForRuns(band.NumberOfElements(), length,
+    [&](Id run, Id begin, Id end)
     {
-      this->Edges.push_back({ a, b });
-    }
-  };
-  for (const auto& element : band.Elements)
-  {
-    const auto eliminated = [&](int node) { return this->Status[node] == NodeEliminate; };
-    const auto* last = element.Node.begin() + element.Count;
-    const auto beyond = std::count_if(element.Node.begin(), last, eliminated);
-    if (beyond > 0 && beyond < element.Count)
-    {
-      ForEdgesOf(element.Count,
-        [&](int i, int j)
+      for (Id e = begin; e < end; ++e)
+      {
+        const auto& element = band.Elements[e];
+        const auto* last = element.Node.begin() + element.Count;
+        const auto beyond = std::count_if(element.Node.begin(), last, eliminated);
+        if (beyond == 0 || beyond == element.Count)
         {
-          add(element.Node[i], element.Node[j]);
-          add(element.Node[j], element.Node[i]);
-        });
-    }
+          continue;
+        }
+        for (const auto& [i, j] : element.Count == 8 ? ofHexahedron : ofWedge)
+        {
+          const std::array<int, 2> edge{ element.Node[i], element.Node[j] };
+          if (eliminated(edge[0]) && !eliminated(edge[1]) && this->Status[edge[1]] != NodeOnSurface)
+          {
+            lists[run].push_back(edge);
+          }
+        }
+      }
+      SortUnique(lists[run]);
+    });
+  for (const auto& list : lists)
+  {
+    this->Edges.insert(this->Edges.end(), list.begin(), list.end());
   }
-  std::sort(this->Edges.begin(), this->Edges.end());
-  this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
+  SortUnique(this->Edges);
 }
 
 void CutEdges::Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap)

@@ -76,9 +76,12 @@ private:
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
       chosen[n] |= this->Moving[n] || this->HasMoved(n);
-      for (const int edge : this->TheBand.EdgesOfNode(n))
+      if (this->HasMoved(n))
       {
-        chosen[this->TheBand.OtherEnd(edge, n)] |= this->HasMoved(n);
+        for (const int edge : this->TheBand.EdgesOfNode(n))
+        {
+          chosen[this->TheBand.OtherEnd(edge, n)] = 1;
+        }
       }
     }
     const Vec3 line = Vec3(0.543, 0.712, 0.444);

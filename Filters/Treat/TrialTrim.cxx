@@ -2,6 +2,7 @@
 
 #include "CreaseNodes.h"
 #include "JointRelaxation.h"
+#include "Runs.h"
 
 #include <algorithm>
 #include <functional>
@@ -537,14 +538,15 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
   Shapes shapes;
   auto& elements = shapes.Elements;
   elements.resize(count);
-  for (int e = 0; e < count; ++e)
-  {
-    if (trimmed.Kept[e])
+  ForAll(count,
+    [&](int e)
     {
-      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-      elements[e] = { final.Count, final.Node };
-    }
-  }
+      if (trimmed.Kept[e])
+      {
+        const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+        elements[e] = { final.Count, final.Node };
+      }
+    });
   shapes.OnCut = FindBoundaryNodes(this->TheBand, trimmed);
   auto& onCut = shapes.OnCut;
   auto& fixed = shapes.Fixed;

@@ -1,6 +1,7 @@
 #include "FeasibilityCheck.h"
 
 #include "ElementTopology.h"
+#include "Runs.h"
 #include "Status.h"
 
 #include <vtkSMPTools.h>
@@ -408,14 +409,18 @@ private:
   std::vector<Edge> FindNearEdges() const
   {
     const auto& near = this->Result.Nodes.Near;
+    const auto& cells = this->Result.Nodes.CandidateCells;
+    std::vector<char> flat(cells.size());
+    ForAll(static_cast<int>(cells.size()), [&](int i) { flat[i] = this->IsFlatAt(cells[i]); });
     std::vector<Edge> edges;
     std::array<Id, 8> nodes;
-    for (const Id c : this->Result.Nodes.CandidateCells)
+    for (std::size_t at = 0; at < cells.size(); ++at)
     {
-      if (this->IsFlatAt(c))
+      if (flat[at])
       {
         continue;
       }
+      const Id c = cells[at];
       const auto& topology = TopologyOf(this->Mesh.OrientedCell(c, nodes));
       std::array<double, 8> distance;
       for (int i = 0; i < topology.NumberOfNodes; ++i)
