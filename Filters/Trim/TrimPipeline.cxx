@@ -157,15 +157,24 @@ void ClassifyElements(const HexMesh& mesh, TrimResult& result)
   vtkSMPTools::For(0, static_cast<Id>(result.Nodes.ClusterSide.size()), 3000,
     [&](Id begin, Id end)
     {
-      for (Id run = begin; run < end; ++run)
+      const auto& sides = result.Nodes.ClusterSide;
+      for (Id run = begin, next; run < end; run = next)
       {
+        const unsigned char side = sides[run];
+        next = std::find_if(sides.begin() + run, sides.begin() + end,
+                 [side](unsigned char other) { return other != side; }) -
+          sides.begin();
         const Id first = run * MeshBlocks::CellsPerCluster;
-        const Id last = std::min(mesh.NumberOfCells, first + MeshBlocks::CellsPerCluster);
-        const unsigned char side = result.Nodes.ClusterSide[run];
+        const Id last = std::min(mesh.NumberOfCells, next * MeshBlocks::CellsPerCluster);
+        if (side == NodeKeep || side == NodeEliminate)
+        {
+          std::fill(result.ElementStatus.begin() + first, result.ElementStatus.begin() + last,
+            side == NodeKeep ? ElementKeep : ElementEliminate);
+          continue;
+        }
         for (Id c = first; c < last; ++c)
         {
-          const unsigned char node =
-            side == NodeUnknown ? result.Nodes.Status[mesh.FirstNode(c)] : side;
+          const unsigned char node = result.Nodes.Status[mesh.FirstNode(c)];
           result.ElementStatus[c] = node == NodeKeep ? ElementKeep
             : node == NodeEliminate                  ? ElementEliminate
                                                      : StatusOfCell(mesh, result, c);
@@ -345,10 +354,9 @@ void SetFates(const HexMesh& mesh, TrimResult& result)
   vtkSMPTools::For(0, mesh.NumberOfCells, 100000,
     [&result](Id begin, Id end)
     {
-      for (Id c = begin; c < end; ++c)
-      {
-        result.Kept[c] = result.ElementStatus[c] != ElementEliminate;
-      }
+      const auto& status = result.ElementStatus;
+      std::transform(status.begin() + begin, status.begin() + end, result.Kept.begin() + begin,
+        [](unsigned char own) { return static_cast<char>(own != ElementEliminate); });
     });
   if (result.Near)
   {

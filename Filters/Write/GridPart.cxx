@@ -57,20 +57,17 @@ void WriteCoordinates(
 PointFlags FlagSideOffBand(
   const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result, NodeStatus side)
 {
-  static_assert(std::atomic<unsigned char>::is_always_lock_free, "zero when in new memory");
   PointFlags flags(mesh.NumberOfPoints);
-  const auto set = [&flags](Id p, bool flag) { flags[p].store(flag, std::memory_order_relaxed); };
+  const auto& status = result.Nodes.Status;
   ForRuns(mesh.NumberOfPoints,
     [&](Id, Id begin, Id end)
     {
-      for (Id p = begin; p < end; ++p)
-      {
-        set(p, result.Nodes.Status[p] == side);
-      }
+      std::transform(status.begin() + begin, status.begin() + end, flags.begin() + begin,
+        [side](unsigned char own) { return static_cast<unsigned char>(own == side); });
     });
   for (const Id p : blocks.UnusedNodes)
   {
-    set(p, false);
+    flags[p] = 0;
   }
   if (result.Near)
   {
@@ -83,7 +80,7 @@ PointFlags FlagSideOffBand(
         const Id p = band.GlobalNode[band.Elements[e].Node[i]];
         if (p >= 0)
         {
-          set(p, false);
+          flags[p] = 0;
         }
       }
     }
@@ -94,34 +91,28 @@ PointFlags FlagSideOffBand(
 void NumberFlagged(const PointFlags& flags, GridPart& part)
 {
   const auto count = static_cast<Id>(flags.size());
-  const auto isSet = [&flags](Id p) { return flags[p].load(std::memory_order_relaxed) != 0; };
   const Id runs = NumberOfRuns(count, PartGrain);
   std::vector<Id> first(runs + 1, 0);
   ForRuns(count,
     [&](Id run, Id begin, Id end)
-    {
-      Id set = 0;
-      for (Id p = begin; p < end; ++p)
-      {
-        set += isSet(p);
-      }
-      first[run + 1] = set;
-    });
+    { first[run + 1] = std::count(flags.begin() + begin, flags.begin() + end, 1); });
   for (Id run = 0; run < runs; ++run)
   {
     first[run + 1] += first[run];
   }
   part.Points.Resize(first.back());
   part.Number.resize(count);
-  Id* points = part.Points.data();
   ForRuns(count,
     [&](Id run, Id begin, Id end)
     {
+      Id* const points = part.Points.data();
+      int* const numbers = part.Number.data();
       Id next = first[run];
       for (Id p = begin; p < end; ++p)
       {
-        part.Number[p] = isSet(p) ? static_cast<int>(next) : -1;
-        if (isSet(p))
+        const bool set = flags[p] != 0;
+        numbers[p] = set ? static_cast<int>(next) : -1;
+        if (set)
         {
           points[next++] = p;
         }
@@ -173,11 +164,11 @@ void TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
 {
   const Id count = part.Cells.size();
   const auto types = MakeArray<vtkUnsignedCharArray>(nullptr, count);
-  unsigned char* type = types->GetPointer(0);
-  const auto* offset = offsets->GetPointer(0);
   ForRuns(count,
     [&](Id, Id begin, Id end)
     {
+      unsigned char* const type = types->GetPointer(0);
+      const auto* const offset = offsets->GetPointer(0);
       for (Id i = begin; i < end; ++i)
       {
         type[i] = offset[i + 1] - offset[i] == 8 ? VTK_HEXAHEDRON : VTK_WEDGE;
@@ -185,7 +176,7 @@ void TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
     });
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
-  output->SetCells(types, cells);
+  output->SetCells(types, cells, nullptr, nullptr); // without a look for polyhedra
 }
 
 template void TakeElements(const GridPart& part, vtkSmartPointer<vtkTypeInt64Array> offsets,

@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -57,7 +56,7 @@ void ForRuns(Id count, const Action& action)
   ForRuns(count, PartGrain, action);
 }
 
-using PointFlags = PageVector<std::atomic<unsigned char>>;
+using PointFlags = PageVector<unsigned char>;
 
 /// Sets the flags of points on a side, but for those all of whose cells are in the band: off the
 /// band no cell joins points of both sides.
@@ -79,7 +78,7 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
 {
   const Id count = part.Cells.size();
   part.Offset.assign(NumberOfRuns(count, PartGrain) + 1, 0);
-  PointFlags used = FlagSideOffBand(mesh, blocks, result, side);
+  std::vector<std::vector<Id>> inBand(NumberOfRuns(count, PartGrain)); // their nodes
   ForRuns(count,
     [&](Id run, Id begin, Id end)
     {
@@ -93,10 +92,7 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
           continue;
         }
         const int number = nodesOf(i, nodes);
-        for (int k = 0; k < number; ++k)
-        {
-          used[nodes[k]].store(1, std::memory_order_relaxed);
-        }
+        inBand[run].insert(inBand[run].end(), nodes.begin(), nodes.begin() + number);
         size += number;
       }
       part.Offset[run + 1] = size;
@@ -104,6 +100,11 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
   for (std::size_t run = 1; run < part.Offset.size(); ++run)
   {
     part.Offset[run] += part.Offset[run - 1];
+  }
+  PointFlags used = FlagSideOffBand(mesh, blocks, result, side);
+  for (const auto& nodes : inBand)
+  {
+    std::for_each(nodes.begin(), nodes.end(), [&used](Id node) { used[node] = 1; });
   }
   NumberFlagged(used, part);
 }

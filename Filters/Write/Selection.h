@@ -43,9 +43,10 @@ public:
       std::copy(values + begin, values + end, output + begin);
       return;
     }
+    const Id* const ids = this->Ids; // which bytes that are written might change, for all it knows
     for (Id i = begin; i < end; ++i)
     {
-      output[i] = values[this->Ids[i]];
+      output[i] = values[ids[i]];
     }
   }
 
