@@ -155,16 +155,14 @@ bool BandQuality::IsSpoiled(
 
 bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 {
-  if (WasInvalid(this->TheBand, e))
-  {
-    return false;
-  }
   const auto& element = this->TheBand.Elements[e];
   const ElementPoints before = ShapeBefore(this->TheBand, e);
-  return VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before, element.Count) ||
+  const bool spoiled =
+    VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before, element.Count) ||
     !IsValid(points, count, this->Treatment) ||
     ShortestDistance(points, count) <
-    SmallestDistanceShare * ShortestDistance(before, element.Count);
+      SmallestDistanceShare * ShortestDistance(before, element.Count);
+  return spoiled && !WasInvalid(this->TheBand, e);
 }
 
 /// A higher floor must not let go what a lower one would hold.
