@@ -79,7 +79,7 @@ private:
   /// Joins the nodes of each cell that the surface does not meet, outside of clusters.
   void UniteCells(const std::vector<Id>& candidates)
   {
-    vtkSMPTools::For(0, this->NumberOfRuns(), 4000,
+    vtkSMPTools::For(0, this->NumberOfRuns(), LightGrain,
       [&](Id begin, Id end)
       {
         auto next = std::lower_bound(

@@ -67,17 +67,20 @@ void Band::TakeElements(const BandCells& cells)
   this->GlobalNode.resize(nodes);
   this->Point.resize(nodes);
   this->NodeStatus.resize(nodes);
-  ForAll(nodes,
+  ForAll(
+    nodes,
     [&](int n)
     {
       this->GlobalNode[n] = cells.Nodes[n].Global;
       this->Point[n] = cells.Nodes[n].Point;
       this->NodeStatus[n] = cells.Nodes[n].Status;
-    });
+    },
+    LightGrain);
   const int count = static_cast<int>(cells.Cells.size());
   this->Elements.resize(count);
   this->ElementStatus.resize(count);
-  ForAll(count,
+  ForAll(
+    count,
     [&](int e)
     {
       const auto& cell = cells.Cells[e];
@@ -89,7 +92,8 @@ void Band::TakeElements(const BandCells& cells)
       element.Node.fill(-1);
       std::copy_n(cell.Node.begin(), cell.Count, element.Node.begin());
       this->ElementStatus[e] = cell.Status;
-    });
+    },
+    LightGrain);
   for (int e = 0; e < count; ++e)
   {
     if (this->Elements[e].Global >= 0)
@@ -166,14 +170,16 @@ void Band::BuildFaces()
     }
   }
   this->Faces.resize(count);
-  ForAll(static_cast<int>(number.size()),
+  ForAll(
+    static_cast<int>(number.size()),
     [&](int side)
     {
       if (number[side] >= 0)
       {
         this->SetFace(number[side], { side / MostFaces, side % MostFaces }, twins[side]);
       }
-    });
+    },
+    LightGrain);
   this->FaceLists = BuildLists(this->NumberOfNodes(),
     [this](auto&& add)
     {

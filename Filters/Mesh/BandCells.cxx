@@ -35,7 +35,9 @@ public:
     , Marks(mesh.NumberOfPoints)
   {
     this->ForCells([&](Id c) { this->Counts[c] = mesh.OrientedCell(near[c], this->Nodes[c]); });
-    ForAll(static_cast<int>(seeds.size()), [&](int i) { this->Take(Locate(near, seeds[i]), 0); });
+    ForAll(
+      static_cast<int>(seeds.size()), [&](int i) { this->Take(Locate(near, seeds[i]), 0); },
+      LightGrain);
   }
 
   void Grow(int rings, const SpreadRing& spread)
@@ -81,7 +83,7 @@ private:
   template <typename Action>
   void ForCells(const Action& action)
   {
-    vtkSMPTools::For(0, static_cast<Id>(this->Near.size()), 2000,
+    vtkSMPTools::For(0, static_cast<Id>(this->Near.size()), LightGrain,
       [&](Id begin, Id end)
       {
         for (Id c = begin; c < end; ++c)
@@ -287,10 +289,12 @@ BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
     cell.Status = elementStatus[cell.Global];
   }
   band.Nodes.resize(ids.size());
-  ForAll(static_cast<int>(ids.size()),
+  ForAll(
+    static_cast<int>(ids.size()),
     [&](int n) {
       band.Nodes[n] = { ids[n], mesh.Point(ids[n]), nodeStatus[ids[n]] };
-    });
+    },
+    LightGrain);
   return band;
 }
 

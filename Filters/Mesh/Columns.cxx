@@ -185,7 +185,8 @@ struct AxisClasses
   {
     const int count = band.NumberOfElements();
     ConcurrentSets<int> joined(count);
-    ForAll(static_cast<int>(band.Faces.size()),
+    ForAll(
+      static_cast<int>(band.Faces.size()),
       [&](int f)
       {
         const auto& face = band.Faces[f];
@@ -194,7 +195,8 @@ struct AxisClasses
           UniteAxes(band, face, this->Axes);
           joined.Unite(face.Element[0], face.Element[1]);
         }
-      });
+      },
+      LightGrain);
     std::vector<int> partOfRoot(count, -1);
     for (int e = 0; e < count; ++e)
     {

@@ -34,11 +34,15 @@ void ForRuns(Id count, Id length, const Action& action)
     });
 }
 
+/// So many items are worth a thread where each takes a few nanoseconds: to begin one takes as long
+/// as all items of most bands.
+constexpr int LightGrain = 5000;
+
 /// Calls action(i) for all of so many items, a few hundred of which are worth a thread.
 template <typename Action>
-void ForAll(int count, const Action& action)
+void ForAll(int count, const Action& action, int grain = 256)
 {
-  vtkSMPTools::For(0, count, 256,
+  vtkSMPTools::For(0, count, grain,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

@@ -2,7 +2,6 @@
 
 #include "CreaseNodes.h"
 #include "JointRelaxation.h"
-#include "Runs.h"
 
 #include <algorithm>
 #include <functional>
@@ -538,15 +537,14 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
   Shapes shapes;
   auto& elements = shapes.Elements;
   elements.resize(count);
-  ForAll(count,
-    [&](int e)
+  for (int e = 0; e < count; ++e)
+  {
+    if (trimmed.Kept[e])
     {
-      if (trimmed.Kept[e])
-      {
-        const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-        elements[e] = { final.Count, final.Node };
-      }
-    });
+      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
+      elements[e] = { final.Count, final.Node };
+    }
+  }
   shapes.OnCut = FindBoundaryNodes(this->TheBand, trimmed);
   auto& onCut = shapes.OnCut;
   auto& fixed = shapes.Fixed;
