@@ -89,6 +89,11 @@ bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
   const NodeFeet& near = nodes.Near;
   const auto isAtEnd = [&near](Id node)
   { return near.Feet[near.Find(node)].Kind == FootKind::Border; };
+  if (std::none_of(near.Feet.begin(), near.Feet.end(),
+        [](const nurbs::Foot& foot) { return foot.Kind == FootKind::Border; }))
+  {
+    return false;
+  }
   std::array<Id, 8> cell;
   const CellNeighbours neighbours(mesh, nodes.CandidateCells);
   for (const Id c : nodes.CandidateCells)

@@ -174,11 +174,10 @@ bool Decision::Collapses(int e)
   if (this->Collapsing[e] == Unknown)
   {
     const auto& element = this->TheBand.Elements[e];
-    ElementPoints before;
+    const ElementPoints before = PointsOf(this->TheBand, e);
     ElementPoints after;
     for (int i = 0; i < element.Count; ++i)
     {
-      before[i] = this->TheBand.Point[element.Node[i]];
       after[i] = this->Surface.ClosestPoint(before[i]).Point;
     }
     this->Collapsing[e] =

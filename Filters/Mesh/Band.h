@@ -11,6 +11,7 @@
 
 #include "BandCells.h"
 #include "ElementTopology.h"
+#include "Jacobian.h"
 
 #include <array>
 #include <utility>
@@ -119,6 +120,18 @@ private:
   std::vector<std::pair<Id, int>> ElementByCell; ///< ascending
   Lists ElementLists, FaceLists, EdgeLists;
 };
+
+/// The nodes of an element where the mesh has them.
+inline ElementPoints PointsOf(const Band& band, int element)
+{
+  const auto& own = band.Elements[element];
+  ElementPoints points;
+  for (int i = 0; i < own.Count; ++i)
+  {
+    points[i] = band.Point[own.Node[i]];
+  }
+  return points;
+}
 
 /// Builds item lists from (owner, item) visits made twice by `visit(callback)`.
 template <typename Visit>

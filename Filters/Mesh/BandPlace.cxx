@@ -46,17 +46,6 @@ std::array<double, 6> OutsideOfPlanes(const ElementPoints& points, int count, co
 
 }
 
-ElementPoints OriginalPoints(const Band& band, int element)
-{
-  const auto& own = band.Elements[element];
-  ElementPoints points;
-  for (int i = 0; i < own.Count; ++i)
-  {
-    points[i] = band.Point[own.Node[i]];
-  }
-  return points;
-}
-
 BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
 {
   BandPlace nearest;
@@ -67,7 +56,7 @@ BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
   {
     passed[steps++] = e;
     const int count = band.Elements[e].Count;
-    const ElementPoints points = OriginalPoints(band, e);
+    const ElementPoints points = PointsOf(band, e);
     Vec3 parameters;
     const bool found = FindParameters(points, count, point, parameters);
     const auto outside = found ? Outside(count, parameters) : OutsideOfPlanes(points, count, point);

@@ -6,7 +6,6 @@
 #define BandPlace_h
 
 #include "Band.h"
-#include "Jacobian.h"
 
 namespace trim
 {
@@ -17,9 +16,6 @@ struct BandPlace
   Vec3 Parameters = Vec3::Zero(); ///< see ElementMap.h
   bool Inside = false;            ///< the element holds the point
 };
-
-/// An element of the band where the mesh has it.
-ElementPoints OriginalPoints(const Band& band, int element);
 
 /**
  * Walks from an element through facets to the one that holds a point, within its part of the mesh:

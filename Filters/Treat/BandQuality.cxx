@@ -39,17 +39,6 @@ double ShortestDistance(const ElementPoints& p, int count)
   return std::sqrt(shortest);
 }
 
-ElementPoints ShapeBefore(const Band& band, int e)
-{
-  const auto& element = band.Elements[e];
-  ElementPoints before;
-  for (int i = 0; i < element.Count; ++i)
-  {
-    before[i] = band.Point[element.Node[i]];
-  }
-  return before;
-}
-
 bool IsValid(const ElementPoints& points, int count, Optimization treatment)
 {
   const JacobianRange range = treatment == Optimization::None
@@ -73,7 +62,7 @@ bool IsValid(const ElementPoints& points, int count, Optimization treatment)
 /// What came inside out or without volume is not held to anything.
 bool WasInvalid(const Band& band, int e)
 {
-  return !IsValid(ShapeBefore(band, e), band.Elements[e].Count, Optimization::None);
+  return !IsValid(PointsOf(band, e), band.Elements[e].Count, Optimization::None);
 }
 
 /// The elements that pass a test, ascending, asked by all threads.
@@ -156,7 +145,7 @@ bool BandQuality::IsSpoiled(
 bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 {
   const auto& element = this->TheBand.Elements[e];
-  const ElementPoints before = ShapeBefore(this->TheBand, e);
+  const ElementPoints before = PointsOf(this->TheBand, e);
   const bool spoiled =
     VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before, element.Count) ||
     !IsValid(points, count, this->Treatment) ||
@@ -168,8 +157,7 @@ bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 /// A higher floor must not let go what a lower one would hold.
 double BandQuality::FloorOf(int e) const
 {
-  const double before =
-    ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count);
+  const double before = ScaledJacobian(PointsOf(this->TheBand, e), this->TheBand.Elements[e].Count);
   if (before >= this->Floor)
   {
     return this->Floor;
@@ -236,7 +224,7 @@ std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double wor
       }
       const double now = WorthOf(this->TheBand, final.Node, final.Points, final.Count);
       const auto before = [&]
-      { return ScaledJacobian(ShapeBefore(this->TheBand, e), this->TheBand.Elements[e].Count); };
+      { return ScaledJacobian(PointsOf(this->TheBand, e), this->TheBand.Elements[e].Count); };
       return now < worth && now < SameQuality * before() && !WasInvalid(this->TheBand, e);
     });
 }

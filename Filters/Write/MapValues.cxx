@@ -26,7 +26,26 @@ struct Mapping
   std::vector<Id> Input;  ///< id of each node or element of the band; -1: another rank has it
   std::vector<Id> Output; ///< place of each row's target; -1: it is not in this rank's part
   bool KeepsRange;
+  std::vector<int> Sources; ///< what this rank has of that which rows are made of, ascending
 };
+
+/// Fills Sources from Rows and Input.
+void FindSources(Mapping& mapping)
+{
+  for (const ValueRow& row : mapping.Rows)
+  {
+    for (const auto& source : row.Sources)
+    {
+      if (mapping.Input[source.first] >= 0)
+      {
+        mapping.Sources.push_back(source.first);
+      }
+    }
+  }
+  std::sort(mapping.Sources.begin(), mapping.Sources.end());
+  mapping.Sources.erase(
+    std::unique(mapping.Sources.begin(), mapping.Sources.end()), mapping.Sources.end());
+}
 
 bool IsMapped(vtkDataSetAttributes* attributes, int index)
 {
@@ -52,8 +71,11 @@ std::set<std::string> NamesToMap(vtkDataSetAttributes* attributes, const Ranks& 
   }
   std::set<std::string> names;
   const std::vector<char> all = ranks.Gather(own);
-  for (std::size_t i = 0; i < all.size(); i += names.insert(all.data() + i).first->size() + 1)
+  for (auto name = all.begin(); name != all.end();)
   {
+    const auto end = std::find(name, all.end(), '\0');
+    names.emplace(name, end);
+    name = end + 1;
   }
   return names;
 }
@@ -63,30 +85,19 @@ std::set<std::string> NamesToMap(vtkDataSetAttributes* attributes, const Ranks& 
 std::vector<double> ValuesInBand(
   vtkDataArray* array, int components, const Mapping& mapping, const Ranks& ranks)
 {
-  std::vector<char> needed(mapping.Input.size(), 0);
-  for (const ValueRow& row : mapping.Rows)
-  {
-    for (const auto& source : row.Sources)
-    {
-      needed[source.first] = 1;
-    }
-  }
-  std::vector<int> items;
+  std::vector<int> items = array ? mapping.Sources : std::vector<int>();
   std::vector<double> values;
-  for (std::size_t i = 0; array && i < needed.size(); ++i)
+  for (const int item : items)
   {
-    if (needed[i] && mapping.Input[i] >= 0)
+    for (int c = 0; c < components; ++c)
     {
-      items.push_back(static_cast<int>(i));
-      for (int c = 0; c < components; ++c)
-      {
-        values.push_back(array->GetComponent(mapping.Input[i], c));
-      }
+      values.push_back(array->GetComponent(mapping.Input[item], c));
     }
   }
   items = ranks.Gather(items);
   values = ranks.Gather(values);
-  std::vector<double> inBand(needed.size() * components, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> inBand(
+    mapping.Input.size() * components, std::numeric_limits<double>::quiet_NaN());
   // Backwards: what several ranks have is the first one's.
   for (std::size_t i = items.size(); i-- > 0;)
   {
@@ -142,18 +153,19 @@ void Map(vtkDataSetAttributes* input, const Ranks& ranks, const Mapping& mapping
 
 Mapping OfNodes(const GridPart& part, const MovedNodes& moved)
 {
-  Mapping mapping{ WeightsOfNodes(moved), moved.TheBand->GlobalNode, {}, false };
+  Mapping mapping{ WeightsOfNodes(moved), moved.TheBand->GlobalNode, {}, false, {} };
   for (const ValueRow& row : mapping.Rows)
   {
     const Id id = mapping.Input[row.Target];
     mapping.Output.push_back(id >= 0 ? part.Number[id] : -1);
   }
+  FindSources(mapping);
   return mapping;
 }
 
 Mapping OfElements(const GridPart& part, const Band& band, const BandShapes& shapes)
 {
-  Mapping mapping{ WeightsOfElements(band, shapes), {}, {}, true };
+  Mapping mapping{ WeightsOfElements(band, shapes), {}, {}, true, {} };
   for (const BandElement& element : band.Elements)
   {
     mapping.Input.push_back(element.Global);
@@ -170,6 +182,7 @@ Mapping OfElements(const GridPart& part, const Band& band, const BandShapes& sha
   {
     mapping.Output.push_back(placeOf[row.Target]);
   }
+  FindSources(mapping);
   return mapping;
 }
 

@@ -80,7 +80,7 @@ public:
       [this](int e)
       {
         this->Centroid[e] =
-          CentroidOf(OriginalPoints(this->TheBand, e), this->TheBand.Elements[e].Count);
+          CentroidOf(PointsOf(this->TheBand, e), this->TheBand.Elements[e].Count);
       });
   }
 
