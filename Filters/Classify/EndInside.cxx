@@ -98,15 +98,19 @@ bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
   const CellNeighbours neighbours(mesh, nodes.CandidateCells);
   for (const Id c : nodes.CandidateCells)
   {
+    const int count = mesh.Cell(c, cell);
+    if (std::none_of(cell.begin(), cell.begin() + count, isAtEnd))
+    {
+      continue;
+    }
     ElementPoints points;
-    const int count = PointsOfCell(mesh, c, points);
-    mesh.Cell(c, cell);
-    const int places = std::any_of(cell.begin(), cell.begin() + count, isAtEnd) ? 27 : 0;
-    for (int i = 0; i < places; ++i)
+    PointsOfCell(mesh, c, points);
+    const std::vector<Id> round = neighbours.Round(c);
+    for (int i = 0; i < 27; ++i)
     {
       const Vec3 at = ClampToElement(count, 0.5 * Vec3(i % 3, i / 3 % 3, i / 9));
       const auto foot = surface.ClosestPoint(MapToSpace(points, count, at));
-      if (foot.Kind == FootKind::Border && IsWithin(mesh, neighbours.Round(c), foot.Point))
+      if (foot.Kind == FootKind::Border && IsWithin(mesh, round, foot.Point))
       {
         place = ToPlace(foot.Point);
         return true;

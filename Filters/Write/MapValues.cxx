@@ -26,25 +26,25 @@ struct Mapping
   std::vector<Id> Input;  ///< id of each node or element of the band; -1: another rank has it
   std::vector<Id> Output; ///< place of each row's target; -1: it is not in this rank's part
   bool KeepsRange;
-  std::vector<int> Sources; ///< what this rank has of that which rows are made of, ascending
 };
 
-/// Fills Sources from Rows and Input.
-void FindSources(Mapping& mapping)
+/// What this rank has of that which rows are made of, by the band, ascending.
+std::vector<int> FindSources(const Mapping& mapping)
 {
+  std::vector<int> sources;
   for (const ValueRow& row : mapping.Rows)
   {
     for (const auto& source : row.Sources)
     {
       if (mapping.Input[source.first] >= 0)
       {
-        mapping.Sources.push_back(source.first);
+        sources.push_back(source.first);
       }
     }
   }
-  std::sort(mapping.Sources.begin(), mapping.Sources.end());
-  mapping.Sources.erase(
-    std::unique(mapping.Sources.begin(), mapping.Sources.end()), mapping.Sources.end());
+  std::sort(sources.begin(), sources.end());
+  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+  return sources;
 }
 
 bool IsMapped(vtkDataSetAttributes* attributes, int index)
@@ -82,10 +82,11 @@ std::set<std::string> NamesToMap(vtkDataSetAttributes* attributes, const Ranks& 
 
 /// Values of an array at all nodes or elements of the band that rows are made of, in the order of
 /// the band; NaN elsewhere.
-std::vector<double> ValuesInBand(
-  vtkDataArray* array, int components, const Mapping& mapping, const Ranks& ranks)
+/// @param sources see FindSources.
+std::vector<double> ValuesInBand(vtkDataArray* array, int components, const Mapping& mapping,
+  const std::vector<int>& sources, const Ranks& ranks)
 {
-  std::vector<int> items = array ? mapping.Sources : std::vector<int>();
+  std::vector<int> items = array ? sources : std::vector<int>();
   std::vector<double> values;
   for (const int item : items)
   {
@@ -126,6 +127,7 @@ double ValueOf(
 void Map(vtkDataSetAttributes* input, const Ranks& ranks, const Mapping& mapping,
   vtkDataSetAttributes* output)
 {
+  const std::vector<int> sources = FindSources(mapping);
   for (const std::string& name : NamesToMap(input, ranks))
   {
     vtkDataArray* from = input->GetArray(name.c_str());
@@ -136,7 +138,7 @@ void Map(vtkDataSetAttributes* input, const Ranks& ranks, const Mapping& mapping
     {
       continue;
     }
-    const std::vector<double> values = ValuesInBand(from, components, mapping, ranks);
+    const std::vector<double> values = ValuesInBand(from, components, mapping, sources, ranks);
     for (std::size_t i = 0; i < mapping.Rows.size(); ++i)
     {
       for (int c = 0; c < components && mapping.Output[i] >= 0; ++c)
@@ -153,19 +155,18 @@ void Map(vtkDataSetAttributes* input, const Ranks& ranks, const Mapping& mapping
 
 Mapping OfNodes(const GridPart& part, const MovedNodes& moved)
 {
-  Mapping mapping{ WeightsOfNodes(moved), moved.TheBand->GlobalNode, {}, false, {} };
+  Mapping mapping{ WeightsOfNodes(moved), moved.TheBand->GlobalNode, {}, false };
   for (const ValueRow& row : mapping.Rows)
   {
     const Id id = mapping.Input[row.Target];
     mapping.Output.push_back(id >= 0 ? part.Number[id] : -1);
   }
-  FindSources(mapping);
   return mapping;
 }
 
 Mapping OfElements(const GridPart& part, const Band& band, const BandShapes& shapes)
 {
-  Mapping mapping{ WeightsOfElements(band, shapes), {}, {}, true, {} };
+  Mapping mapping{ WeightsOfElements(band, shapes), {}, {}, true };
   for (const BandElement& element : band.Elements)
   {
     mapping.Input.push_back(element.Global);
@@ -182,7 +183,6 @@ Mapping OfElements(const GridPart& part, const Band& band, const BandShapes& sha
   {
     mapping.Output.push_back(placeOf[row.Target]);
   }
-  FindSources(mapping);
   return mapping;
 }
 
