@@ -69,7 +69,7 @@ add_library(NURBSTrimStages STATIC
   Trim/Shortfalls.cxx
   Trim/TrimPipeline.cxx
   Trim/TrimWarnings.cxx)
-foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Renumber Write Trim)
+foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Result Renumber Write Trim)
   target_include_directories(NURBSTrimStages PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${stage}")
 endforeach ()
 target_link_libraries(NURBSTrimStages

@@ -1,9 +1,11 @@
 #include "BandTrim.h"
 
 #include "BandQuality.h"
+#include "BothParts.h"
 #include "ColumnChoices.h"
 #include "Shortfalls.h"
-#include "TrimPipeline.h"
+#include "Status.h"
+#include "SurfaceGaps.h"
 
 #include <algorithm>
 #include <array>

@@ -1,52 +1,18 @@
 /**
  * @file BandTrim.h
- * @brief The band of elements round the cut and how it is trimmed: by whole columns, or, where that
- * leaves nodes far off the surface, by single elements.
+ * @brief Trims the band of elements round the cut: by whole columns, or, where that leaves nodes
+ * far off the surface, by single elements.
  */
 #ifndef BandTrim_h
 #define BandTrim_h
 
-#include "Band.h"
-#include "BothParts.h"
-#include "Columns.h"
-#include "Decision.h"
-#include "Findings.h"
 #include "Progress.h"
+#include "TrialTrim.h"
+#include "TrimBand.h"
 #include "TrimmingSurface.h"
-
-#include <utility>
-#include <vector>
 
 namespace trim
 {
-
-/// How the band is trimmed.
-struct BandTrim
-{
-  Columns Structure;
-  VolumeShares Shares;
-  TrimmedBand Trimmed;
-  Offcut Rest;                                  ///< empty unless it is asked for
-  std::vector<std::pair<int, float>> NodesLeft; ///< by ascending node, see DistancesLeft
-};
-
-/// The band and everything found on it.
-struct TrimBand : BandTrim
-{
-  TrimBand(Band band)
-    : Mesh(std::move(band))
-  {
-  }
-  Band Mesh;
-  /// Thickness axis of each element as the mesh has it, -1: none; also where the surface leans so
-  /// far that the sheet is treated as a block.
-  std::vector<signed char> SheetAxis;
-  std::vector<std::pair<int, Shortfall>> Shortfalls; ///< by ascending element
-
-  // What follows is empty unless the offcut is asked for.
-  std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;
-  std::vector<std::pair<int, bool>> CornersLost; ///< see FindCornersLost
-};
 
 /**
  * Kept part and, if it is asked for, offcut.

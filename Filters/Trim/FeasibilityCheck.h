@@ -9,8 +9,8 @@
 #ifndef FeasibilityCheck_h
 #define FeasibilityCheck_h
 
-#include "Findings.h"
-#include "TrimPipeline.h"
+#include "TrimResult.h"
+#include "TrimmingSurface.h"
 
 namespace trim
 {

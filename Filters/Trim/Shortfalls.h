@@ -6,8 +6,8 @@
 #ifndef Shortfalls_h
 #define Shortfalls_h
 
-#include "Findings.h"
-#include "TrimPipeline.h"
+#include "TrimBand.h"
+#include "TrimmingSurface.h"
 
 namespace trim
 {

@@ -5,7 +5,7 @@
 #include "NURBSFieldData.h"
 #include "SharedBounds.h"
 #include "SharedSurface.h"
-#include "TrimPipeline.h"
+#include "SurfaceGaps.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>

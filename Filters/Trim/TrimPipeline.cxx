@@ -1,5 +1,6 @@
 #include "TrimPipeline.h"
 
+#include "BandTrim.h"
 #include "FeasibilityCheck.h"
 #include "GatherBand.h"
 #include "InputScale.h"
@@ -7,6 +8,7 @@
 #include "PlaceText.h"
 #include "Shortfalls.h"
 #include "Status.h"
+#include "SurfaceGaps.h"
 #include "TrimWarnings.h"
 
 #include <vtkSMPTools.h>

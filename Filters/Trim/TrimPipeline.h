@@ -5,33 +5,15 @@
 #ifndef TrimPipeline_h
 #define TrimPipeline_h
 
-#include "BandTrim.h"
-#include "Findings.h"
 #include "MeshBlocks.h"
-#include "NodeClassification.h"
 #include "Progress.h"
 #include "SharedNodes.h"
+#include "TrialTrim.h"
+#include "TrimResult.h"
 #include "TrimmingSurface.h"
-
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace trim
 {
-
-/// Borders of faces that lie nearer than this share of the surface's diagonal are one edge.
-constexpr double GapShare = 1e-5;
-
-/// The same where a border would be free otherwise. CAD programs leave gaps of up to 3.2e-4 between
-/// faces that they take for joined, most of them beside fillets.
-constexpr double WidestGapShare = 4e-4;
-
-/// The same as a length.
-inline double WidestGapOf(const nurbs::TrimmingSurface& surface)
-{
-  return WidestGapShare * surface.Bounds().diagonal().norm();
-}
 
 struct TrimOptions
 {
@@ -41,18 +23,6 @@ struct TrimOptions
   Vec3 KeepPoint = Vec3::Zero();
   double Tolerance = 1e-9; ///< of the status "on surface", relative to the diagonal of the grid
   bool ProduceOffcut = false;
-};
-
-struct TrimResult
-{
-  NodeClassification Nodes;
-  PageVector<unsigned char> ElementStatus; ///< of every cell
-  PageVector<char> Kept;                   ///< final fate of every cell
-  std::unique_ptr<TrimBand> Near;          ///< null if the surface touches nothing
-  Findings Found;
-  std::vector<std::string> Warnings;
-  std::string Error; ///< not empty: there is no result
-  bool Aborted = false;
 };
 
 /**

@@ -5,7 +5,8 @@
 #ifndef TrimWarnings_h
 #define TrimWarnings_h
 
-#include "TrimPipeline.h"
+#include "SharedNodes.h"
+#include "TrimResult.h"
 
 namespace trim
 {

@@ -10,12 +10,14 @@
 #define GridPart_h
 
 #include "FreshArray.h"
+#include "MeshBlocks.h"
 #include "NodeOrdering.h"
+#include "Progress.h"
 #include "Runs.h"
 #include "Selection.h"
 #include "Status.h"
 #include "StatusArrays.h"
-#include "TrimPipeline.h"
+#include "TrimResult.h"
 
 #include <vtkSMPTools.h>
 #include <vtkTypeInt32Array.h>

@@ -6,6 +6,7 @@
 #define PartQuality_h
 
 #include "GridPart.h"
+#include "Ranks.h"
 #include "Summary.h"
 
 #include <functional>

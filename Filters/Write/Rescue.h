@@ -5,7 +5,7 @@
 #ifndef Rescue_h
 #define Rescue_h
 
-#include "TrimPipeline.h"
+#include "TrimBand.h"
 
 namespace trim
 {

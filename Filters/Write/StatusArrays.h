@@ -6,7 +6,7 @@
 #define StatusArrays_h
 
 #include "Selection.h"
-#include "TrimPipeline.h"
+#include "TrimResult.h"
 
 #include <vector>
 

@@ -6,8 +6,12 @@
 #define TrimmedGrid_h
 
 #include "HexMesh.h"
+#include "MeshBlocks.h"
+#include "Progress.h"
+#include "Ranks.h"
 #include "Summary.h"
-#include "TrimPipeline.h"
+#include "TrimResult.h"
+#include "TrimmingSurface.h"
 
 class vtkUnstructuredGrid;
 

@@ -1,0 +1,51 @@
+/**
+ * @file TrimBand.h
+ * @brief The band of elements round the cut, how it is trimmed, and what was found on it.
+ */
+#ifndef TrimBand_h
+#define TrimBand_h
+
+#include "Band.h"
+#include "Columns.h"
+#include "Decision.h"
+#include "Findings.h"
+#include "Offcut.h"
+#include "TrimmedBand.h"
+
+#include <utility>
+#include <vector>
+
+namespace trim
+{
+
+/// How the band is trimmed.
+struct BandTrim
+{
+  Columns Structure;
+  VolumeShares Shares;
+  TrimmedBand Trimmed;
+  Offcut Rest;                                  ///< empty unless it is asked for
+  std::vector<std::pair<int, float>> NodesLeft; ///< by ascending node, see DistancesLeft
+};
+
+/// The band and everything found on it.
+struct TrimBand : BandTrim
+{
+  TrimBand(Band band)
+    : Mesh(std::move(band))
+  {
+  }
+  Band Mesh;
+  /// Thickness axis of each element as the mesh has it, -1: none; also where the surface leans so
+  /// far that the sheet is treated as a block.
+  std::vector<signed char> SheetAxis;
+  std::vector<std::pair<int, Shortfall>> Shortfalls; ///< by ascending element
+
+  // What follows is empty unless the offcut is asked for.
+  std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;
+  std::vector<std::pair<int, bool>> CornersLost; ///< see FindCornersLost
+};
+
+}
+
+#endif
