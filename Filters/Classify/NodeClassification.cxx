@@ -325,22 +325,26 @@ bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   // What has all nodes on one side contradicts nothing, but may end in the middle of an element.
   const auto has = [&](unsigned char side)
   {
-    return piece.All.Any(std::any_of(
-      near.Ids.begin(), near.Ids.end(), [&](Id node) { return result.Status[node] == side; }));
+    return std::any_of(
+      near.Ids.begin(), near.Ids.end(), [&](Id node) { return result.Status[node] == side; });
   };
-  const bool keeps = has(NodeKeep);
-  const bool eliminates = has(NodeEliminate);
+  const auto [keeps, eliminates] =
+    piece.All.Any(std::array<bool, 2>{ has(NodeKeep), has(NodeEliminate) });
+  if (keeps && eliminates)
+  {
+    return true;
+  }
   SurfaceEnd end;
-  if (!(keeps && eliminates) && FindEndInside(mesh, result, surface, end.At))
+  if (FindEndInside(mesh, result, surface, end.At))
   {
     end.Distance = 0.0;
   }
-  if (piece.All.Any(end.Distance == 0.0))
+  if (!piece.All.Any(end.Distance == 0.0))
   {
-    error = EndOfSurface(piece, near, end);
-    return false;
+    return true;
   }
-  return true;
+  error = EndOfSurface(piece, near, end);
+  return false;
 }
 
 }

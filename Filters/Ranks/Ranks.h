@@ -9,6 +9,7 @@
 #define Ranks_h
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -68,8 +69,21 @@ public:
   template <typename T>
   T Largest(T mine) const
   {
-    const auto all = this->Gather(std::vector<T>{ mine });
-    return *std::max_element(all.begin(), all.end());
+    return this->Largest(std::array<T, 1>{ mine })[0];
+  }
+
+  /// The same for several values in one message.
+  template <typename T, std::size_t N>
+  std::array<T, N> Largest(const std::array<T, N>& mine) const
+  {
+    const auto all = this->Gather(std::vector<std::array<T, N>>{ mine });
+    std::array<T, N> largest = all.front();
+    for (const auto& values : all)
+    {
+      std::transform(largest.begin(), largest.end(), values.begin(), largest.begin(),
+        [](const T& a, const T& b) { return std::max(a, b); });
+    }
+    return largest;
   }
 
   template <typename T>
@@ -83,7 +97,13 @@ public:
     return sum;
   }
 
-  bool Any(bool mine) const { return this->Largest<char>(mine ? 1 : 0) != 0; }
+  bool Any(bool mine) const { return this->Largest(mine); }
+
+  template <std::size_t N>
+  std::array<bool, N> Any(const std::array<bool, N>& mine) const
+  {
+    return this->Largest(mine);
+  }
 
   /// The text of the first rank that has one; empty if none has.
   std::string FirstText(const std::string& mine) const

@@ -168,18 +168,16 @@ bool WarnIfMissed(const Piece& piece, TrimResult& result)
   {
     own[status] = true;
   }
-  const bool treated = piece.All.Any(own[ElementToTreat]);
-  const bool keep = piece.All.Any(own[ElementKeep]);
-  const bool eliminate = piece.All.Any(own[ElementEliminate]);
-  const bool hidden = piece.All.Any(!result.Found.Feasibilities.empty());
-  if (treated || keep == eliminate || hidden)
+  const auto has = piece.All.Any(own);
+  if (has[ElementToTreat] || has[ElementKeep] == has[ElementEliminate] ||
+    piece.All.Any(!result.Found.Feasibilities.empty()))
   {
     return false;
   }
   result.Warnings.push_back("The trimming surface " +
     std::string(
       result.Near ? "touches the grid, but does not part it: it" : "misses the grid, which") +
-    " is " + (keep ? "kept" : "eliminated") +
+    " is " + (has[ElementKeep] ? "kept" : "eliminated") +
     " whole: move the surface, or turn the side with InvertSide.");
   return true;
 }
