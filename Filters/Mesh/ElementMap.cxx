@@ -63,9 +63,8 @@ Eigen::Matrix3d MapDerivative(const ElementPoints& p, int count, const Vec3& par
       blend(s, blend(r, p[4] - p[0], p[5] - p[1]), blend(r, p[7] - p[3], p[6] - p[2]));
     return derivative;
   }
-  derivative.col(0) = blend(t, p[1] - p[0], p[4] - p[3]);
-  derivative.col(1) = blend(t, p[2] - p[0], p[5] - p[3]);
-  derivative.col(2) = (1.0 - r - s) * (p[3] - p[0]) + r * (p[4] - p[1]) + s * (p[5] - p[2]);
+  const auto [dr, ds, dt] = WedgeDerivatives(p, r, s, t);
+  derivative << dr, ds, dt;
   return derivative;
 }
 

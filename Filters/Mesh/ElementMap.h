@@ -9,7 +9,7 @@
 #ifndef ElementMap_h
 #define ElementMap_h
 
-#include "Jacobian.h"
+#include "NurbsSurface.h"
 
 #include <Eigen/Core>
 
@@ -17,6 +17,9 @@
 
 namespace trim
 {
+using nurbs::Vec3;
+
+using ElementPoints = std::array<Vec3, 8>; ///< the first 6 of them for a wedge
 
 /// The weights of an element's nodes at a place in it; they add up to one.
 using NodeWeights = std::array<double, 8>;
@@ -24,6 +27,14 @@ NodeWeights ShapeFunctions(int count, const Vec3& parameters);
 
 /// The place of the map at some parameters.
 Vec3 MapToSpace(const ElementPoints& points, int count, const Vec3& parameters);
+
+/// The derivatives by the three parameters, of a wedge; inline, as its determinant is asked often.
+inline std::array<Vec3, 3> WedgeDerivatives(const ElementPoints& p, double r, double s, double t)
+{
+  const double c = 1.0 - t;
+  return { c * (p[1] - p[0]) + t * (p[4] - p[3]), c * (p[2] - p[0]) + t * (p[5] - p[3]),
+    (1.0 - r - s) * (p[3] - p[0]) + r * (p[4] - p[1]) + s * (p[5] - p[2]) };
+}
 
 /// The columns are the derivatives by the three parameters.
 Eigen::Matrix3d MapDerivative(const ElementPoints& points, int count, const Vec3& parameters);

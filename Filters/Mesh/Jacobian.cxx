@@ -1,7 +1,5 @@
 #include "Jacobian.h"
 
-#include "ElementTopology.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -63,10 +61,7 @@ std::array<std::array<std::array<double, N>, N>, N> HexahedronLattice(
 /// Determinant of a wedge at (r, s) of the triangle and t of the axis.
 double WedgeAt(const ElementPoints& p, double r, double s, double t)
 {
-  const double c = 1.0 - t;
-  const Vec3 dr = c * (p[1] - p[0]) + t * (p[4] - p[3]);
-  const Vec3 ds = c * (p[2] - p[0]) + t * (p[5] - p[3]);
-  const Vec3 dt = (1.0 - r - s) * (p[3] - p[0]) + r * (p[4] - p[1]) + s * (p[5] - p[2]);
+  const auto [dr, ds, dt] = WedgeDerivatives(p, r, s, t);
   return Determinant(dr, ds, dt);
 }
 

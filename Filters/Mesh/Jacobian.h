@@ -11,7 +11,7 @@
 #ifndef Jacobian_h
 #define Jacobian_h
 
-#include "NurbsSurface.h"
+#include "ElementMap.h"
 
 #include <array>
 #include <limits>
@@ -19,9 +19,6 @@
 
 namespace trim
 {
-using nurbs::Vec3;
-
-using ElementPoints = std::array<Vec3, 8>; ///< the first 6 of them for a wedge
 
 struct JacobianRange
 {
