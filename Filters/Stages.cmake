@@ -30,6 +30,8 @@ add_library(NURBSTrimStages STATIC
   Correct/Moves.cxx
   Correct/NodeConstraint.cxx
   Correct/NodeMover.cxx
+  Correct/NodeRelaxing.cxx
+  Correct/SkinRing.cxx
   Treat/BandQuality.cxx
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx

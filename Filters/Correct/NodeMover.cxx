@@ -21,25 +21,8 @@ constexpr double LongestMove = 3.0;
 constexpr std::size_t SkinRange = 3;
 /// How many ridge edges a node may slide along to either side.
 constexpr int LongestRidgeWalk = 4;
-/// Below this sine of the angle between surface and facet their meeting line is not taken.
-constexpr double SmallestSine = 0.05;
-/// Faces that meet under less than 45 degrees belong to one side of the model.
-constexpr double SameSideCosine = 0.7071;
-/// How far beyond a facet's edges, in its parameters, still counts as inside.
-constexpr double InsideSlack = 1e-9;
 /// A corner nearer to the surface than this many of its shortest edges is right beside it.
 constexpr double BesideCut = 0.5;
-/// Steps to a sharp edge of the surface, and how much nearer to it each looks for its sides.
-constexpr int MostCreaseSteps = 8;
-constexpr double CreaseApproach = 0.1;
-/// Sine up to which a border counts as straight or level.
-constexpr double StraightSine = 1e-9;
-
-int CornerOf(const BandFace& face, int node)
-{
-  return static_cast<int>(
-    std::find(face.Node.begin(), face.Node.begin() + face.Count, node) - face.Node.begin());
-}
 
 }
 
@@ -61,6 +44,14 @@ double NodeMover::Reach(int node) const
       (this->TheBand.Point[node] - this->TheBand.Point[this->TheBand.OtherEnd(edge, node)]).norm());
   }
   return (this->TheColumns.ChosenByCut ? LongestMoveByCut : LongestMove) * longest;
+}
+
+NodeFreedom NodeMover::FreedomOf(int node) const
+{
+  NodeFreedom freedom;
+  freedom.Constraint =
+    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
+  return freedom;
 }
 
 NodeMove NodeMover::Project(int node) const
@@ -312,98 +303,15 @@ bool NodeMover::MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNor
   return foot.Distance <= 0.1 * this->Precision && moved <= 0.1 * this->Precision;
 }
 
-std::vector<int> NodeMover::FacesAround(const std::vector<int>& faces) const
-{
-  std::vector<int> around = faces;
-  for (const int f : faces)
-  {
-    const auto& face = this->TheBand.Faces[f];
-    const Vec3 normal = Facet(this->TheBand, face).NormalAt(0);
-    for (int i = 0; i < face.Count; ++i)
-    {
-      for (const int other : this->TheBand.FacesOfNode(face.Node[i]))
-      {
-        const auto& candidate = this->TheBand.Faces[other];
-        // Nor from the skin between the layers, where a part of the model begins on it.
-        const bool sameKind = this->TheColumns.HasThickness(face.Element[0])
-          ? this->TheColumns.IsLayerFace(this->TheBand, other) &&
-            candidate.Exterior == face.Exterior
-          : candidate.Exterior;
-        // Not round a ridge: that would be another side of the model.
-        if (sameKind && this->TheColumns.InSamePart(face.Element[0], candidate.Element[0]) &&
-          std::find(around.begin(), around.end(), other) == around.end() &&
-          TurnCosine(face, normal, candidate, Facet(this->TheBand, candidate).NormalAt(0)) >
-            SameSideCosine)
-        {
-          around.push_back(other);
-        }
-      }
-    }
-  }
-  return around;
-}
-
 const SkinRing& NodeMover::RingOf(NodeFreedom& freedom, std::size_t ring) const
 {
   auto& rings = freedom.Rings;
   while (rings.size() <= ring)
   {
-    SkinRing next;
-    next.Faces = this->FacesAround(rings.empty() ? freedom.Constraint.Faces : rings.back().Faces);
-    for (const int f : next.Faces)
-    {
-      next.Facets.emplace_back(Facet(this->TheBand, this->TheBand.Faces[f]));
-    }
-    rings.push_back(std::move(next));
+    rings.emplace_back(this->TheBand, this->TheColumns,
+      rings.empty() ? freedom.Constraint.Faces : rings.back().Faces);
   }
   return rings[ring];
-}
-
-int NodeMover::NearestFace(
-  const SkinRing& ring, const Vec3& x, const std::vector<int>& without, Vec3& place) const
-{
-  const auto isLeftOut = [&without](int f)
-  { return std::find(without.begin(), without.end(), f) != without.end(); };
-  // As a rule the facet with the nearest middle holds the place, and others are too far away to be
-  // searched.
-  std::size_t likely = ring.Faces.size();
-  double toMiddle = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.Faces.size(); ++i)
-  {
-    const double squared = ring.Facets[i].SquaredToMiddle(x);
-    if (squared < toMiddle && !isLeftOut(ring.Faces[i]))
-    {
-      toMiddle = squared;
-      likely = i;
-    }
-  }
-  Vec3 onLikely;
-  const bool holds =
-    likely < ring.Faces.size() && ring.Facets[likely].FindInside(x, InsideSlack, onLikely);
-  const double atMost = holds ? (onLikely - x).norm() : std::numeric_limits<double>::infinity();
-
-  int face = -1;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.Faces.size(); ++i)
-  {
-    const int f = ring.Faces[i];
-    Vec3 on = onLikely;
-    const bool inside = i == likely ? holds
-                                    : !ring.Facets[i].IsFarther(x, std::min(nearest, atMost)) &&
-        !isLeftOut(f) && ring.Facets[i].FindInside(x, InsideSlack, on);
-    if (!inside)
-    {
-      continue;
-    }
-    const double distance = (on - x).norm();
-    if (distance < nearest)
-    {
-      nearest = distance;
-      place = on;
-      face = f;
-    }
-  }
-  return face;
 }
 
 bool NodeMover::Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot,
@@ -421,7 +329,7 @@ bool NodeMover::Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot
   {
     // The point lies beyond this facet: go on with the one that holds it.
     Vec3 on;
-    const int next = this->NearestFace(this->RingOf(freedom, ring), meeting, tried, on);
+    const int next = this->RingOf(freedom, ring).NearestFace(meeting, tried, on);
     if (next < 0 && ring + 1 < SkinRange)
     {
       ++ring;
@@ -489,246 +397,6 @@ NodeMove NodeMover::SlideAlong(int node, int edge) const
     move.Elements = hits.front().K;
   }
   return move;
-}
-
-bool NodeMover::MayRelax(int node, bool onCut) const
-{
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
-  // Asked of the faces themselves: the constraint forgets those that are cut off.
-  if (!this->TheColumns.IsOnBorder(this->TheBand, node))
-  {
-    return constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Free;
-  }
-  const bool slides =
-    (constraint.Kind == ConstraintKind::Faces && this->TheBand.NodeStatus[node] != NodeEliminate) ||
-    (constraint.Kind == ConstraintKind::Ridge && !onCut);
-  return slides && this->IsStraight(node, constraint);
-}
-
-/// Whether the ridge of a node does not turn there, or its faces lie in one plane.
-bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
-{
-  if (constraint.Kind == ConstraintKind::Ridge)
-  {
-    const auto& ridges = constraint.RidgeEdges;
-    const auto way = [&](int edge)
-    {
-      return Vec3(
-        this->TheBand.Point[this->TheBand.OtherEnd(edge, node)] - this->TheBand.Point[node])
-        .normalized();
-    };
-    return ridges.size() == 2 && way(ridges[0]).cross(way(ridges[1])).norm() < StraightSine &&
-      way(ridges[0]).dot(way(ridges[1])) < 0.0;
-  }
-  const Vec3 normal =
-    Facet(this->TheBand, this->TheBand.Faces[constraint.Faces.front()]).NormalAt(0);
-  return std::all_of(constraint.Faces.begin(), constraint.Faces.end(),
-    [&](int f)
-    {
-      const auto& face = this->TheBand.Faces[f];
-      for (int i = 0; i < face.Count; ++i)
-      {
-        if (Facet(this->TheBand, face).NormalAt(i).cross(normal).norm() > StraightSine)
-        {
-          return false;
-        }
-      }
-      return true;
-    });
-}
-
-NodeFreedom NodeMover::FreedomOf(int node) const
-{
-  NodeFreedom freedom;
-  freedom.Constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
-  return freedom;
-}
-
-void NodeMover::StartFrom(const Vec3& x, NodeFreedom& freedom) const
-{
-  freedom.Start = this->FootOf(x, freedom);
-}
-
-nurbs::Foot NodeMover::FootOf(const Vec3& x, const NodeFreedom& freedom) const
-{
-  return freedom.Start.Kind == nurbs::FootKind::None ? this->Surface.ClosestPoint(x)
-                                                     : this->Surface.NearbyFoot(x, freedom.Start);
-}
-
-std::vector<Vec3> NodeMover::Directions(
-  int node, const NodeFreedom& freedom, const Vec3& x, bool onCut) const
-{
-  const auto& constraint = freedom.Constraint;
-  std::vector<Vec3> directions;
-  const auto addRound = [&directions](const Vec3& u, const Vec3& v)
-  {
-    constexpr double half = 0.70710678118654752;
-    for (const Vec3& d : { u, v, Vec3(half * (u + v)), Vec3(half * (u - v)) })
-    {
-      directions.push_back(d);
-      directions.push_back(-d);
-    }
-  };
-  if (constraint.Kind == ConstraintKind::Ridge)
-  {
-    const Vec3 along = this->AlongRidge(node, constraint);
-    return { along, -along };
-  }
-  const Vec3 across = onCut ? this->FootOf(x, freedom).Normal : Vec3::Zero();
-  if (constraint.Kind == ConstraintKind::Faces)
-  {
-    const auto& face = this->TheBand.Faces[constraint.Faces.front()];
-    const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
-    if (onCut)
-    {
-      const Vec3 along = across.cross(normal).normalized();
-      return { along, -along };
-    }
-    const Vec3 u = normal.unitOrthogonal();
-    addRound(u, normal.cross(u));
-    return directions;
-  }
-  if (onCut)
-  {
-    const Vec3 u = across.unitOrthogonal();
-    addRound(u, across.cross(u));
-    return directions;
-  }
-  addRound(Vec3::UnitX(), Vec3::UnitY());
-  directions.push_back(Vec3::UnitZ());
-  directions.push_back(-Vec3::UnitZ());
-  return directions;
-}
-
-Vec3 NodeMover::AlongRidge(int node, const NodeConstraint& constraint) const
-{
-  return (this->TheBand.Point[this->TheBand.OtherEnd(constraint.RidgeEdges.front(), node)] -
-    this->TheBand.Point[node])
-    .normalized();
-}
-
-/// Nearest point of the two ridge edges at the node.
-bool NodeMover::PlaceOnRidge(
-  int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const
-{
-  const Vec3& p = this->TheBand.Point[node];
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const int edge : constraint.RidgeEdges)
-  {
-    const Vec3 along = this->TheBand.Point[this->TheBand.OtherEnd(edge, node)] - p;
-    const Vec3 on = p + std::clamp((x - p).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
-    if ((on - x).norm() < nearest)
-    {
-      nearest = (on - x).norm();
-      place = on;
-    }
-  }
-  return std::isfinite(nearest);
-}
-
-bool NodeMover::Constrained(
-  int node, NodeFreedom& freedom, const Vec3& x, bool onCut, Vec3& place) const
-{
-  const auto& constraint = freedom.Constraint;
-  if (constraint.Kind == ConstraintKind::Free)
-  {
-    place = onCut ? this->FootOf(x, freedom).Point : x;
-    return true;
-  }
-  if (constraint.Kind == ConstraintKind::Ridge)
-  {
-    return this->PlaceOnRidge(node, constraint, x, place);
-  }
-  if (onCut)
-  {
-    const auto& face = this->TheBand.Faces[constraint.Faces.front()];
-    const Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
-    const auto foot = this->FootOf(x, freedom);
-    const Vec3 along = foot.Normal.cross(normal).normalized();
-    const NodeMove move = this->Between(node, freedom, x, foot, along);
-    place = move.Target;
-    return move.Found;
-  }
-  return this->NearestFacet(freedom, x, place, nullptr);
-}
-
-bool NodeMover::MeetCrease(
-  int node, NodeFreedom& freedom, nurbs::Foot a, nurbs::Foot b, Vec3& place) const
-{
-  const ConstraintKind kind = freedom.Constraint.Kind;
-  if (kind != ConstraintKind::Free && kind != ConstraintKind::Faces)
-  {
-    return false;
-  }
-  Vec3& x = place;
-  double moved = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < MostCreaseSteps && moved > 0.1 * this->Precision; ++i)
-  {
-    // Where the surface bends without an edge the normals come together.
-    Vec3 on = x, normal = a.Normal.cross(b.Normal).normalized();
-    if (a.Normal.dot(b.Normal) > CreaseCosine ||
-      (kind == ConstraintKind::Faces && !this->NearestFacet(freedom, x, on, &normal)))
-    {
-      return false;
-    }
-    Eigen::Matrix3d m;
-    m.row(0) = a.Normal;
-    m.row(1) = b.Normal;
-    m.row(2) = normal;
-    if (std::abs(m.determinant()) < SmallestSine)
-    {
-      return false;
-    }
-    const Vec3 step =
-      m.inverse() * Vec3(a.Normal.dot(a.Point - x), b.Normal.dot(b.Point - x), normal.dot(on - x));
-    x += step;
-    moved = step.norm();
-    // The tangent planes are those of places nearer and nearer to the edge.
-    a = this->Surface.ClosestPoint(x + CreaseApproach * (a.Point - x));
-    b = this->Surface.ClosestPoint(x + CreaseApproach * (b.Point - x));
-  }
-  return moved <= 0.1 * this->Precision &&
-    this->Surface.ClosestPoint(x).Distance <= 0.1 * this->Precision &&
-    (x - this->TheBand.Point[node]).norm() <= this->Reach(node);
-}
-
-/// The nearest place on the faces that a node may come to lie on, and, if asked for, their normal
-/// there.
-bool NodeMover::NearestFacet(NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const
-{
-  const int face = this->NearestFace(this->RingOf(freedom, 0), x, {}, place);
-  if (normal && face >= 0)
-  {
-    *normal = Facet(this->TheBand, this->TheBand.Faces[face]).Project(x).Normal;
-  }
-  return face >= 0;
-}
-
-std::vector<Vec3> NodeMover::Tangents(
-  int node, NodeFreedom& freedom, const Vec3& x, bool onCut) const
-{
-  const auto& constraint = freedom.Constraint;
-  if (constraint.Kind == ConstraintKind::Ridge)
-  {
-    return { this->AlongRidge(node, constraint) };
-  }
-  const auto plane = [](const Vec3& normal) -> std::vector<Vec3>
-  {
-    const Vec3 u = normal.unitOrthogonal();
-    return { u, normal.cross(u) };
-  };
-  const Vec3 across = onCut ? this->FootOf(x, freedom).Normal : Vec3::Zero();
-  if (constraint.Kind == ConstraintKind::Faces)
-  {
-    const auto& face = this->TheBand.Faces[constraint.Faces.front()];
-    Vec3 place;
-    Vec3 normal = Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
-    this->NearestFacet(freedom, x, place, &normal);
-    return onCut ? std::vector<Vec3>{ across.cross(normal).normalized() } : plane(normal);
-  }
-  return onCut ? plane(across) : std::vector<Vec3>{ Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ() };
 }
 
 }

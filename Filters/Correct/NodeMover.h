@@ -7,8 +7,8 @@
 
 #include "Band.h"
 #include "Columns.h"
-#include "Facet.h"
 #include "NodeConstraint.h"
+#include "SkinRing.h"
 #include "TrimmingSurface.h"
 
 namespace trim
@@ -37,13 +37,6 @@ struct NodeMove
   Correction By = Correction::None;
   bool OnSurface = true; ///< false: as near to it as the model lets the node come
   double Elements = 0;   ///< length of the move in edges of the face it leads into
-};
-
-/// Faces round a node, on the side of the model that it lies on.
-struct SkinRing
-{
-  std::vector<int> Faces; ///< those of the ring before among them
-  std::vector<FacetSearch> Facets;
 };
 
 /// Where a node may be while it is relaxed: what NodeMover finds out once for many places.
@@ -133,6 +126,9 @@ public:
   bool MeetCrease(int node, NodeFreedom& freedom, nurbs::Foot a, nurbs::Foot b, Vec3& place) const;
 
 private:
+  /// Below this sine of the angle between surface and facet their meeting line is not taken.
+  static constexpr double SmallestSine = 0.05;
+
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   /// Calls visit(from, to, walked) for the edges of a ridge from a node on, until that returns
   /// true or the ridge turns or ends; `walked` is the way to `from`.
@@ -141,9 +137,6 @@ private:
   bool IsBesideCut(int corner, const NodeConstraint& constraint) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
-  /// The face of a ring with the nearest place to x inside it, but for some; -1: none.
-  int NearestFace(
-    const SkinRing& ring, const Vec3& x, const std::vector<int>& without, Vec3& place) const;
   bool NearestFacet(NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const;
   Vec3 AlongRidge(int node, const NodeConstraint& constraint) const;
   bool PlaceOnRidge(int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const;
@@ -158,7 +151,6 @@ private:
   NodeMove Between(int node, NodeFreedom& freedom, const Vec3& through, const nurbs::Foot& foot,
     const Vec3& planeNormal) const;
   const SkinRing& RingOf(NodeFreedom& freedom, std::size_t ring) const;
-  std::vector<int> FacesAround(const std::vector<int>& faces) const;
   /// Length of the longest edge at a node: no move is longer than a few of these.
   double Reach(int node) const;
 

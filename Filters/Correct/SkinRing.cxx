@@ -1,0 +1,104 @@
+#include "SkinRing.h"
+
+#include "NodeConstraint.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace trim
+{
+namespace
+{
+
+/// Faces that meet under less than 45 degrees belong to one side of the model.
+constexpr double SameSideCosine = 0.7071;
+
+/// Some faces and those next to them on the same side of the model.
+std::vector<int> FacesAround(
+  const Band& band, const Columns& columns, const std::vector<int>& faces)
+{
+  std::vector<int> around = faces;
+  for (const int f : faces)
+  {
+    const auto& face = band.Faces[f];
+    const Vec3 normal = Facet(band, face).NormalAt(0);
+    for (int i = 0; i < face.Count; ++i)
+    {
+      for (const int other : band.FacesOfNode(face.Node[i]))
+      {
+        const auto& candidate = band.Faces[other];
+        // Nor from the skin between the layers, where a part of the model begins on it.
+        const bool sameKind = columns.HasThickness(face.Element[0])
+          ? columns.IsLayerFace(band, other) && candidate.Exterior == face.Exterior
+          : candidate.Exterior;
+        // Not round a ridge: that would be another side of the model.
+        if (sameKind && columns.InSamePart(face.Element[0], candidate.Element[0]) &&
+          std::find(around.begin(), around.end(), other) == around.end() &&
+          TurnCosine(face, normal, candidate, Facet(band, candidate).NormalAt(0)) > SameSideCosine)
+        {
+          around.push_back(other);
+        }
+      }
+    }
+  }
+  return around;
+}
+
+}
+
+SkinRing::SkinRing(const Band& band, const Columns& columns, const std::vector<int>& faces)
+  : Faces(FacesAround(band, columns, faces))
+{
+  for (const int f : this->Faces)
+  {
+    this->Facets.emplace_back(Facet(band, band.Faces[f]));
+  }
+}
+
+int SkinRing::NearestFace(const Vec3& x, const std::vector<int>& without, Vec3& place) const
+{
+  const auto isLeftOut = [&without](int f)
+  { return std::find(without.begin(), without.end(), f) != without.end(); };
+  // As a rule the facet with the nearest middle holds the place, and others are too far away to be
+  // searched.
+  std::size_t likely = this->Faces.size();
+  double toMiddle = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < this->Faces.size(); ++i)
+  {
+    const double squared = this->Facets[i].SquaredToMiddle(x);
+    if (squared < toMiddle && !isLeftOut(this->Faces[i]))
+    {
+      toMiddle = squared;
+      likely = i;
+    }
+  }
+  Vec3 onLikely;
+  const bool holds =
+    likely < this->Faces.size() && this->Facets[likely].FindInside(x, InsideSlack, onLikely);
+  const double atMost = holds ? (onLikely - x).norm() : std::numeric_limits<double>::infinity();
+
+  int face = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < this->Faces.size(); ++i)
+  {
+    const int f = this->Faces[i];
+    Vec3 on = onLikely;
+    const bool inside = i == likely ? holds
+                                    : !this->Facets[i].IsFarther(x, std::min(nearest, atMost)) &&
+        !isLeftOut(f) && this->Facets[i].FindInside(x, InsideSlack, on);
+    if (!inside)
+    {
+      continue;
+    }
+    const double distance = (on - x).norm();
+    if (distance < nearest)
+    {
+      nearest = distance;
+      place = on;
+      face = f;
+    }
+  }
+  return face;
+}
+
+}
