@@ -4,6 +4,7 @@
 #include "BezierRestriction.h"
 #include "BoxHalving.h"
 #include "Neighbourhood.h"
+#include "PartAlong.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -25,75 +26,6 @@ constexpr double LeastSlope = 1e-9;
 constexpr double TouchSine = 1e-5;
 /// How far beyond a small box a touch is looked for, in sizes of the box.
 constexpr double ApproachRange = 8.0;
-
-/// The net of a part of a patch, and where it lies about the line.
-struct PartAlong
-{
-  int P, Q;
-  Vec4 Net[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  /// Distances from two planes through the line; homogeneous, and bounds of the affine ones.
-  Vec2 Across[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  Vec2 Low = Vec2::Constant(HUGE_VAL), High = -Low;
-  double First = HUGE_VAL, Last = -HUGE_VAL; ///< along the line
-};
-
-/// Of the distances from the planes: between the first and the last row and column.
-Eigen::Matrix2d MeanGradients(const PartAlong& part)
-{
-  const int p = part.P, q = part.Q, nu = p + 1;
-  const Vec2* g = part.Across;
-  Vec2 meanS = Vec2::Zero(), meanT = Vec2::Zero();
-  for (int j = 0; j <= q; ++j)
-  {
-    meanS += (g[p + j * nu] - g[j * nu]) / (q + 1);
-  }
-  for (int i = 0; i <= p; ++i)
-  {
-    meanT += (g[i + q * nu] - g[i]) / (p + 1);
-  }
-  Eigen::Matrix2d m;
-  m << meanS, meanT;
-  return m;
-}
-
-/// Whether the line passes the part, seen along the inverse of the mean gradients.
-bool IsPassed(const PartAlong& part, const Eigen::Matrix2d& inverse, double tolerance)
-{
-  Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
-  for (int k = 0; k < (part.P + 1) * (part.Q + 1); ++k)
-  {
-    const Vec2 x = inverse * part.Across[k];
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  const Vec2 slack = inverse.cwiseAbs() * Vec2::Constant(tolerance * part.Net[0].w());
-  return ((low - 2 * slack).array() > 0).any() || ((high + 2 * slack).array() < 0).any();
-}
-
-/// How far the gradients are from their means, seen along the inverse of these.
-double MeasureDeviation(const PartAlong& part, const Eigen::Matrix2d& inverse)
-{
-  const int p = part.P, q = part.Q, nu = p + 1;
-  const Vec2* g = part.Across;
-  double deviation = 0;
-  for (int j = 0; j <= q; ++j)
-  {
-    for (int i = 0; i <= p; ++i)
-    {
-      if (i < p)
-      {
-        const Vec2 d = inverse * (p * (g[i + 1 + j * nu] - g[i + j * nu])) - Vec2::UnitX();
-        deviation = std::max(deviation, d.lpNorm<1>());
-      }
-      if (j < q)
-      {
-        const Vec2 d = inverse * (q * (g[i + (j + 1) * nu] - g[i + j * nu])) - Vec2::UnitY();
-        deviation = std::max(deviation, d.lpNorm<1>());
-      }
-    }
-  }
-  return deviation;
-}
 
 class LineSearch
 {
@@ -582,17 +514,17 @@ void LineSearch::MeasurePart(const BezierPatch& patch, const LeafDomain& box, Pa
 bool LineSearch::IsDecided(const BezierPatch& patch, int index, const LeafDomain& box,
   const PartAlong& part, double tolerance)
 {
-  const Eigen::Matrix2d m = MeanGradients(part);
+  const Eigen::Matrix2d m = part.MeanGradients();
   if (!(std::abs(m.determinant()) > 1e-10 * m.col(0).norm() * m.col(1).norm()))
   {
     return false;
   }
   const Eigen::Matrix2d inverse = m.inverse();
-  if (IsPassed(part, inverse, tolerance))
+  if (part.IsPassed(inverse, tolerance))
   {
     return true;
   }
-  return MeasureDeviation(part, inverse) < 0.3 &&
+  return part.MeasureDeviation(inverse) < 0.3 &&
     this->IsSolved(
       index, this->Solve(patch, 0.5 * (box.S0 + box.S1), 0.5 * (box.T0 + box.T1), box), box);
 }

@@ -9,36 +9,8 @@
 
 #include "SurfaceModel.h"
 
-#include <vector>
-
 namespace nurbs
 {
-/// A border line of a face that leaves a point, straight in (u, v).
-struct BorderRay
-{
-  Vec2 From = Vec2::Zero(), To = Vec2::Zero(); ///< in (u, v) of the face
-  Vec3 Direction = Vec3::Zero();               ///< unit tangent on the surface
-  bool InsideIsLeft = false;                   ///< of the face, seen against S_u x S_v
-};
-
-/// One piece of surface at the point: an angle and a normal, bounded by borders or not.
-struct Sector
-{
-  int Face = -1;
-  Vec2 Parameters = Vec2::Zero();
-  double Away = 0;              ///< of the piece from the point, up to the gap tolerance
-  Vec3 Weighted = Vec3::Zero(); ///< integral of the unit normal over the angle (no face sign)
-  int RayCount = 0;             ///< 0 in the interior, else 2; 1 where the loops end the other
-  bool Straight = false;        ///< the two rays are opposite: the middle of an edge
-  BorderRay Rays[2];
-};
-
-/// Everything that comes within `gap` of x (local coordinates).
-std::vector<Sector> FindSectors(const SurfaceModel& model, const Vec3& x, double gap);
-
-/// A border ray of another sector that runs along the given one; null if there is none.
-const BorderRay* FindPartner(
-  const std::vector<Sector>& sectors, const Sector& sector, const BorderRay& ray);
 
 struct Neighbourhood
 {
@@ -50,12 +22,6 @@ struct Neighbourhood
 /// Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal".
 /// A border is free only where nothing closes it within the widest gap.
 Neighbourhood ExamineNeighbourhood(const SurfaceModel& model, const Vec3& x);
-
-/// Unit S_u x S_v of a patch; where it vanishes its limit from inside. Zero if there is none.
-Vec3 UnitNormal(const SurfaceModel& model, const BezierPatch& patch, double s, double t);
-
-/// S of a face at (u, v), about the local origin.
-Vec3 FacePoint(const SurfaceModel& model, int face, const Vec2& uv);
 
 }
 

@@ -1,7 +1,7 @@
 #include "ShellOrientation.h"
 
 #include "BezierEvaluation.h"
-#include "Neighbourhood.h"
+#include "Sectors.h"
 
 #include <algorithm>
 #include <map>

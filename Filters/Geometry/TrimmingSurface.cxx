@@ -2,6 +2,7 @@
 
 #include "ClosestPoint.h"
 #include "LineIntersection.h"
+#include "ModelEvaluation.h"
 #include "Neighbourhood.h"
 
 #include <algorithm>

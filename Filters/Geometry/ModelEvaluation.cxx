@@ -1,0 +1,48 @@
+#include "ModelEvaluation.h"
+
+#include "BezierEvaluation.h"
+
+namespace nurbs
+{
+
+Vec3 FacePoint(const SurfaceModel& model, int face, const Vec2& uv)
+{
+  const BezierPatch& patch = model.Patches[model.PatchAt(face, uv.x(), uv.y())];
+  return BezierPoint(patch, model.Net(patch), (uv.x() - patch.U0) / (patch.U1 - patch.U0),
+    (uv.y() - patch.V0) / (patch.V1 - patch.V0));
+}
+
+Vec3 UnitNormal(const SurfaceModel& model, const BezierPatch& patch, double s, double t)
+{
+  const Vec4* net = model.Net(patch);
+  SurfaceJet jet;
+  EvaluateBezier(patch, net, s, t, jet);
+  constexpr double Small = 1e-8;
+  const double twist = jet.Suv.norm();
+  const double size = (jet.Su.norm() + twist) * (jet.Sv.norm() + twist);
+  Vec3 n = jet.Su.cross(jet.Sv);
+  if (n.norm() > Small * size)
+  {
+    return n.normalized();
+  }
+  // Collapsed edge: the first derivative of S_u x S_v on the way inside (de l'Hospital).
+  const double ds = 0.5 - s, dt = 0.5 - t;
+  n = ds * (jet.Suu.cross(jet.Sv) + jet.Su.cross(jet.Suv)) +
+    dt * (jet.Suv.cross(jet.Sv) + jet.Su.cross(jet.Svv));
+  if (n.norm() > Small * size)
+  {
+    return n.normalized();
+  }
+  for (double step : { 1e-4, 1e-3, 1e-2, 1e-1 })
+  {
+    EvaluateBezier(patch, net, s + step * ds, t + step * dt, jet);
+    n = jet.Su.cross(jet.Sv);
+    if (n.norm() > 1e-12 * jet.Su.norm() * jet.Sv.norm() && n.norm() > 0)
+    {
+      return n.normalized();
+    }
+  }
+  return Vec3::Zero();
+}
+
+}
