@@ -29,6 +29,7 @@ enum class Fate : signed char
 
 struct VolumeShares
 {
+  std::vector<double> Volume;  ///< of each band element
   std::vector<double> Element; ///< V^e of each band element
   std::vector<double> Column;  ///< share of the column of each band element
 };
@@ -42,6 +43,9 @@ struct VolumeShares
  */
 bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
   double gap, VolumeShares& shares, std::array<int, 2>& missedEdge);
+
+/// The shares of other columns, from what is known of the elements.
+void MeasureColumnShares(const Columns& columns, VolumeShares& shares);
 
 /**
  * Decides by volume or by the fate set, then mends what cannot become a mesh: elements that

@@ -5,10 +5,8 @@
 #include "ColumnChoices.h"
 #include "Shortfalls.h"
 #include "Status.h"
-#include "SurfaceGaps.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace trim
@@ -143,11 +141,11 @@ void TryJoinedSheets(TrimBand& near, const nurbs::TrimmingSurface& surface, doub
     sum.Squares += SquaresAstray(near, surface);
     return sum;
   };
-  const auto climb = [&](const BandTrim&)
+  const auto climb = [&](const BandTrim& joined)
   {
     near.Structure = std::move(sheets);
-    std::array<int, 2> missed;
-    MeasureShares(near.Mesh, near.Structure, surface, WidestGapOf(surface), near.Shares, missed);
+    near.Shares = joined.Shares;
+    MeasureColumnShares(near.Structure, near.Shares);
     Climb(near, surface, precision, options, produceOffcut, progress);
   };
   Shortcomings least = measure();
@@ -193,7 +191,8 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
     {
       const auto& shares = best.Shares;
       near.Structure = columns ? best.Structure : NoColumns(near.Mesh, best.Structure.Part);
-      near.Shares = columns ? shares : VolumeShares{ shares.Element, shares.Element };
+      near.Shares =
+        columns ? shares : VolumeShares{ shares.Volume, shares.Element, shares.Element };
       Climb(near, surface, precision, with, produceOffcut, Part(progress, begin, end));
     };
     TryAnew(
