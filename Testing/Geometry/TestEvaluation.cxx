@@ -2,22 +2,17 @@
 // and the validity check.
 #include "Check.h"
 #include "OpenCascadeSurface.h"
+#include "RandomPlaces.h"
 #include "SampleSurfaces.h"
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace nurbs;
+using samples::Uniform;
 
 namespace
 {
-
-std::mt19937 Random(7);
-double Uniform(double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(Random);
-}
 
 void TestFiniteDifferences(const samples::Named& sample)
 {
@@ -265,6 +260,7 @@ void TestHighestDegree()
 
 int main()
 {
+  samples::Random.seed(7);
   for (const samples::Named& sample : samples::All())
   {
     check::That(FindDefect(sample.Surface).empty(), sample.Name + " is valid");

@@ -1,28 +1,20 @@
 // Line-surface intersection (eqs. 12-14): closed forms, completeness against the distance along
 // the line, lines through knots and corners, ends on the surface, tangency, gaps.
 #include "Check.h"
+#include "RandomPlaces.h"
 #include "SampleSurfaces.h"
 #include "TrimmingSurface.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <sstream>
 
 using namespace nurbs;
+using samples::RandomVector;
+using samples::Uniform;
 
 namespace
 {
-
-std::mt19937 Random(5);
-double Uniform(double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(Random);
-}
-Vec3 RandomVector()
-{
-  return Vec3(Uniform(-1, 1), Uniform(-1, 1), Uniform(-1, 1));
-}
 
 std::string Describe(const std::vector<LineHit>& hits)
 {
@@ -347,6 +339,7 @@ void TestGaps()
 
 int main()
 {
+  samples::Random.seed(5);
   TestClosedForms();
   for (const samples::Named& sample : samples::All())
   {

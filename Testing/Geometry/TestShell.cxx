@@ -1,28 +1,21 @@
 // Sides, seams, poles, sharp edges, free borders, orientation of shells and box queries.
 #include "Check.h"
+#include "RandomPlaces.h"
 #include "SampleSurfaces.h"
 #include "TrimmingSurface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <random>
 #include <sstream>
 
 using namespace nurbs;
+using samples::Random;
+using samples::RandomVector;
+using samples::Uniform;
 
 namespace
 {
-
-std::mt19937 Random(3);
-double Uniform(double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(Random);
-}
-Vec3 RandomVector()
-{
-  return Vec3(Uniform(-1, 1), Uniform(-1, 1), Uniform(-1, 1));
-}
 
 std::string Place(const Vec3& p, const Foot& foot)
 {
@@ -429,6 +422,7 @@ void TestManyFaces()
 
 int main()
 {
+  Random.seed(3);
   TestClosedSurfaces();
   TestGaps();
   TestFreeBorders();

@@ -1,28 +1,21 @@
 // Faces restricted by trim loops: closest points, borders, sides and hits.
 #include "Check.h"
 #include "ParameterPolygon.h"
+#include "RandomPlaces.h"
 #include "SampleSurfaces.h"
 #include "TrimmingSurface.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <sstream>
 
 using namespace nurbs;
+using samples::Random;
+using samples::RandomVector;
+using samples::Uniform;
 
 namespace
 {
-
-std::mt19937 Random(13);
-double Uniform(double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(Random);
-}
-Vec3 RandomVector()
-{
-  return Vec3(Uniform(-1, 1), Uniform(-1, 1), Uniform(-1, 1));
-}
 
 std::string Place(const Vec3& p, const Foot& foot)
 {
@@ -417,6 +410,7 @@ void TestWholeRectangle()
 
 int main()
 {
+  Random.seed(13);
   TestPlane();
   TestCurved("wavy", samples::Wavy());
   TestCurved("half cylinder", samples::Cylinder(1, 2, 2));
