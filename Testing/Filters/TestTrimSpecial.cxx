@@ -2,15 +2,11 @@
  * @file TestTrimSpecial.cxx
  * @brief Surfaces that meet the mesh in special ways: exactly through nodes, edges and facets,
  * through an upright edge of the model, along a layer, touching only, or not at all; a keep point;
- * the whole elimination fraction; points without cells; a composite of one grid; abort.
+ * the whole elimination fraction; points without cells; a composite of one grid.
  */
 #include "Expect.h"
-#include "NURBSFieldData.h"
-#include "NodeClassification.h"
 #include "RunTrim.h"
-#include "SharedNodes.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -487,88 +483,6 @@ void TestBlockAlone()
   const Outcome expected = RunTrim(mesh, surface, TrimOptions());
   Expect(output && FirstDifference(output, expected.Case.Trimmed).empty(), "a block alone");
 }
-
-// Aborted at the first progress event: an empty output or a whole one, no crash, and the
-// filter works afterwards.
-void TestAbort()
-{
-  const Mesh mesh = Sheet(80, 80, 2, Vec3(1, 1, 0.4));
-  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
-  vtkNew<vtkTrimHexahedralGrid> filter;
-  filter->SetInputDataObject(0, mesh.Grid);
-  filter->SetInputDataObject(1, surface.Data);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      ++*static_cast<int*>(data);
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-    });
-  int events = 0;
-  stop->SetClientData(&events);
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
-  filter->Update();
-  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  Expect(events > 0, "abort: no progress event");
-  Expect(output->GetNumberOfCells() == 0 && output->GetNumberOfPoints() == 0,
-    "abort: the output is not empty");
-  filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
-  filter->Modified();
-  filter->Update();
-  output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  Expect(output->GetNumberOfCells() > 0, "abort: nothing comes out afterwards");
-}
-
-// Once work is to end the classification ends too, without an error or a guess.
-void TestAbortOfClassification()
-{
-  const Mesh mesh = Sheet(80, 80, 2, Vec3(1, 1, 0.4));
-  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
-  trim::HexMesh view;
-  std::string error;
-  std::vector<nurbs::NurbsSurface> faces;
-  Expect(trim::ViewGrid(mesh.Grid, view, error) &&
-      nurbs::ReadTrimmingSurface(surface.Data, faces, error),
-    "abort of classification: " + error);
-  const nurbs::TrimmingSurface trimming(std::move(faces), 0.0);
-  const trim::MeshBlocks blocks = trim::BuildMeshBlocks(view);
-  const trim::Ranks alone;
-  const trim::SharedNodes none;
-  for (const bool stop : { false, true })
-  {
-    trim::NodeClassification nodes;
-    const bool done = trim::ClassifyNodes(
-      view, blocks, { alone, none }, trimming, 1e-9, [stop] { return stop; }, nodes, error);
-    Expect(done != stop && error.empty(), "abort of classification: goes on, or an error");
-  }
-}
-
-void TestProgress()
-{
-  const Mesh mesh = Sheet(40, 40, 2, Vec3(1, 1, 0.4));
-  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
-  vtkNew<vtkTrimHexahedralGrid> filter;
-  filter->SetInputDataObject(0, mesh.Grid);
-  filter->SetInputDataObject(1, surface.Data);
-  vtkNew<vtkCallbackCommand> listen;
-  std::vector<double> seen;
-  listen->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      static_cast<std::vector<double>*>(data)->push_back(
-        static_cast<vtkAlgorithm*>(caller)->GetProgress());
-    });
-  listen->SetClientData(&seen);
-  filter->AddObserver(vtkCommand::ProgressEvent, listen);
-  filter->Update();
-  bool rises = seen.size() >= 4;
-  for (std::size_t i = 1; i < seen.size(); ++i)
-  {
-    rises = rises && seen[i] >= seen[i - 1] && seen[i] <= 1;
-  }
-  Expect(rises, "progress: fewer than four events, or it falls");
-}
 }
 
 int main()
@@ -592,9 +506,6 @@ int main()
   TestWholeFraction();
   TestUnusedPoints();
   TestBlockAlone();
-  TestAbort();
-  TestAbortOfClassification();
-  TestProgress();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
