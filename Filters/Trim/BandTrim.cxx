@@ -125,31 +125,39 @@ void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, 
   static_cast<BandTrim&>(near) = std::move(before);
 }
 
-/// Where columns of a joint take elements along that lie far from the surface, each of its sheets
-/// gets columns of its own, if that is better on the whole.
-void TryJoinedSheets(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+/// Where columns take elements along that lie far from the surface, each sheet of a joint gets
+/// columns of its own, or the elements are decided one by one, if that is better on the whole.
+void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const LadderOptions& options, bool produceOffcut, const Progress& progress)
 {
+  std::vector<Columns> others;
   Columns sheets = FindJoinedSheets(near.Mesh);
-  if (!sheets.HasColumns() || !sheets.Complete(near.Mesh, 2))
+  if (sheets.HasColumns() && sheets.Complete(near.Mesh, 2))
   {
-    return;
+    others.push_back(std::move(sheets));
   }
+  others.push_back(NoColumns(near.Mesh, near.Structure.Part));
   const auto measure = [&]
   {
     Shortcomings sum = MeasureShortcomings(near, options);
     sum.Squares += SquaresAstray(near, surface);
     return sum;
   };
-  const auto climb = [&](const BandTrim& joined)
-  {
-    near.Structure = std::move(sheets);
-    near.Shares = joined.Shares;
-    MeasureColumnShares(near.Structure, near.Shares);
-    Climb(near, surface, precision, options, produceOffcut, progress);
-  };
   Shortcomings least = measure();
-  TryAnew(near, climb, measure, least);
+  for (Columns& other : others)
+  {
+    const auto climb = [&](const BandTrim& before)
+    {
+      near.Structure = std::move(other);
+      near.Shares = before.Shares;
+      MeasureColumnShares(near.Structure, near.Shares);
+      Climb(near, surface, precision, options, produceOffcut, progress);
+    };
+    if (!progress(-1.0) && SquaresAstray(near, surface) > 0.0)
+    {
+      TryAnew(near, climb, measure, least);
+    }
+  }
 }
 
 /// Whether something is kept that is nearly all beyond the surface.
@@ -176,7 +184,7 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.0, 0.4));
   if (!progress(-1.0) && near.Structure.HasColumns() && SquaresAstray(near, surface) > 0.0)
   {
-    TryJoinedSheets(near, surface, precision, options, produceOffcut, Part(progress, 0.4, 0.5));
+    TryOtherColumns(near, surface, precision, options, produceOffcut, Part(progress, 0.4, 0.5));
   }
   // Most trims leave nothing, and are not measured again.
   if (near.NodesLeft.empty() || near.NodesLeft.size() > MostLeft ||

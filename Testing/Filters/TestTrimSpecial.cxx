@@ -24,6 +24,17 @@ using namespace judge;
 
 namespace
 {
+double VolumeOf(const Mesh& mesh)
+{
+  const Model model(mesh.Grid);
+  double volume = 0;
+  for (std::size_t e = 0; e < model.Elements.size(); ++e)
+  {
+    volume += judge::VolumeOf(model.Corners(e), model.Elements[e].Size);
+  }
+  return volume;
+}
+
 void Both(const std::string& name, const Mesh& mesh, const Surface& surface)
 {
   for (int correction = 1; correction <= 3; ++correction)
@@ -213,6 +224,33 @@ void TestThinEdge()
     for (const double height : { 6.2, 6.5 })
     {
       Both("across a thin edge", mesh, PlaneThrough(Vec3(0, 0, height), Vec3(slope, 0.1, 1), 200));
+    }
+  }
+}
+
+// Columns along which the surface shifts by several elements are none for what stays inside.
+void TestLeaningCore()
+{
+  for (const char* name : { "bar", "block" })
+  {
+    const Mesh mesh = MakeMesh(name);
+    for (const double lean : { 0.35, 0.6 })
+    {
+      Placement at;
+      at.Angle = 0.7;
+      at.Lean = lean;
+      at.Size = 0.55;
+      const Surface cylinder = MakeSurface("cylinder", mesh.Box, at);
+      TrimOptions options;
+      options.CorrectionType = 1;
+      const Outcome inside = RunTrim(mesh, cylinder, options);
+      options.InvertSide = true;
+      const Outcome outside = RunTrim(mesh, cylinder, options);
+      const auto volume = [](const Outcome& outcome)
+      { return outcome.Case.Trimmed->GetFieldData()->GetArray("Volume")->GetComponent(0, 0); };
+      const double lost = VolumeOf(mesh) - volume(inside) - volume(outside);
+      Expect(std::abs(lost) < 0.1 * volume(inside),
+        std::string(name) + ": the two sides of a leaning cylinder lack " + std::to_string(lost));
     }
   }
 }
@@ -502,6 +540,7 @@ int main()
   TestRepeatedFaces();
   TestWedgeOrder();
   TestJoints();
+  TestLeaningCore();
   TestBesideCorner();
   TestWholeFraction();
   TestUnusedPoints();
