@@ -40,6 +40,7 @@ add_library(NURBSTrimStages STATIC
   Treat/ElementWorth.cxx
   Treat/FloorClimb.cxx
   Treat/GuardedMesh.cxx
+  Treat/InsertedLayer.cxx
   Treat/JointRelaxation.cxx
   Treat/LeastSquaresStep.cxx
   Treat/Offcut.cxx
@@ -68,6 +69,7 @@ add_library(NURBSTrimStages STATIC
   Trim/BandTrim.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx
+  Trim/LayerTrim.cxx
   Trim/Shortfalls.cxx
   Trim/TrimPipeline.cxx
   Trim/TrimWarnings.cxx)

@@ -155,6 +155,10 @@ Moves MoveNodes(const Band& band, const NodeMover& mover, const std::vector<char
   Moves moves;
   moves.Position = band.Point;
   moves.Applied.assign(band.NumberOfNodes(), Correction::None);
+  for (int n = 0; band.BeforeLayer && n < band.NumberOfNodes(); ++n)
+  {
+    moves.Applied[n] = band.IsInsertedNode(n) ? Correction::Relax : Correction::None;
+  }
   moves.Failed.assign(band.NumberOfNodes(), 0);
   moves.Left.assign(band.NumberOfNodes(), 0);
 

@@ -94,6 +94,7 @@ void Band::TakeElements(const BandCells& cells)
       this->ElementStatus[e] = cell.Status;
     },
     LightGrain);
+  this->TakeOrigins(cells);
   for (int e = 0; e < count; ++e)
   {
     if (this->Elements[e].Global >= 0)
@@ -102,6 +103,22 @@ void Band::TakeElements(const BandCells& cells)
     }
   }
   std::sort(this->ElementByCell.begin(), this->ElementByCell.end());
+}
+
+void Band::TakeOrigins(const BandCells& cells)
+{
+  if (cells.Cells.empty() || cells.Cells.front().From.Index < 0)
+  {
+    return; // as a rule
+  }
+  for (const auto& node : cells.Nodes)
+  {
+    this->NodeOrigins.push_back(node.From);
+  }
+  for (const auto& cell : cells.Cells)
+  {
+    this->ElementOrigins.push_back(cell.From);
+  }
 }
 
 std::vector<Band::Side> Band::FindTwins() const

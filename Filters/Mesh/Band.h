@@ -14,6 +14,7 @@
 #include "Jacobian.h"
 
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -62,8 +63,21 @@ public:
   std::vector<unsigned char> ElementStatus;
   bool SinglePrecision = false; ///< positions are stored as float
 
+  /// The band that a layer was inserted into; null unless this one has such a layer.
+  std::shared_ptr<const Band> BeforeLayer;
+  std::vector<Origin> NodeOrigins, ElementOrigins; ///< in BeforeLayer; empty without
+  bool IsInserted(int element) const
+  {
+    return this->BeforeLayer && this->ElementOrigins[element].Inserted;
+  }
+  bool IsInsertedNode(int node) const
+  {
+    return this->BeforeLayer && this->NodeOrigins[node].Inserted;
+  }
+
   int NumberOfNodes() const { return static_cast<int>(this->GlobalNode.size()); }
   int NumberOfElements() const { return static_cast<int>(this->Elements.size()); }
+  int NumberOfRings() const { return this->Halo; }
   bool InHalo(int element) const { return this->Elements[element].Ring >= this->Halo; }
 
   /// A list per item, in two flat arrays.
@@ -102,6 +116,7 @@ public:
 
 private:
   void TakeElements(const BandCells& cells);
+  void TakeOrigins(const BandCells& cells);
   /// A face as one of its elements has it; element -1: none.
   struct Side
   {
@@ -131,6 +146,31 @@ inline ElementPoints PointsOf(const Band& band, int element)
     points[i] = band.Point[own.Node[i]];
   }
   return points;
+}
+
+/// The band as the mesh has it, without an inserted layer.
+inline const Band& WithoutLayer(const Band& band)
+{
+  return band.BeforeLayer ? *band.BeforeLayer : band;
+}
+
+/// The node of WithoutLayer(band) that a node is, or in whose place it was inserted.
+inline int NodeWithoutLayer(const Band& band, int node)
+{
+  return band.BeforeLayer ? band.NodeOrigins[node].Index : node;
+}
+
+/// The element of WithoutLayer(band) that an element is, or on whose face it was inserted.
+inline int ElementWithoutLayer(const Band& band, int element)
+{
+  return band.BeforeLayer ? band.ElementOrigins[element].Index : element;
+}
+
+/// The cell of this rank's piece that an element is, or on whose face it was inserted; -1: another
+/// rank has it.
+inline Id CellOf(const Band& band, int element)
+{
+  return WithoutLayer(band).Elements[ElementWithoutLayer(band, element)].Global;
 }
 
 /// Builds item lists from (owner, item) visits made twice by `visit(callback)`.

@@ -14,6 +14,13 @@
 namespace trim
 {
 
+/// What a node or element was in the band before a layer was inserted.
+struct Origin
+{
+  int Index = -1; ///< of an inserted one: the node in whose place it is, the element it stands on
+  bool Inserted = false; ///< the mesh does not have it
+};
+
 /// Cells near the cut with their nodes and statuses.
 struct BandCells
 {
@@ -22,6 +29,7 @@ struct BandCells
     Id Global = -1;            ///< id in the mesh; -1: it has none here
     Vec3 Point = Vec3::Zero(); ///< original position
     unsigned char Status = 0;  ///< NodeStatus
+    Origin From = {};          ///< see Band::NodeOrigins
   };
   struct Cell
   {
@@ -30,6 +38,7 @@ struct BandCells
     int Ring = 0;   ///< 0: meets the surface
     unsigned char Status = 0;
     std::array<int, 8> Node; ///< places in Nodes
+    Origin From = {};        ///< see Band::ElementOrigins
   };
   std::vector<Node> Nodes;
   std::vector<Cell> Cells;

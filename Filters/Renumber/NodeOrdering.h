@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -37,20 +38,27 @@ inline bool CanOrderNodes(Id numberOfElements)
   return numberOfElements <= std::numeric_limits<int>::max() / MostNeighbours;
 }
 
-/// Where the nodes of a graph are: points of the mesh.
+/// Where the nodes of a graph are.
 class NodePlaces
 {
 public:
-  NodePlaces(const HexMesh& mesh, const Id* ids)
+  /// @param ids of each node, in the mesh.
+  /// @param places of each node, or empty: where the mesh has them.
+  NodePlaces(const HexMesh& mesh, const Id* ids, std::vector<Vec3> places)
     : Mesh(mesh)
     , Ids(ids)
+    , Places(std::move(places))
   {
   }
-  Vec3 operator()(int node) const { return this->Mesh.Point(this->Ids[node]); }
+  Vec3 operator()(int node) const
+  {
+    return this->Places.empty() ? this->Mesh.Point(this->Ids[node]) : this->Places[node];
+  }
 
 private:
   const HexMesh& Mesh;
   const Id* Ids;
+  std::vector<Vec3> Places;
 };
 
 /// Largest difference of node numbers within an element, under number[node].

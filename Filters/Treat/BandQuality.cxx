@@ -59,10 +59,32 @@ bool IsValid(const ElementPoints& points, int count, Optimization treatment)
   }
 }
 
+struct ElementShape
+{
+  int Count;
+  ElementPoints Points;
+};
+
+/// An element as it came; an inserted one is held to that on which it stands.
+ElementShape ShapeBefore(const Band& band, int element)
+{
+  const Band& mesh = WithoutLayer(band);
+  const int own = ElementWithoutLayer(band, element);
+  return { mesh.Elements[own].Count, PointsOf(mesh, own) };
+}
+
 /// What came inside out or without volume is not held to anything.
 bool WasInvalid(const Band& band, int e)
 {
-  return !IsValid(PointsOf(band, e), band.Elements[e].Count, Optimization::None);
+  const ElementShape before = ShapeBefore(band, e);
+  return !IsValid(before.Points, before.Count, Optimization::None);
+}
+
+/// The scaled Jacobian that an element came with.
+double QualityBefore(const Band& band, int e)
+{
+  const ElementShape before = ShapeBefore(band, e);
+  return ScaledJacobian(before.Points, before.Count);
 }
 
 /// The elements that pass a test, ascending, asked by all threads.
@@ -144,20 +166,19 @@ bool BandQuality::IsSpoiled(
 
 bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 {
-  const auto& element = this->TheBand.Elements[e];
-  const ElementPoints before = PointsOf(this->TheBand, e);
+  const ElementShape before = ShapeBefore(this->TheBand, e);
   const bool spoiled =
-    VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before, element.Count) ||
+    VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before.Points, before.Count) ||
     !IsValid(points, count, this->Treatment) ||
     ShortestDistance(points, count) <
-      SmallestDistanceShare * ShortestDistance(before, element.Count);
+      SmallestDistanceShare * ShortestDistance(before.Points, before.Count);
   return spoiled && !WasInvalid(this->TheBand, e);
 }
 
 /// A higher floor must not let go what a lower one would hold.
 double BandQuality::FloorOf(int e) const
 {
-  const double before = ScaledJacobian(PointsOf(this->TheBand, e), this->TheBand.Elements[e].Count);
+  const double before = QualityBefore(this->TheBand, e);
   if (before >= this->Floor)
   {
     return this->Floor;
@@ -223,9 +244,8 @@ std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double wor
         return false;
       }
       const double now = WorthOf(this->TheBand, final.Node, final.Points, final.Count);
-      const auto before = [&]
-      { return ScaledJacobian(PointsOf(this->TheBand, e), this->TheBand.Elements[e].Count); };
-      return now < worth && now < SameQuality * before() && !WasInvalid(this->TheBand, e);
+      return now < worth && now < SameQuality * QualityBefore(this->TheBand, e) &&
+        !WasInvalid(this->TheBand, e);
     });
 }
 

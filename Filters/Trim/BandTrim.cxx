@@ -3,6 +3,7 @@
 #include "BandQuality.h"
 #include "BothParts.h"
 #include "ColumnChoices.h"
+#include "LayerTrim.h"
 #include "Shortfalls.h"
 #include "Status.h"
 
@@ -20,47 +21,28 @@ constexpr double FarthestLeft = 0.5;
 constexpr std::size_t MostLeft = 250;
 /// Nodes that are left for the sake of a higher floor are so by any decision.
 constexpr double HighestFloor = 0.5;
-
-void Climb(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const LadderOptions& options, bool produceOffcut, const Progress& progress)
-{
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
-  if (produceOffcut)
-  {
-    BothParts parts = ClimbForBothParts(given, options, progress);
-    near.Trimmed = std::move(parts.Kept);
-    near.Rest = std::move(parts.Rest);
-  }
-  else
-  {
-    LadderPosition foot;
-    near.Trimmed = ClimbLadder(given, options, progress, foot);
-  }
-  near.NodesLeft = FindNodesLeft(near, surface, precision);
-}
+/// How much of the elements under an inserted layer may lie beyond the surface: the less, the more
+/// there is for the layer to fill, which the border of the model may not let it.
+constexpr std::array<double, 3> LayerShares = { 0.25, 0.5, 0.1 };
 
 /// What a trim could not do.
 struct Shortcomings
 {
   std::size_t Elements = 0; ///< invalid or below the floor
-  /// Sum of the squared distances of nodes left off the surface, in edges; an element short of what
-  /// is aimed at counts as a node left by two.
-  double Squares = 0.0;
-  double Farthest = 0.0; ///< of the distances
+  double Squares = 0.0;  ///< sum of those of the distances of nodes left off the surface, in edges
+  double Farthest = 0.0; ///< of these distances
   bool operator<(const Shortcomings& other) const
   {
     return std::tie(this->Elements, this->Squares) < std::tie(other.Elements, other.Squares);
   }
 };
 
-Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& options)
+Shortcomings MeasureLeft(const TrimBand& near)
 {
   const Band& band = near.Mesh;
   Shortcomings sum;
   sum.Elements = near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() +
     near.Rest.Invalid.size() + near.Rest.BelowFloor.size();
-  const BandQuality aimed(band, options.Treatment, options.AimedQuality(), Measure::Worth);
-  sum.Squares = 4.0 * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
   for (const auto& [node, distance] : near.NodesLeft)
   {
     double length = 0.0;
@@ -72,6 +54,15 @@ Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& opti
     sum.Squares += distance * distance / (length * length);
     sum.Farthest = std::max(sum.Farthest, distance / length);
   }
+  return sum;
+}
+
+/// The same, where an element short of what is aimed at counts as a node left by two edges.
+Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& options)
+{
+  const BandQuality aimed(near.Mesh, options.Treatment, options.AimedQuality(), Measure::Worth);
+  Shortcomings sum = MeasureLeft(near);
+  sum.Squares += 4.0 * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
   return sum;
 }
 
@@ -128,7 +119,7 @@ void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, 
 /// Where columns take elements along that lie far from the surface, each sheet of a joint gets
 /// columns of its own, or the elements are decided one by one, if that is better on the whole.
 void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const LadderOptions& options, bool produceOffcut, const Progress& progress)
+  const BandOptions& options, const Progress& progress)
 {
   std::vector<Columns> others;
   Columns sheets = FindJoinedSheets(near.Mesh);
@@ -139,7 +130,7 @@ void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, doub
   others.push_back(NoColumns(near.Mesh, near.Structure.Part));
   const auto measure = [&]
   {
-    Shortcomings sum = MeasureShortcomings(near, options);
+    Shortcomings sum = MeasureShortcomings(near, options.Ladder);
     sum.Squares += SquaresAstray(near, surface);
     return sum;
   };
@@ -151,7 +142,7 @@ void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, doub
       near.Structure = std::move(other);
       near.Shares = before.Shares;
       MeasureColumnShares(near.Structure, near.Shares);
-      Climb(near, surface, precision, options, produceOffcut, progress);
+      ClimbBand(near, surface, precision, options, progress);
     };
     if (!progress(-1.0) && SquaresAstray(near, surface) > 0.0)
     {
@@ -173,27 +164,25 @@ bool KeepsCorners(const TrimBand& near)
   return false;
 }
 
-}
-
 /// What is kept for a corner of the model may leave nodes farther off than the corner would be, and
 /// whole columns do where the cut wanders through a block or along a wall; then it is decided again
 /// without, every element for itself, and what comes nearest to the surface is taken.
-void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const LadderOptions& options, bool produceOffcut, const Progress& progress)
+void DecideWithMesh(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options, const Progress& progress)
 {
-  Climb(near, surface, precision, options, produceOffcut, Part(progress, 0.0, 0.4));
+  ClimbBand(near, surface, precision, options, Part(progress, 0.0, 0.4));
   if (!progress(-1.0) && near.Structure.HasColumns() && SquaresAstray(near, surface) > 0.0)
   {
-    TryOtherColumns(near, surface, precision, options, produceOffcut, Part(progress, 0.4, 0.5));
+    TryOtherColumns(near, surface, precision, options, Part(progress, 0.4, 0.5));
   }
   // Most trims leave nothing, and are not measured again.
   if (near.NodesLeft.empty() || near.NodesLeft.size() > MostLeft ||
-    options.QualityFloor > HighestFloor)
+    options.Ladder.QualityFloor > HighestFloor)
   {
     return;
   }
-  Shortcomings least = MeasureShortcomings(near, options);
-  const auto tryAgain = [&](const LadderOptions& with, bool columns, double begin, double end)
+  Shortcomings least = MeasureShortcomings(near, options.Ladder);
+  const auto tryAgain = [&](const BandOptions& with, bool columns, double begin, double end)
   {
     const auto climb = [&](const BandTrim& best)
     {
@@ -201,20 +190,86 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
       near.Structure = columns ? best.Structure : NoColumns(near.Mesh, best.Structure.Part);
       near.Shares =
         columns ? shares : VolumeShares{ shares.Volume, shares.Element, shares.Element };
-      Climb(near, surface, precision, with, produceOffcut, Part(progress, begin, end));
+      ClimbBand(near, surface, precision, with, Part(progress, begin, end));
     };
     TryAnew(
-      near, climb, [&] { return MeasureShortcomings(near, options); }, least);
+      near, climb, [&] { return MeasureShortcomings(near, options.Ladder); }, least);
   };
   if (!progress(-1.0) && least.Farthest >= FarthestLeft && KeepsCorners(near))
   {
-    LadderOptions without = options;
-    without.KeepsCorners = false;
+    BandOptions without = options;
+    without.Ladder.KeepsCorners = false;
     tryAgain(without, true, 0.5, 0.75);
   }
   if (!progress(-1.0) && least.Farthest >= FarthestLeft && near.Structure.HasColumns())
   {
     tryAgain(options, false, 0.75, 1.0);
+  }
+}
+
+/// The same with an inserted layer, the one of several that leaves least off the surface, if that
+/// is less than without.
+void TryLayers(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options, const Progress& progress)
+{
+  const auto before = std::make_shared<const Band>(near.Mesh);
+  Shortcomings least = MeasureLeft(near);
+  std::unique_ptr<TrimBand> best;
+  double done = 0.0;
+  for (const double share : LayerShares)
+  {
+    if (progress(done) || (best && best->NodesLeft.empty()))
+    {
+      break;
+    }
+    const double next = done + 1.0 / LayerShares.size();
+    auto layered =
+      TrimWithLayer(near, before, share, surface, precision, options, Part(progress, done, next));
+    done = next;
+    if (layered && MeasureLeft(*layered) < least)
+    {
+      least = MeasureLeft(*layered);
+      best = std::move(layered);
+    }
+  }
+  if (best)
+  {
+    near = std::move(*best);
+  }
+}
+
+}
+
+void ClimbBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options, const Progress& progress)
+{
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
+  if (options.ProduceOffcut)
+  {
+    BothParts parts = ClimbForBothParts(given, options.Ladder, progress);
+    near.Trimmed = std::move(parts.Kept);
+    near.Rest = std::move(parts.Rest);
+  }
+  else
+  {
+    LadderPosition foot;
+    near.Trimmed = ClimbLadder(given, options.Ladder, progress, foot);
+  }
+  near.NodesLeft = FindNodesLeft(near, surface, precision);
+}
+
+void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options, const Progress& progress)
+{
+  if (!options.MayInsert())
+  {
+    DecideWithMesh(near, surface, precision, options, progress);
+    return;
+  }
+  DecideWithMesh(near, surface, precision, options, Part(progress, 0.0, 0.5));
+  if (!progress(0.5) && !near.NodesLeft.empty())
+  {
+    TryLayers(near, surface, precision, options, Part(progress, 0.5, 1.0));
   }
 }
 

@@ -14,15 +14,31 @@
 namespace trim
 {
 
+/// How the band is to be trimmed.
+struct BandOptions
+{
+  LadderOptions Ladder;
+  bool ProduceOffcut = false;
+  bool InsertLayer = false; ///< where nodes would be left off the surface
+
+  /// The offcut would have to have a layer of its own.
+  bool MayInsert() const { return this->InsertLayer && !this->ProduceOffcut; }
+};
+
 /**
  * Kept part and, if it is asked for, offcut.
  *
  * @param precision absolute distance up to which a node is on the surface.
  * @param progress where it ends the work, the result is of no use.
- * @param[in,out] near with structure and shares; both are others where these leave nodes far off.
+ * @param[in,out] near with structure and shares; both are others where these leave nodes far off,
+ * and the mesh has a layer where one was inserted.
  */
 void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const LadderOptions& options, bool produceOffcut, const Progress& progress);
+  const BandOptions& options, const Progress& progress);
+
+/// Kept part and offcut by the structure and shares of a band.
+void ClimbBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options, const Progress& progress);
 
 }
 

@@ -1,6 +1,5 @@
 #include "TrimPipeline.h"
 
-#include "BandTrim.h"
 #include "FeasibilityCheck.h"
 #include "GatherBand.h"
 #include "InputScale.h"
@@ -350,6 +349,18 @@ void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
   }
 }
 
+/// Inserted nodes of this rank get the ids after those of the mesh.
+void NumberInserted(Id next, Band& band)
+{
+  for (std::size_t n = 0; n < band.NodeOrigins.size(); ++n)
+  {
+    if (band.NodeOrigins[n].Inserted && band.GlobalNode[n] >= 0)
+    {
+      band.GlobalNode[n] = next++;
+    }
+  }
+}
+
 void SetFates(const HexMesh& mesh, TrimResult& result)
 {
   result.Kept.resize(mesh.NumberOfCells);
@@ -388,7 +399,7 @@ std::vector<std::pair<Id, Value>> ById(
 }
 
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
-  bool offcut, TrimResult& result)
+  const BandOptions& options, TrimResult& result)
 {
   result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
   if (result.Near)
@@ -398,8 +409,8 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     result.Found.DistancesLeft =
       ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     result.Found.Shortfalls =
-      ById(near.Shortfalls, [&near](int e) { return near.Mesh.Elements[e].Global; });
-    if (offcut)
+      ById(near.Shortfalls, [&near](int e) { return CellOf(near.Mesh, e); });
+    if (options.ProduceOffcut)
     {
       near.ShortfallsOfRest = FindShortfallsOfOffcut(near, near.NodesLeft);
       near.CornersLost = FindCornersLost(near);
@@ -409,7 +420,7 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
         ById(near.CornersLost, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     }
   }
-  AddWarnings(mesh, piece, result);
+  AddWarnings(mesh, piece, options, result);
 }
 
 }
@@ -461,11 +472,11 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
       return result;
     }
     auto& near = *result.Near;
-    DecideBand(
-      near, surface, precision, options.Ladder, options.ProduceOffcut, Part(progress, 0.4, 0.6));
+    DecideBand(near, surface, precision, options.OfBand, Part(progress, 0.4, 0.6));
+    NumberInserted(mesh.NumberOfPoints, near.Mesh);
   }
   SetFates(mesh, result);
-  FindAndWarn(mesh, piece, surface, options.ProduceOffcut, result);
+  FindAndWarn(mesh, piece, surface, options.OfBand, result);
   aborted(0.6);
   return result;
 }

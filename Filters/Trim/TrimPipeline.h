@@ -5,10 +5,10 @@
 #ifndef TrimPipeline_h
 #define TrimPipeline_h
 
+#include "BandTrim.h"
 #include "MeshBlocks.h"
 #include "Progress.h"
 #include "SharedNodes.h"
-#include "TrialTrim.h"
 #include "TrimResult.h"
 #include "TrimmingSurface.h"
 
@@ -17,12 +17,11 @@ namespace trim
 
 struct TrimOptions
 {
-  LadderOptions Ladder;
+  BandOptions OfBand;
   bool InvertSide = false;
   bool UseKeepPoint = false;
   Vec3 KeepPoint = Vec3::Zero();
   double Tolerance = 1e-9; ///< of the status "on surface", relative to the diagonal of the grid
-  bool ProduceOffcut = false;
 };
 
 /**

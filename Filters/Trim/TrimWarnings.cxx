@@ -122,8 +122,9 @@ void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Short
     {
       if (item.second == text.Value && count.Number++ == 0)
       {
-        const auto& element = result.Near->Mesh.Elements[item.first];
-        count.Cell = piece.All.Alone() ? element.Global : Id(-1);
+        const Band& band = result.Near->Mesh;
+        const auto& element = band.Elements[item.first];
+        count.Cell = piece.All.Alone() ? CellOf(band, item.first) : Id(-1);
         count.At = ToPlace(result.Near->Mesh.Point[element.Node[0]]);
       }
     }
@@ -131,7 +132,7 @@ void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Short
   }
 }
 
-void WarnOfNodesLeft(TrimResult& result)
+void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
 {
   const auto& left = result.Near->NodesLeft;
   if (left.empty())
@@ -140,10 +141,15 @@ void WarnOfNodesLeft(TrimResult& result)
   }
   const auto farthest = std::max_element(
     left.begin(), left.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto& axes = result.Near->SheetAxis;
+  const bool inBlock = std::any_of(axes.begin(), axes.end(), [](int axis) { return axis < 0; });
   result.Warnings.push_back(std::to_string(left.size()) +
     " nodes of the new boundary were left off the surface, as no valid element was to be had "
-    "otherwise: refine the mesh there or move the surface. The farthest, " +
-    std::to_string(farthest->second) + " away, is at " +
+    "otherwise: " +
+    (inBlock && !options.InsertLayer && !options.ProduceOffcut
+        ? "try InsertLayer, refine the mesh there or move the surface."
+        : "refine the mesh there or move the surface.") +
+    " The farthest, " + std::to_string(farthest->second) + " away, is at " +
     nurbs::PlaceText(result.Near->Mesh.Point[farthest->first]) + ".");
 }
 
@@ -194,7 +200,8 @@ void WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
 
 }
 
-void AddWarnings(const HexMesh& mesh, const Piece& piece, TrimResult& result)
+void AddWarnings(
+  const HexMesh& mesh, const Piece& piece, const BandOptions& options, TrimResult& result)
 {
   if (!WarnIfMissed(piece, result))
   {
@@ -206,7 +213,7 @@ void AddWarnings(const HexMesh& mesh, const Piece& piece, TrimResult& result)
     WarnOfShortfalls(piece, result.Near->Shortfalls, ShortfallTexts, result);
     WarnOfShortfalls(piece, result.Near->ShortfallsOfRest, OffcutTexts, result);
     WarnOfCornersLost(result);
-    WarnOfNodesLeft(result);
+    WarnOfNodesLeft(options, result);
   }
 }
 

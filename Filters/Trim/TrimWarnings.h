@@ -5,6 +5,7 @@
 #ifndef TrimWarnings_h
 #define TrimWarnings_h
 
+#include "BandTrim.h"
 #include "SharedNodes.h"
 #include "TrimResult.h"
 
@@ -12,7 +13,8 @@ namespace trim
 {
 
 /// Appends to result.Warnings what the findings of all ranks call for; collective.
-void AddWarnings(const HexMesh& mesh, const Piece& piece, TrimResult& result);
+void AddWarnings(
+  const HexMesh& mesh, const Piece& piece, const BandOptions& options, TrimResult& result);
 
 }
 

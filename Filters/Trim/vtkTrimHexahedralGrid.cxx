@@ -33,8 +33,9 @@ namespace
 std::string FindOptionDefect(const trim::TrimOptions& options)
 {
   const std::pair<const char*, double> shares[] = { { "EliminationFraction",
-                                                      options.Ladder.EliminationFraction },
-    { "MinimumScaledJacobian", options.Ladder.QualityFloor }, { "Tolerance", options.Tolerance } };
+                                                      options.OfBand.Ladder.EliminationFraction },
+    { "MinimumScaledJacobian", options.OfBand.Ladder.QualityFloor },
+    { "Tolerance", options.Tolerance } };
   for (const auto& share : shares)
   {
     if (!std::isfinite(share.second))
@@ -123,15 +124,16 @@ int vtkTrimHexahedralGrid::Refuse(const trim::Ranks& ranks, const std::string& e
 trim::TrimOptions vtkTrimHexahedralGrid::Options() const
 {
   trim::TrimOptions options;
-  options.Ladder.CorrectionType = static_cast<trim::Correction>(this->CorrectionType);
-  options.Ladder.Treatment = static_cast<trim::Optimization>(this->Optimization);
-  options.Ladder.EliminationFraction = this->EliminationFraction;
-  options.Ladder.QualityFloor = this->MinimumScaledJacobian;
+  options.OfBand.Ladder.CorrectionType = static_cast<trim::Correction>(this->CorrectionType);
+  options.OfBand.Ladder.Treatment = static_cast<trim::Optimization>(this->Optimization);
+  options.OfBand.Ladder.EliminationFraction = this->EliminationFraction;
+  options.OfBand.Ladder.QualityFloor = this->MinimumScaledJacobian;
   options.InvertSide = this->InvertSide;
   options.UseKeepPoint = this->UseKeepPoint;
   options.KeepPoint = trim::Vec3(this->KeepPoint[0], this->KeepPoint[1], this->KeepPoint[2]);
   options.Tolerance = this->Tolerance;
-  options.ProduceOffcut = this->ProduceOffcut;
+  options.OfBand.ProduceOffcut = this->ProduceOffcut;
+  options.OfBand.InsertLayer = this->InsertLayer;
   return options;
 }
 
@@ -230,7 +232,8 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const bool renumber = this->RenumberNodes && trim::CanOrderNodes(inputs.Mesh().NumberOfCells);
-  WriteOutputs(inputs, result, ranks, { renumber, this->QualityOfAllElements, this->MapValues },
+  WriteOutputs(inputs, result, ranks,
+    { renumber, this->QualityOfAllElements, this->MapValues, this->InsertLayer },
     this->ProduceOffcut, progress, outputs);
   if (ranks.Any(progress(1.0)))
   {
@@ -274,5 +277,6 @@ void vtkTrimHexahedralGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MapValues: " << this->MapValues << endl;
   os << indent << "Tolerance: " << this->Tolerance << endl;
   os << indent << "ProduceOffcut: " << this->ProduceOffcut << endl;
+  os << indent << "InsertLayer: " << this->InsertLayer << endl;
   os << indent << "Controller: " << this->Controller << endl;
 }

@@ -41,7 +41,9 @@
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
  * where it was not computed), every array of the input (see MapValues), and a summary in its field
- * data.
+ * data; with InsertLayer also Inserted (unsigned char, points and cells): 1 for what the input does
+ * not have. Such a point or cell has the original id and the values of the point in whose place it
+ * is, of the cell on whose face it stands.
  *
  * On several ranks each gives its piece of the grid, and what it has of the surface. The result, as
  * a mesh, is that of the whole grid on one rank; only the numbering differs. Nodes that pieces
@@ -217,6 +219,19 @@ public:
 
   ///@{
   /**
+   * Where nodes would be left off the surface, tries to end the trimmed grid in a layer of new
+   * elements along the whole cut instead: they have one face each on the surface, so that solid
+   * blocks that are cut aslant to their elements end exactly on it (see Treat/InsertedLayer.h).
+   * Taken where it leaves less off the surface, and not with ProduceOffcut. Default: off, all
+   * elements are the input's.
+   */
+  vtkSetMacro(InsertLayer, bool);
+  vtkGetMacro(InsertLayer, bool);
+  vtkBooleanMacro(InsertLayer, bool);
+  ///@}
+
+  ///@{
+  /**
    * The ranks whose pieces make up the grid; null: this process alone. Default: the global
    * controller.
    */
@@ -248,6 +263,7 @@ private:
   bool MapValues = false;
   double Tolerance = 1e-9;
   bool ProduceOffcut = false;
+  bool InsertLayer = false;
   vtkMultiProcessController* Controller = nullptr;
 
   std::unique_ptr<trim::TrimInputs> Inputs;

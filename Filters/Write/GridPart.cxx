@@ -2,6 +2,7 @@
 
 #include "FindingArrays.h"
 #include "GatherAttributes.h"
+#include "SparseArray.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -54,10 +55,26 @@ void WriteCoordinates(
 
 }
 
+std::vector<InsertedPoint> FindInsertedPoints(const TrimResult& result)
+{
+  std::vector<InsertedPoint> inserted;
+  const int nodes = result.Near ? result.Near->Mesh.NumberOfNodes() : 0;
+  for (int n = 0; n < nodes; ++n)
+  {
+    const Band& band = result.Near->Mesh;
+    if (band.IsInsertedNode(n) && band.GlobalNode[n] >= 0)
+    {
+      const Id origin = band.BeforeLayer->GlobalNode[band.NodeOrigins[n].Index];
+      inserted.push_back({ origin, band.Point[n] });
+    }
+  }
+  return inserted;
+}
+
 PointFlags FlagSideOffBand(
   const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result, NodeStatus side)
 {
-  PointFlags flags(mesh.NumberOfPoints);
+  PointFlags flags(mesh.NumberOfPoints + FindInsertedPoints(result).size());
   const auto& status = result.Nodes.Status;
   ForRuns(mesh.NumberOfPoints,
     [&](Id, Id begin, Id end)
@@ -86,6 +103,70 @@ PointFlags FlagSideOffBand(
     }
   }
   return flags;
+}
+
+namespace
+{
+
+/// Calls action(number, point) for the inserted points that are in the part, in their order.
+template <typename Action>
+void ForInserted(const GridPart& part, const Action& action)
+{
+  const std::size_t first = part.Number.size() - part.Inserted.size();
+  for (std::size_t i = 0; i < part.Inserted.size(); ++i)
+  {
+    if (part.Number[first + i] >= 0)
+    {
+      action(part.Number[first + i], part.Inserted[i]);
+    }
+  }
+}
+
+/// Inserted points are listed by the input's points in whose places they are.
+void NameInserted(GridPart& part)
+{
+  ForInserted(part,
+    [&part](int number, const InsertedPoint& point) { part.Points.data()[number] = point.Origin; });
+}
+
+}
+
+namespace
+{
+
+/// Gives inserted points the numbers behind those in whose places they are.
+void InterleaveInserted(GridPart& part)
+{
+  const Id first = static_cast<Id>(part.Number.size() - part.Inserted.size());
+  std::vector<std::pair<Id, Id>> inserted; // by origin
+  for (std::size_t i = 0; i < part.Inserted.size(); ++i)
+  {
+    if (part.Number[first + i] >= 0)
+    {
+      inserted.emplace_back(part.Inserted[i].Origin, first + static_cast<Id>(i));
+    }
+  }
+  std::sort(inserted.begin(), inserted.end());
+  Id next = 0;
+  const auto number = [&](Id own, Id listed)
+  {
+    part.Number[own] = static_cast<int>(next);
+    part.Points.data()[next++] = listed;
+  };
+  auto at = inserted.begin();
+  for (Id p = 0; p < first; ++p)
+  {
+    if (part.Number[p] >= 0)
+    {
+      number(p, p);
+    }
+    for (; at != inserted.end() && at->first == p; ++at)
+    {
+      number(at->second, p);
+    }
+  }
+}
+
 }
 
 void NumberFlagged(const PointFlags& flags, GridPart& part)
@@ -118,6 +199,22 @@ void NumberFlagged(const PointFlags& flags, GridPart& part)
         }
       }
     });
+  if (!part.Inserted.empty())
+  {
+    InterleaveInserted(part);
+  }
+}
+
+std::vector<Vec3> PlacesIfInserted(const HexMesh& mesh, const GridPart& part)
+{
+  std::vector<Vec3> places;
+  for (Id i = 0; !part.Inserted.empty() && i < part.Points.size(); ++i)
+  {
+    places.push_back(mesh.Point(part.Points[i]));
+  }
+  ForInserted(
+    part, [&places](int number, const InsertedPoint& point) { places[number] = point.Place; });
+  return places;
 }
 
 void TakeNumbers(const PageVector<int>& number, GridPart& part)
@@ -137,6 +234,7 @@ void TakeNumbers(const PageVector<int>& number, GridPart& part)
         }
       }
     });
+  NameInserted(part);
 }
 
 void WritePoints(vtkUnstructuredGrid* input, const HexMesh& mesh, const GridPart& part,
@@ -190,6 +288,36 @@ void ColourByStatus(vtkUnstructuredGrid* grid)
   {
     grid->GetCellData()->SetActiveScalars("ElementStatus");
   }
+}
+
+void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructuredGrid* output)
+{
+  auto* distances = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("SignedDistance"));
+  const auto& known = result.Nodes.SignedDistances;
+  std::vector<Id> points, cells;
+  ForInserted(part,
+    [&](int number, const InsertedPoint& point)
+    {
+      points.push_back(number);
+      const auto distance = std::lower_bound(known.begin(), known.end(), point.Origin,
+        [](const auto& node, Id id) { return node.first < id; });
+      if (distance != known.end() && distance->first == point.Origin)
+      {
+        distances->SetValue(number, distance->second);
+      }
+    });
+  for (Id i = 0; i < part.Cells.size(); ++i)
+  {
+    if (part.InBand[i] >= 0 && result.Near->Mesh.IsInserted(part.InBand[i]))
+    {
+      cells.push_back(i);
+    }
+  }
+  const auto set = [](Id, unsigned char* value) { *value = 1; };
+  AddSparseArray<vtkUnsignedCharArray>(
+    "Inserted", part.Points.size(), 1, points, set, output->GetPointData());
+  AddSparseArray<vtkUnsignedCharArray>(
+    "Inserted", part.Cells.size(), 1, cells, set, output->GetCellData());
 }
 
 void AddStatusesAndFindings(const TrimResult& result, const GridPart& part, const MovedNodes& moved,

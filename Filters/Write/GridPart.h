@@ -37,6 +37,16 @@ namespace trim
 /// Work for a thread at a time, in cells or points.
 constexpr Id PartGrain = 30000;
 
+/// A point that the input does not have.
+struct InsertedPoint
+{
+  Id Origin;  ///< the input's point in whose place it is
+  Vec3 Place; ///< before any correction
+};
+
+/// Those of this rank, in the order of their ids, which follow those of the input.
+std::vector<InsertedPoint> FindInsertedPoints(const TrimResult& result);
+
 struct GridPart
 {
   IdList Cells{ "vtkOriginalCellIds" };   ///< input ids, ascending
@@ -44,7 +54,9 @@ struct GridPart
   /// Of each cell: its place among the part's elements in the band, -1 away from the cut. Elements
   /// of the kept part are told by those of the band, of the offcut by Offcut::Elements.
   PageVector<int> InBand;
-  PageVector<int> Number; ///< of each input point: its new number, -1: it is not in the part
+  /// Of each input point, then of each inserted one: its new number, -1: it is not in the part.
+  PageVector<int> Number;
+  std::vector<InsertedPoint> Inserted; ///< see FindInsertedPoints
   std::vector<Id> Offset; ///< nodes of the cells before each run of PartGrain cells, and of all
 
   Selection CellIds() const { return Selection::Ascending(this->Cells); }
@@ -65,7 +77,8 @@ using PointFlags = PageVector<unsigned char>;
 PointFlags FlagSideOffBand(
   const HexMesh& mesh, const MeshBlocks& blocks, const TrimResult& result, NodeStatus side);
 
-/// Lists the flagged points, ascending, and numbers them.
+/// Lists the flagged points and numbers them: ascending, inserted ones behind those in whose places
+/// they are.
 void NumberFlagged(const PointFlags& flags, GridPart& part);
 
 /**
@@ -108,6 +121,7 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
   {
     std::for_each(nodes.begin(), nodes.end(), [&used](Id node) { used[node] = 1; });
   }
+  part.Inserted = FindInsertedPoints(result);
   NumberFlagged(used, part);
 }
 
@@ -162,6 +176,9 @@ Id NumberElements(const GridPart& part, const NodesOf& nodesOf, Index* offsets, 
 /// Takes the new numbers of the points, by the old ones.
 void TakeNumbers(const PageVector<int>& number, GridPart& part);
 
+/// Where the points of the part are before any correction; empty if the input has them all.
+std::vector<Vec3> PlacesIfInserted(const HexMesh& mesh, const GridPart& part);
+
 /// New numbers for the points, so that the band is narrow.
 template <typename NodesOf>
 void RenumberPart(
@@ -173,9 +190,8 @@ void RenumberPart(
   graph.Connectivity.resize(part.Offset.back());
   graph.Bandwidth =
     static_cast<int>(NumberElements(part, nodesOf, graph.Offset.data(), graph.Connectivity.data()));
-  TakeNumbers(
-    OrderNodes(graph, NodePlaces(mesh, part.Points.data()), [&progress] { return progress(-1.0); }),
-    part);
+  const NodePlaces places(mesh, part.Points.data(), PlacesIfInserted(mesh, part));
+  TakeNumbers(OrderNodes(graph, places, [&progress] { return progress(-1.0); }), part);
 }
 
 /// Points, the input's attributes and the original ids.
@@ -208,6 +224,10 @@ Id WriteElements(
 
 /// What ParaView colours by at first, unless the input has active scalars of its own.
 void ColourByStatus(vtkUnstructuredGrid* grid);
+
+/// The arrays Inserted of points and cells, and the signed distance of inserted points: that of
+/// those in whose places they are.
+void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructuredGrid* output);
 
 /// The statuses and findings of the part's points and cells.
 void AddStatusesAndFindings(const TrimResult& result, const GridPart& part, const MovedNodes& moved,

@@ -155,10 +155,10 @@ void Map(vtkDataSetAttributes* input, const Ranks& ranks, const Mapping& mapping
 
 Mapping OfNodes(const GridPart& part, const MovedNodes& moved)
 {
-  Mapping mapping{ WeightsOfNodes(moved), moved.TheBand->GlobalNode, {}, false };
+  Mapping mapping{ WeightsOfNodes(moved), WithoutLayer(*moved.TheBand).GlobalNode, {}, false };
   for (const ValueRow& row : mapping.Rows)
   {
-    const Id id = mapping.Input[row.Target];
+    const Id id = moved.TheBand->GlobalNode[row.Target];
     mapping.Output.push_back(id >= 0 ? part.Number[id] : -1);
   }
   return mapping;
@@ -167,7 +167,7 @@ Mapping OfNodes(const GridPart& part, const MovedNodes& moved)
 Mapping OfElements(const GridPart& part, const Band& band, const BandShapes& shapes)
 {
   Mapping mapping{ WeightsOfElements(band, shapes), {}, {}, true };
-  for (const BandElement& element : band.Elements)
+  for (const BandElement& element : WithoutLayer(band).Elements)
   {
     mapping.Input.push_back(element.Global);
   }

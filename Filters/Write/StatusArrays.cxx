@@ -66,6 +66,12 @@ MovedNodes MovedNodesOfOffcut(const TrimResult& result)
 namespace
 {
 
+/// Where a node was in the input; an inserted one: where that was in whose place it is.
+const Vec3& StartOf(const Band& band, int node)
+{
+  return WithoutLayer(band).Point[NodeWithoutLayer(band, node)];
+}
+
 /// Displacement and CorrectionApplied.
 void AddMoves(const MovedNodes& moved, const Selection& ids, vtkPointData* pointData)
 {
@@ -81,7 +87,7 @@ void AddMoves(const MovedNodes& moved, const Selection& ids, vtkPointData* point
     "Displacement", ids.size(), 3, places,
     [&](Id i, float* stored)
     {
-      const Vec3 move = moved.NodeMoves->Position[nodes[i]] - moved.TheBand->Point[nodes[i]];
+      const Vec3 move = moved.NodeMoves->Position[nodes[i]] - StartOf(*moved.TheBand, nodes[i]);
       for (int k = 0; k < 3; ++k)
       {
         stored[k] = static_cast<float>(move[k]);
@@ -150,28 +156,23 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
   cellData->AddArray(fraction);
 }
 
-void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
+void AddRescues(
+  const TrimResult& result, Id cells, const std::vector<Id>& placeOf, vtkCellData* cellData)
 {
   static_assert(static_cast<unsigned char>(Rescue::None) == 0, "most of the array is not written");
-  const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
   std::vector<Id> places;
   std::vector<Rescue> rescues;
-  for (int e = 0; e < elements; ++e)
+  for (std::size_t e = 0; e < placeOf.size(); ++e)
   {
-    const Id cell = result.Near->Mesh.Elements[e].Global;
-    const Rescue rescue = RescueOf(*result.Near, e);
-    if (cell >= 0 && rescue != Rescue::None)
+    const Rescue rescue = RescueOf(*result.Near, static_cast<int>(e));
+    if (placeOf[e] >= 0 && rescue != Rescue::None)
     {
-      ids.ForPlaces(cell,
-        [&](Id place)
-        {
-          places.push_back(place);
-          rescues.push_back(rescue);
-        });
+      places.push_back(placeOf[e]);
+      rescues.push_back(rescue);
     }
   }
   AddSparseArray<vtkUnsignedCharArray>(
-    "Rescue", ids.size(), 1, places,
+    "Rescue", cells, 1, places,
     [&](Id i, unsigned char* stored) { *stored = static_cast<unsigned char>(rescues[i]); },
     cellData);
 }

@@ -47,8 +47,10 @@ void AddPointStatuses(
 /// ElementStatus and EliminatedFraction of the cells `ids`.
 void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData);
 
-/// Rescue of the cells `ids`.
-void AddRescues(const TrimResult& result, const Selection& ids, vtkCellData* cellData);
+/// Rescue of so many cells.
+/// @param placeOf of each element of the band: which of them it is, -1: none.
+void AddRescues(
+  const TrimResult& result, Id cells, const std::vector<Id>& placeOf, vtkCellData* cellData);
 
 }
 

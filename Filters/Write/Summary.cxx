@@ -40,6 +40,7 @@ void Summary::AddTo(vtkFieldData* fieldData) const
   count("RescuedByCorrection", this->RescuedByCorrection);
   count("RescuedByFate", this->RescuedByFate);
   count("RescuedByLeaving", this->RescuedByLeaving);
+  count("InsertedElements", this->InsertedElements);
   count("NodeBandwidth", this->NodeBandwidth);
   measure("MinimumScaledJacobian", this->MinimumScaledJacobian);
   measure("MinimumIntegrationPointJacobian", this->MinimumIntegrationPointJacobian);

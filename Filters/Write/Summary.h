@@ -18,6 +18,7 @@ struct Summary
 {
   Id Kept = 0;              ///< elements of the input that stay
   Id Eliminated = 0;        ///< elements of the input that go
+  Id InsertedElements = 0;  ///< elements of the result that the input does not have
   Id Treated = 0;           ///< elements with the status "to treat"
   Id MovedNodes = 0;        ///< points of the result that moved
   Id Pentahedra = 0;        ///< elements with two adjacent facets on the cut and a straight corner

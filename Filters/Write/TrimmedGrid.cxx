@@ -15,50 +15,96 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace trim
 {
 namespace
 {
 
-/// Nodes of a kept cell at the cut, in input ids, with edges dropped where it became a wedge.
+/// Nodes of a kept element at the cut, in input ids, with edges dropped where it became a wedge.
 int NodesAtCut(
   const HexMesh& mesh, const TrimResult& result, Id cell, int bandElement, std::array<Id, 8>& nodes)
 {
   const auto& near = *result.Near;
+  const auto take = [&](const auto& own, int count)
+  {
+    std::transform(own.begin(), own.begin() + count, nodes.begin(),
+      [&near](int n) { return near.Mesh.GlobalNode[n]; });
+    return count;
+  };
   if (const ReplacedElement* wedge = FindWedge(near.Trimmed.Treated, bandElement))
   {
-    for (int i = 0; i < 6; ++i)
-    {
-      nodes[i] = near.Mesh.GlobalNode[wedge->Node[i]];
-    }
-    return 6;
+    return take(wedge->Node, 6);
+  }
+  if (near.Mesh.BeforeLayer)
+  {
+    const BandElement& element = near.Mesh.Elements[bandElement];
+    return take(element.Node, element.Count);
   }
   return mesh.OrientedCell(cell, nodes);
 }
 
-/// The kept cells from begin to end; `place`: where the first of them is listed.
-void ListCells(const TrimResult& result, const std::vector<int>& band, Id begin, Id end, Id place,
-  GridPart& kept)
+/// An element of the band, by the cell that it is, or on whose face it was inserted.
+struct CellInBand
 {
-  const auto cellOf = [&result](int element) { return result.Near->Mesh.Elements[element].Global; };
-  auto next = std::lower_bound(band.begin(), band.end(), begin,
-    [&cellOf](int element, Id cell) { return cellOf(element) < cell; });
-  Id inBand = next == band.end() ? Id(-1) : cellOf(*next);
+  Id Cell;
+  bool Inserted;
+  int Element;
+  bool operator<(const CellInBand& other) const
+  {
+    return std::tie(this->Cell, this->Inserted, this->Element) <
+      std::tie(other.Cell, other.Inserted, other.Element);
+  }
+};
+
+/// Those of this rank's piece, ascending.
+std::vector<CellInBand> CellsInBand(const TrimResult& result)
+{
+  std::vector<CellInBand> cells;
+  for (int e = 0; result.Near && e < result.Near->Mesh.NumberOfElements(); ++e)
+  {
+    const Id cell = CellOf(result.Near->Mesh, e);
+    if (cell >= 0)
+    {
+      cells.push_back({ cell, result.Near->Mesh.IsInserted(e), e });
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+/// The kept cells from begin to end; `place`: where the first of them is listed.
+void ListCells(const TrimResult& result, const std::vector<CellInBand>& band, Id begin, Id end,
+  Id place, GridPart& kept)
+{
+  auto next = std::lower_bound(band.begin(), band.end(), CellInBand{ begin, false, 0 });
+  Id inBand = next == band.end() ? Id(-1) : next->Cell;
   Id* cells = kept.Cells.data();
+  const auto list = [&](Id cell, int element)
+  {
+    cells[place] = cell;
+    kept.InBand[place] = element;
+    ++place;
+  };
   for (Id c = begin; c < end; ++c)
   {
-    if (result.Kept[c])
+    if (c != inBand)
     {
-      cells[place] = c;
-      kept.InBand[place] = c == inBand ? *next : -1;
-      ++place;
+      if (result.Kept[c])
+      {
+        list(c, -1);
+      }
+      continue;
     }
-    if (c == inBand)
+    for (; next != band.end() && next->Cell == c; ++next)
     {
-      ++next;
-      inBand = next == band.end() ? Id(-1) : cellOf(*next);
+      if (result.Near->Trimmed.Kept[next->Element])
+      {
+        list(c, next->Element);
+      }
     }
+    inBand = next == band.end() ? Id(-1) : next->Cell;
   }
 }
 
@@ -70,10 +116,14 @@ void CollectCells(const HexMesh& mesh, const TrimResult& result, GridPart& kept)
     [&](Id run, Id begin, Id end) {
       first[run + 1] = std::count(result.Kept.begin() + begin, result.Kept.begin() + end, char(1));
     });
+  const std::vector<CellInBand> band = CellsInBand(result);
+  for (const CellInBand& cell : band)
+  {
+    first[cell.Cell / PartGrain + 1] += cell.Inserted && result.Near->Trimmed.Kept[cell.Element];
+  }
   std::partial_sum(first.begin(), first.end(), first.begin());
   kept.Cells.Resize(first.back());
   kept.InBand.resize(first.back());
-  const auto band = result.Near ? result.Near->Mesh.ElementsByCell() : std::vector<int>();
   ForRuns(mesh.NumberOfCells,
     [&](Id run, Id begin, Id end) { ListCells(result, band, begin, end, first[run], kept); });
 }
@@ -96,17 +146,18 @@ double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& s
   return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
 }
 
-/// By elements where they were relaxed, by columns elsewhere: these go or stay as one.
+/// Of the input, by elements where they were relaxed, by columns elsewhere: these go or stay as one.
 void CountRescues(const TrimResult& result, Summary& summary)
 {
   const auto& trimmed = result.Near->Trimmed;
   for (int e = 0; e < result.Near->Mesh.NumberOfElements(); ++e)
   {
+    if (result.Near->Mesh.IsInserted(e))
+    {
+      continue;
+    }
     summary.RescuedByRelaxation += RescueOf(*result.Near, e) == Rescue::Relaxation;
-  }
-  for (const Rung rung : trimmed.RescuedBy)
-  {
-    const Rescue rescue = RescueBy(rung);
+    const Rescue rescue = RescueBy(trimmed.RescuedBy[e]);
     summary.RescuedByTreatment += rescue == Rescue::Treatment;
     summary.RescuedByCorrection += rescue == Rescue::Correction;
     summary.RescuedByFate += rescue == Rescue::Fate;
@@ -117,7 +168,11 @@ void CountRescues(const TrimResult& result, Summary& summary)
 void Summarise(const Ranks& ranks, const TrimResult& result, const GridPart& kept,
   const nurbs::TrimmingSurface& surface, Summary& summary)
 {
-  summary.Kept = ranks.Sum(kept.Cells.size());
+  const auto isInserted = [&result](int element)
+  { return element >= 0 && result.Near->Mesh.IsInserted(element); };
+  summary.InsertedElements =
+    ranks.Sum(static_cast<Id>(std::count_if(kept.InBand.begin(), kept.InBand.end(), isInserted)));
+  summary.Kept = ranks.Sum(kept.Cells.size()) - summary.InsertedElements;
   summary.Eliminated = ranks.Sum(static_cast<Id>(result.Kept.size())) - summary.Kept;
   const Id treated =
     std::count(result.ElementStatus.begin(), result.ElementStatus.end(), ElementToTreat);
@@ -131,6 +186,31 @@ void Summarise(const Ranks& ranks, const TrimResult& result, const GridPart& kep
     summary.MaximumDistanceToSurface = LargestDistance(result, surface);
     CountRescues(result, summary);
   }
+}
+
+/// Of each element of the band its place in the part; -1: it is not there.
+std::vector<Id> PlacesInBand(const TrimResult& result, const GridPart& kept)
+{
+  std::vector<Id> places(result.Near ? result.Near->Mesh.NumberOfElements() : 0, -1);
+  for (Id i = 0; i < kept.Cells.size(); ++i)
+  {
+    if (kept.InBand[i] >= 0)
+    {
+      places[kept.InBand[i]] = i;
+    }
+  }
+  return places;
+}
+
+/// Of each element of the band its cell; -1: it is none of this rank's.
+std::vector<Id> CellsOfBand(const TrimResult& result)
+{
+  std::vector<Id> cells;
+  for (int e = 0; result.Near && e < result.Near->Mesh.NumberOfElements(); ++e)
+  {
+    cells.push_back(result.Near->Mesh.Elements[e].Global);
+  }
+  return cells;
 }
 
 }
@@ -166,7 +246,11 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
     MapValues(input, ranks, kept, moved, shapes, output);
   }
   AddStatusesAndFindings(result, kept, moved, result.Found, output);
-  AddRescues(result, kept.CellIds(), output->GetCellData());
+  if (options.InsertLayer)
+  {
+    AddInserted(result, kept, output);
+  }
+  AddRescues(result, kept.Cells.size(), PlacesInBand(result, kept), output->GetCellData());
   AddScaledJacobians(mesh, kept, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, kept, shapes, ranks);
   SummariseTouched(shapes, summary);
@@ -185,7 +269,7 @@ void WriteStatusGrid(
   AddPointFindings(result.Found, points, output->GetPointData());
   const auto cells = Selection::All(input->GetNumberOfCells());
   AddCellStatuses(result, cells, output->GetCellData());
-  AddRescues(result, cells, output->GetCellData());
+  AddRescues(result, cells.size(), CellsOfBand(result), output->GetCellData());
   AddCellFindings(result.Found, cells, output->GetCellData());
   ColourByStatus(output);
 }

@@ -23,6 +23,7 @@ struct WriteOptions
   bool RenumberNodes = true;
   bool QualityOfAllElements = false;
   bool MapValues = false;
+  bool InsertLayer = false;
 };
 
 /**

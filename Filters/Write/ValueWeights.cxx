@@ -77,10 +77,8 @@ public:
     , Centroid(band.NumberOfElements())
   {
     ForAll(band.NumberOfElements(),
-      [this](int e)
-      {
-        this->Centroid[e] =
-          CentroidOf(PointsOf(this->TheBand, e), this->TheBand.Elements[e].Count);
+      [this](int e) {
+        this->Centroid[e] = CentroidOf(PointsOf(this->TheBand, e), this->TheBand.Elements[e].Count);
       });
   }
 
@@ -191,10 +189,10 @@ std::vector<ValueRow> WeightsOfNodes(const MovedNodes& moved)
   ForAll(count,
     [&](int i)
     {
+      const Band& band = WithoutLayer(*moved.TheBand);
       const int node = moved.Nodes[i];
-      const Band& band = *moved.TheBand;
       BandPlace place;
-      for (const int e : band.ElementsOfNode(node))
+      for (const int e : band.ElementsOfNode(NodeWithoutLayer(*moved.TheBand, node)))
       {
         // From each of them: it may belong to several parts.
         const BandPlace other = FindBandPlace(band, e, moved.NodeMoves->Position[node]);
@@ -224,7 +222,7 @@ std::vector<ValueRow> WeightsOfNodes(const MovedNodes& moved)
 
 std::vector<ValueRow> WeightsOfElements(const Band& band, const BandShapes& shapes)
 {
-  const ElementRows elements(band);
+  const ElementRows elements(WithoutLayer(band));
   std::vector<ValueRow> rows(shapes.Count);
   ForAll(shapes.Count,
     [&](int i)
@@ -232,7 +230,8 @@ std::vector<ValueRow> WeightsOfElements(const Band& band, const BandShapes& shap
       const FinalElement shape = shapes.ShapeOf(i);
       if (shape.Count > 0 && shape.Touched)
       {
-        rows[i] = { i, elements.Sources(shapes.BandElementOf(i), shape) };
+        const int start = ElementWithoutLayer(band, shapes.BandElementOf(i));
+        rows[i] = { i, elements.Sources(start, shape) };
       }
     });
   return Filled(std::move(rows));

@@ -36,6 +36,7 @@ struct Entry
 const std::vector<Entry> Entries = {
   { "Kept", "elements that stayed" },
   { "Eliminated", "elements that went" },
+  { "InsertedElements", "elements that the input does not have" },
   { "Treated", "elements crossed by the surface" },
   { "MovedNodes", "nodes that were moved" },
   { "TouchedElements", "elements at moved nodes" },

@@ -1,0 +1,35 @@
+/**
+ * @file InsertedLayer.h
+ * @brief A layer of new elements between what is kept and what is eliminated.
+ *
+ * Where an element has faces of the cut on all sides of a corner, no place of its nodes makes it
+ * valid with that corner on a smooth surface: in a block that is cut aslant to all its axes there
+ * always are such elements. With a layer between (pillowing; S.A. Mitchell, T.J. Tautges, Pillowing
+ * doublets, 1995) every element at the cut has one face there and no more.
+ */
+#ifndef InsertedLayer_h
+#define InsertedLayer_h
+
+#include "NodeMover.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/**
+ * The band with an element on each face between kept and eliminated elements, on the side of the
+ * kept ones, whose nodes at the faces give way: a share of their elements' depth, on the border of
+ * the model along it. The model has the shape that it had.
+ *
+ * @param mover of the band.
+ * @param[out] cells status, rings and ids as in the band, of inserted nodes and cells their
+ * Origin: the node whose place was taken, the kept element on whose face it stands.
+ * @return false if there is no room for it.
+ */
+bool InsertLayer(
+  const Band& band, const NodeMover& mover, const std::vector<char>& kept, BandCells& cells);
+
+}
+
+#endif

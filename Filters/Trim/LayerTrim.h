@@ -1,0 +1,30 @@
+/**
+ * @file LayerTrim.h
+ * @brief The band trimmed with a layer of new elements along the cut.
+ */
+#ifndef LayerTrim_h
+#define LayerTrim_h
+
+#include "BandTrim.h"
+
+#include <memory>
+
+namespace trim
+{
+
+/**
+ * Elements that reach no farther beyond the surface stay, and the layer on them ends on it.
+ *
+ * @param near trimmed without.
+ * @param before its mesh.
+ * @param largestShare how much of an element, in a sheet of one of its column, may lie beyond.
+ * @return null where there is no room for a layer.
+ */
+std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
+  const std::shared_ptr<const Band>& before, double largestShare,
+  const nurbs::TrimmingSurface& surface, double precision, const BandOptions& options,
+  const Progress& progress);
+
+}
+
+#endif
