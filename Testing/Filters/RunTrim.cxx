@@ -72,6 +72,7 @@ void SetOptions(vtkTrimHexahedralGrid* filter, const TrimOptions& options)
   filter->SetProduceOffcut(options.ProduceOffcut);
   filter->SetMinimumScaledJacobian(options.MinimumScaledJacobian);
   filter->SetMapValues(options.MapValues);
+  filter->SetInsertLayer(options.InsertLayer);
 }
 
 Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& options)

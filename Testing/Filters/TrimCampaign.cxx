@@ -2,9 +2,9 @@
  * @file TrimCampaign.cxx
  * @brief Random trims: mesh x surface x position x options, each judged; a table of outcomes.
  *
- * TrimCampaign [count [seed [only [files]]]]: `only` repeats one trim of the series alone, and
- * shows what the filter says of it, -1: all;
- * files (.vtu) are trimmed instead of the tests' own meshes.
+ * TrimCampaign [count [seed [only ["layer"] [files]]]]: `only` repeats one trim of the series
+ * alone, and shows what the filter says of it, -1: all; with "layer" InsertLayer is on; files
+ * (.vtu) are trimmed instead of the tests' own meshes.
  */
 #include "RunTrim.h"
 
@@ -87,7 +87,8 @@ int main(int argc, char* argv[])
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
   std::map<std::string, Mesh> meshes;
-  const std::vector<std::string> files(argv + std::min(argc, 4), argv + argc);
+  const bool layer = argc > 4 && std::string(argv[4]) == "layer";
+  const std::vector<std::string> files(argv + std::min(argc, layer ? 5 : 4), argv + argc);
   const std::vector<std::string> names = files.empty() ? AllMeshNames() : files;
   try
   {
@@ -115,7 +116,8 @@ int main(int argc, char* argv[])
     {
       continue;
     }
-    const Draw draw = DrawTrim(seed, i, names);
+    Draw draw = DrawTrim(seed, i, names);
+    draw.Options.InsertLayer = layer;
     const Mesh& mesh = meshes[draw.Mesh];
     const Surface surface = MakeSurface(draw.Kind, mesh.Box, draw.At);
     Report report("campaign " + std::to_string(count) + " " + std::to_string(seed) + " " +

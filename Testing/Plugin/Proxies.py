@@ -30,7 +30,7 @@ def check_defaults(trim):
     expected = {"CorrectionType": "Type II: project nodes", "Optimization": "Degenerate to wedges",
                 "InvertSide": 0, "UseKeepPoint": 0, "EliminationFraction": 0.5,
                 "RenumberNodes": 1, "Tolerance": 1e-9, "QualityOfAllElements": 0,
-                "ProduceOffcut": 0, "MapValues": 0}
+                "ProduceOffcut": 0, "InsertLayer": 0, "MapValues": 0}
     for name, value in expected.items():
         check_equal(trim.GetPropertyValue(name), value, "default of " + name)
     check_equal(list(trim.KeepPoint), [0, 0, 0], "default of KeepPoint")
@@ -59,7 +59,7 @@ def check_values(trim):
         raise AssertionError(name + " takes a text that is none of its choices")
     for name, value in [("InvertSide", 1), ("UseKeepPoint", 1), ("EliminationFraction", 0.25),
                         ("RenumberNodes", 0), ("Tolerance", 1e-7), ("QualityOfAllElements", 1),
-                        ("ProduceOffcut", 1), ("MapValues", 1)]:
+                        ("ProduceOffcut", 1), ("InsertLayer", 1), ("MapValues", 1)]:
         setattr(trim, name, value)
         check_equal(trim.GetPropertyValue(name), value, name)
     trim.KeepPoint = [1, 2, 3]

@@ -11,7 +11,7 @@ from Checks import OUTPUT_DIRECTORY, check, check_equal, summary
 
 TRIM = ["CorrectionType", "Optimization", "InvertSide", "UseKeepPoint", "KeepPoint",
         "EliminationFraction", "MinimumScaledJacobian", "ProduceOffcut", "RenumberNodes", "Tolerance",
-        "QualityOfAllElements", "MapValues"]
+        "QualityOfAllElements", "InsertLayer", "MapValues"]
 LINE = ["Points", "Closed", "LineType", "Direction", "Length"]
 
 

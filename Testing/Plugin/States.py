@@ -8,7 +8,8 @@ from Checks import OUTPUT_DIRECTORY, check_equal, sheet, summary, trim, wave_at
 
 OPTIONS = {"CorrectionType": 3, "Optimization": 1, "InvertSide": 1, "UseKeepPoint": 1,
            "KeepPoint": [1.0, 2.0, 0.25], "EliminationFraction": 0.4, "RenumberNodes": 0,
-           "Tolerance": 1e-8, "QualityOfAllElements": 1, "MapValues": 1}
+           "Tolerance": 1e-8, "QualityOfAllElements": 1, "InsertLayer": 1,
+           "MapValues": 1}
 
 
 def values(proxy):

@@ -33,7 +33,8 @@ check_equal(trim.GetNumberOfOutputPorts(), 3, "output ports")
 for name, value in [("CorrectionType", 3), ("Optimization", 1), ("InvertSide", True),
                     ("UseKeepPoint", True), ("EliminationFraction", 0.25),
                     ("RenumberNodes", False), ("Tolerance", 1e-8),
-                    ("QualityOfAllElements", True), ("MapValues", True), ("KeepPoint", (1.0, 2.0, 3.0))]:
+                    ("QualityOfAllElements", True), ("MapValues", True), ("InsertLayer", True),
+                    ("KeepPoint", (1.0, 2.0, 3.0))]:
     getattr(trim, "Set" + name)(value)
     check_equal(getattr(trim, "Get" + name)(), value, name)
 trim.SetCorrectionType(7)

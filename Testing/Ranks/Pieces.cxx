@@ -158,20 +158,6 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractWithGhosts(
   return piece;
 }
 
-/// Where each item of the whole is found in it, by its id.
-std::vector<vtkIdType> PlacesOf(vtkDataSetAttributes* data, const char* name)
-{
-  std::vector<vtkIdType> places;
-  auto* ids = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
-  for (vtkIdType i = 0; ids && i < ids->GetNumberOfValues(); ++i)
-  {
-    const vtkIdType id = ids->GetValue(i);
-    places.resize(std::max<std::size_t>(places.size(), id + 1), -1);
-    places[id] = i;
-  }
-  return places;
-}
-
 bool SameTuple(vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdType j)
 {
   const int components = a->GetNumberOfComponents();
@@ -228,27 +214,27 @@ public:
   PieceComparison(vtkUnstructuredGrid* whole)
     : Whole(whole)
     , Cells(PartsOf(whole))
-    , Points(PlacesOf(whole->GetPointData(), WholePoint))
+    , Points(PlacesOf(KeysOf(whole)))
   {
   }
 
   std::string Compare(vtkUnstructuredGrid* piece)
   {
     auto* cellIds = vtkIdTypeArray::SafeDownCast(piece->GetCellData()->GetArray(WholeCell));
-    auto* pointIds = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetArray(WholePoint));
+    const std::vector<vtkIdType> keys = KeysOf(piece);
     for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
     {
-      const std::string difference = this->ComparePoint(piece, i, pointIds->GetValue(i));
+      const std::string difference = this->ComparePoint(piece, i, keys[i]);
       if (!difference.empty())
       {
-        return "point " + std::to_string(pointIds->GetValue(i)) + ": " + difference;
+        return "point " + std::to_string(keys[i] / 2) + ": " + difference;
       }
     }
     std::map<vtkIdType, std::size_t> parts;
     for (vtkIdType i = 0; i < piece->GetNumberOfCells(); ++i)
     {
       const vtkIdType id = cellIds->GetValue(i);
-      const std::string difference = this->CompareCell(piece, i, id, parts[id]++, pointIds);
+      const std::string difference = this->CompareCell(piece, i, id, parts[id]++, keys);
       if (!difference.empty())
       {
         return "cell " + std::to_string(id) + ": " + difference;
@@ -271,21 +257,45 @@ public:
   }
 
 private:
-  std::string ComparePoint(vtkUnstructuredGrid* piece, vtkIdType i, vtkIdType id)
+  /// Of each point: its id in the input and whether it was inserted, as one number.
+  static std::vector<vtkIdType> KeysOf(vtkUnstructuredGrid* grid)
   {
-    if (id >= static_cast<vtkIdType>(this->Points.size()) || this->Points[id] < 0)
+    auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetPointData()->GetArray(WholePoint));
+    vtkDataArray* inserted = grid->GetPointData()->GetArray("Inserted");
+    std::vector<vtkIdType> keys;
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      keys.push_back(2 * ids->GetValue(i) + (inserted && inserted->GetComponent(i, 0) > 0));
+    }
+    return keys;
+  }
+
+  static std::vector<vtkIdType> PlacesOf(const std::vector<vtkIdType>& keys)
+  {
+    std::vector<vtkIdType> places;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+    {
+      places.resize(std::max(places.size(), static_cast<std::size_t>(keys[i]) + 1), -1);
+      places[keys[i]] = static_cast<vtkIdType>(i);
+    }
+    return places;
+  }
+
+  std::string ComparePoint(vtkUnstructuredGrid* piece, vtkIdType i, vtkIdType key)
+  {
+    if (key >= static_cast<vtkIdType>(this->Points.size()) || this->Points[key] < 0)
     {
       return "the whole does not have it";
     }
-    this->PointsSeen.insert(id);
+    this->PointsSeen.insert(key);
     double p[3], q[3];
     piece->GetPoint(i, p);
-    this->Whole->GetPoint(this->Points[id], q);
+    this->Whole->GetPoint(this->Points[key], q);
     if (std::memcmp(p, q, sizeof(p)) != 0)
     {
       return "another place";
     }
-    return CompareTuples(this->Whole->GetPointData(), this->Points[id], piece->GetPointData(), i);
+    return CompareTuples(this->Whole->GetPointData(), this->Points[key], piece->GetPointData(), i);
   }
 
   /// Each cell of the whole, by its id in the input; in an offcut there may be two parts of one.
@@ -301,7 +311,7 @@ private:
   }
 
   std::string CompareCell(vtkUnstructuredGrid* piece, vtkIdType i, vtkIdType id, std::size_t part,
-    vtkIdTypeArray* pointIds)
+    const std::vector<vtkIdType>& keys)
   {
     const auto parts = this->Cells.find(id);
     if (parts == this->Cells.end() || part >= parts->second.size())
@@ -322,7 +332,7 @@ private:
     }
     for (vtkIdType k = 0; k < nodes->GetNumberOfIds(); ++k)
     {
-      if (this->Points[pointIds->GetValue(nodes->GetId(k))] != expected->GetId(k))
+      if (this->Points[keys[nodes->GetId(k)]] != expected->GetId(k))
       {
         return "other nodes";
       }

@@ -4,9 +4,12 @@
  *
  * TestRanks [ranks [mesh|all [surface|all [partition|all [all|some]]]]]
  * With "some" each combination gets one of the corrections and treatments, in turn. Every fifth
- * trim makes an offcut too, every second one maps the values.
+ * trim makes an offcut too, every second one maps the values, every third one may insert a layer.
  */
 #include "Pieces.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -22,6 +25,7 @@ int Trials = 0;
 int Wrong = 0;
 int Rescued = 0;
 int Offcuts = 0;
+int Layers = 0;
 
 const std::vector<std::pair<int, int>> Treatments = { { 2, 2 }, { 2, 1 }, { 3, 2 }, { 2, 0 },
   { 3, 1 }, { 1, 0 }, { 3, 0 } };
@@ -37,8 +41,12 @@ Surface SurfaceOf(const std::string& kind, const Mesh& mesh)
   Placement at;
   at.Seed = 3;
   at.Size = 0.45;
-  at.Lean = kind == "leaning" ? 0.26 : 0;
-  return MakeSurface(kind == "leaning" ? "cylinder" : kind, mesh.Box, at);
+  at.Lean = kind == "leaning" ? 0.26 : kind == "aslant" ? 0.6 : 0;
+  at.Angle = kind == "aslant" ? 0.7 : at.Angle;
+  return MakeSurface(kind == "leaning" ? "cylinder"
+      : kind == "aslant"               ? "plane"
+                                       : kind,
+    mesh.Box, at);
 }
 
 std::string DifferenceOfOffcuts(const Mesh& mesh, const Outcome& whole, const PiecesOutcome& parts)
@@ -64,6 +72,8 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   marked.Grid = WithWholeIds(mesh.Grid);
   const Outcome whole = RunTrim(marked, surface, options);
   Rescued += !Rescues(whole.Case.Trimmed).empty();
+  Layers += options.InsertLayer &&
+    whole.Case.Trimmed->GetFieldData()->GetArray("InsertedElements")->GetComponent(0, 0) > 0;
   const auto pieces = Divide(mesh, marked.Grid, partition, ranks);
   const PiecesOutcome parts = TrimPieces(pieces, { pieces.size(), surface.Data }, options);
   if (whole.Errors.size() != parts.Errors.size() || whole.Warnings.size() != parts.Warnings.size())
@@ -139,7 +149,7 @@ int main(int argc, char* argv[])
   const auto argument = [&](int i) { return std::string(argc > i ? argv[i] : "all"); };
   const int ranks = argc > 1 ? std::atoi(argv[1]) : 2;
   std::vector<std::string> kinds = SurfaceKinds();
-  kinds.insert(kinds.end(), { "leaning", "rectangle" });
+  kinds.insert(kinds.end(), { "leaning", "rectangle", "aslant" });
   std::size_t turn = 0;
   for (const std::string& meshName : Chosen(argument(2), MeshNames()))
   {
@@ -159,6 +169,7 @@ int main(int argc, char* argv[])
             options.Optimization = Treatments[k].second;
             options.ProduceOffcut = turn % 5 == 2;
             options.MapValues = turn % 2 == 0;
+            options.InsertLayer = turn % 3 == 0 || kind == "aslant";
             Compare(meshName + " " + kind + " " + partition + " " +
                 std::to_string(options.CorrectionType) + std::to_string(options.Optimization),
               mesh, surface, options, partition, ranks);
@@ -168,7 +179,12 @@ int main(int argc, char* argv[])
     }
   }
   TestPermuted();
-  std::printf("%d trials on %d ranks, %d of them with rescues, %d with an offcut, %d wrong\n",
-    Trials, ranks, Rescued, Offcuts, Wrong);
+  if (argument(2) == "block" && argument(3) == "aslant" && Layers == 0)
+  {
+    Fail("block aslant", "no layer was inserted");
+  }
+  std::printf("%d trials on %d ranks, %d of them with rescues, %d with an offcut, %d with a layer, "
+              "%d wrong\n",
+    Trials, ranks, Rescued, Offcuts, Layers, Wrong);
   return Wrong > 0;
 }

@@ -24,7 +24,8 @@ const std::set<std::string>& OwnNames()
     "vtkOriginalPointIds", "vtkOriginalCellIds", "Kept", "Eliminated", "Treated", "MovedNodes",
     "Pentahedra", "Wedges", "CertifiedElements", "TouchedElements", "MinimumScaledJacobian",
     "MinimumIntegrationPointJacobian", "MaximumDistanceToSurface", "Volume", "NodeBandwidth",
-    "Rescue", "Feasibility", "Shortfall", "DistanceLeft", "CornerLost" };
+    "Rescue", "Inserted", "InsertedElements", "Feasibility", "Shortfall", "DistanceLeft",
+    "CornerLost" };
   return names;
 }
 

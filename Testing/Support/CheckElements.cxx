@@ -114,7 +114,7 @@ void CheckElements(const Evidence& e, Report& report)
       used[element.Node[i]] = 1;
     }
     before.insert(input.Node.begin(), input.Node.begin() + input.Size);
-    if (static_cast<int>(distinct.size()) != element.Size)
+    if (!e.InsertedCell[c] && static_cast<int>(distinct.size()) != element.Size)
     {
       report.Fail("distinct nodes", Cell(c), distinct.size(), element.Size);
     }
@@ -122,7 +122,8 @@ void CheckElements(const Evidence& e, Report& report)
     {
       report.Fail("nodes of an element are those it had", Cell(c), c, 0);
     }
-    if (element.Size != input.Size && e.Case.Options.Optimization == 0 && e.Number("Wedges") == 0)
+    if (!e.InsertedCell[c] && element.Size != input.Size && e.Case.Options.Optimization == 0 &&
+      e.Number("Wedges") == 0)
     {
       report.Fail("no wedge without treatment", Cell(c), element.Size, input.Size);
     }
@@ -277,7 +278,10 @@ void CheckFloor(const Evidence& e, Report& report)
 
 void CheckSummary(const Evidence& e, Report& report)
 {
-  const double kept = static_cast<double>(e.Out.Elements.size());
+  const auto inserted =
+    static_cast<double>(std::count(e.InsertedCell.begin(), e.InsertedCell.end(), 1));
+  const double kept = static_cast<double>(e.Out.Elements.size()) - inserted;
+  Expect(e, "InsertedElements", inserted, 0, report);
   Expect(e, "Kept", kept, 0, report);
   Expect(e, "Eliminated", static_cast<double>(e.In.Elements.size()) - kept, 0, report);
   Expect(e, "Treated",

@@ -145,7 +145,7 @@ void CheckMoves(const Evidence& e, Report& report)
     {
       report.Fail("type I moves nothing", Point(p), real.norm(), 0);
     }
-    if ((Tuple(whole, o) - given).norm() > 0)
+    if (!e.InsertedPoint[p] && (Tuple(whole, o) - given).norm() > 0)
     {
       report.Fail("Displacement", Point(p) + " differs between the ports",
         (Tuple(whole, o) - given).norm(), 0);
@@ -159,7 +159,8 @@ void CheckMoves(const Evidence& e, Report& report)
     const auto place = e.Border.PlaceOf(o);
     const bool inner =
       place == Exterior::Place::Inside || (place == Exterior::Place::Face && skin[o]);
-    if (correction == 3 && e.Case.Options.Optimization == 0 && inner)
+    // With a layer the edges that nodes slide along may be those of its elements.
+    if (correction == 3 && !e.Case.Options.InsertLayer && e.Case.Options.Optimization == 0 && inner)
     {
       const double away = DistanceToSlides(e, o, e.Out.Points[p]);
       if (away > e.Exact)
@@ -197,6 +198,8 @@ void CheckPlaces(const Evidence& e, Report& report)
       std::any_of(facet.Node.begin(), end, [&](Id node) { return e.NodeStatus[node] != 1; });
   };
   const std::vector<char> skin = SkinPoints(e, stays);
+  // A layer divides the facets of the skin, which changes the shape of twisted ones.
+  const double exact = e.Case.Options.InsertLayer ? std::max(e.Exact, 1e-5 * e.Diagonal) : e.Exact;
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];
@@ -213,16 +216,16 @@ void CheckPlaces(const Evidence& e, Report& report)
     // On the very face, not on another side of the sheet.
     const double away =
       e.Border.Distance(x, place == Exterior::Place::Face ? e.Border.PatchOf(o) : -1);
-    if ((!free || skin[o]) && away > e.Exact)
+    if ((!free || skin[o]) && away > exact)
     {
       report.Fail("stays on the exterior",
         Point(p) + " of the input's " + std::to_string(o) + Where(e.In.Points[o]) + " now" +
           Where(x),
-        away, e.Exact);
+        away, exact);
     }
-    if (!free && place == Exterior::Place::Ridge && e.Border.RidgeDistance(x) > e.Exact)
+    if (!free && place == Exterior::Place::Ridge && e.Border.RidgeDistance(x) > exact)
     {
-      report.Fail("stays on the ridge", Point(p), e.Border.RidgeDistance(x), e.Exact);
+      report.Fail("stays on the ridge", Point(p), e.Border.RidgeDistance(x), exact);
     }
     if (!free && place == Exterior::Place::Corner)
     {
@@ -261,7 +264,7 @@ void CheckBoundary(const Evidence& e, Report& report)
     vtkDataArray* distanceLeft = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
     for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
     {
-      const bool beyond = e.NodeStatus[e.PointOf[p]] == 1;
+      const bool beyond = e.NodeStatus[e.PointOf[p]] == 1 && !e.InsertedPoint[p];
       if (!e.OnNewBoundary[p] && !beyond)
       {
         continue;

@@ -5,6 +5,8 @@
 #include <boost/graph/properties.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 namespace judge
 {
@@ -57,16 +59,26 @@ Id ReverseCuthillMcKeeBandwidth(const Model& model)
 
 void CheckNumbering(const Evidence& e, Report& report)
 {
-  // As it came: the kept nodes in the input's order.
-  std::vector<Id> sorted = e.PointOf;
-  std::sort(sorted.begin(), sorted.end());
+  // As it came: the kept nodes in the input's order, inserted ones behind those in whose places
+  // they are.
+  std::vector<Id> order(e.PointOf.size()), number(order.size());
+  std::iota(order.begin(), order.end(), Id(0));
+  std::sort(order.begin(), order.end(),
+    [&e](Id a, Id b)
+    {
+      return std::make_tuple(e.PointOf[a], e.InsertedPoint[a], a) <
+        std::make_tuple(e.PointOf[b], e.InsertedPoint[b], b);
+    });
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    number[order[i]] = static_cast<Id>(i);
+  }
   std::vector<Element> elements = e.Out.Elements;
   for (Element& element : elements)
   {
     for (int i = 0; i < element.Size; ++i)
     {
-      element.Node[i] =
-        std::lower_bound(sorted.begin(), sorted.end(), e.PointOf[element.Node[i]]) - sorted.begin();
+      element.Node[i] = number[element.Node[i]];
     }
   }
   const Id now = Bandwidth(e.Out.Elements), came = Bandwidth(elements);

@@ -145,8 +145,8 @@ void CheckArrays(const Trial& trial, Report& report)
   RequireArray(trial.Trimmed->GetPointData(), "port 0", "vtkOriginalPointIds", -1, 1, report);
   RequireArray(trial.Trimmed->GetCellData(), "port 0", "vtkOriginalCellIds", -1, 1, report);
   RequireArray(trial.Trimmed->GetCellData(), "port 0", "ScaledJacobian", VTK_FLOAT, 1, report);
-  for (const char* name : { "Kept", "Eliminated", "Treated", "MovedNodes", "Pentahedra", "Wedges",
-         "CertifiedElements", "TouchedElements", "MinimumScaledJacobian",
+  for (const char* name : { "Kept", "Eliminated", "InsertedElements", "Treated", "MovedNodes",
+         "Pentahedra", "Wedges", "CertifiedElements", "TouchedElements", "MinimumScaledJacobian",
          "MinimumIntegrationPointJacobian", "MaximumDistanceToSurface", "Volume", "NodeBandwidth" })
   {
     vtkDataArray* array = trial.Trimmed->GetFieldData()->GetArray(name);
@@ -168,7 +168,7 @@ void CheckRescues(const Evidence& e, Report& report)
   }
   for (Id c = 0; c < kept->GetNumberOfTuples(); ++c)
   {
-    if (kept->GetComponent(c, 0) != whole->GetComponent(e.CellOf[c], 0))
+    if (!e.InsertedCell[c] && kept->GetComponent(c, 0) != whole->GetComponent(e.CellOf[c], 0))
     {
       report.Fail("Rescue", Cell(e.CellOf[c]) + ": the ports differ", kept->GetComponent(c, 0),
         whole->GetComponent(e.CellOf[c], 0));

@@ -35,6 +35,7 @@ struct TrimOptions
   bool ProduceOffcut = false;
   double MinimumScaledJacobian = 0.2;
   bool MapValues = false;
+  bool InsertLayer = false;
 };
 
 /// Notes under this name are nodes of the new boundary that the filter reported as left.
@@ -94,7 +95,8 @@ public:
   double Exact;            ///< absolute limit for positions: 1e-9 of the diagonal and rounding
   std::vector<Id> PointOf; ///< of port 0, in the input
   std::vector<Id> CellOf;
-  std::vector<char> KeptCell; ///< by input cell
+  std::vector<char> InsertedPoint, InsertedCell; ///< of port 0, as it says
+  std::vector<char> KeptCell;                    ///< by input cell
   std::vector<unsigned char> NodeStatus, ElementStatus;
   std::vector<float> SignedDistance, Fraction;
   std::vector<std::vector<Id>> CellsAt; ///< of each input point

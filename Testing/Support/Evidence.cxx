@@ -94,6 +94,21 @@ Evidence::Evidence(const Trial& trial, Report& report)
   }
 }
 
+namespace
+{
+/// Without a layer nothing is.
+std::vector<char> ReadInserted(vtkDataSetAttributes* data, vtkIdType count)
+{
+  std::vector<char> inserted(count, 0);
+  vtkDataArray* array = data->GetArray("Inserted");
+  for (vtkIdType i = 0; array && i < count; ++i)
+  {
+    inserted[i] = array->GetComponent(i, 0) != 0;
+  }
+  return inserted;
+}
+}
+
 bool Evidence::ReadOrigins(Report& report)
 {
   const auto points = static_cast<vtkIdType>(this->Out.Points.size());
@@ -101,14 +116,27 @@ bool Evidence::ReadOrigins(Report& report)
   this->PointOf =
     Values<Id>(this->Case.Trimmed->GetPointData(), "vtkOriginalPointIds", points, report);
   this->CellOf = Values<Id>(this->Case.Trimmed->GetCellData(), "vtkOriginalCellIds", cells, report);
-  const auto good = [](const std::vector<Id>& ids, std::size_t count, bool mayRepeat = false)
+  this->InsertedPoint = ReadInserted(this->Case.Trimmed->GetPointData(), points);
+  this->InsertedCell = ReadInserted(this->Case.Trimmed->GetCellData(), cells);
+  const auto good = [](const std::vector<Id>& ids, const std::vector<char>& inserted,
+                      std::size_t count, bool mayRepeat = false)
   {
-    const std::set<Id> all(ids.begin(), ids.end());
-    return (mayRepeat || all.size() == ids.size()) &&
+    std::set<Id> all, own;
+    std::size_t owned = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      all.insert(ids[i]);
+      if (!inserted[i])
+      {
+        own.insert(ids[i]);
+        ++owned;
+      }
+    }
+    return (mayRepeat || own.size() == owned) &&
       (all.empty() || (*all.begin() >= 0 && *all.rbegin() < static_cast<Id>(count)));
   };
-  if (!good(this->PointOf, this->In.Points.size()) ||
-    !good(this->CellOf, this->In.Elements.size(), this->Case.MayDivide))
+  if (!good(this->PointOf, this->InsertedPoint, this->In.Points.size()) ||
+    !good(this->CellOf, this->InsertedCell, this->In.Elements.size(), this->Case.MayDivide))
   {
     report.Fail("original ids", "an id is out of range or appears twice");
     return false;

@@ -1,0 +1,226 @@
+/**
+ * @file TestTrimLayer.cxx
+ * @brief InsertLayer: blocks that are cut aslant to their elements end on the surface.
+ */
+#include "Expect.h"
+#include "RunTrim.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <string>
+
+using namespace judge;
+
+namespace
+{
+struct Tally
+{
+  int Left = 0, LeftWithLayer = 0, Taken = 0;
+};
+
+int CountLeft(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* distance = grid->GetPointData()->GetArray("DistanceLeft");
+  int left = 0;
+  for (vtkIdType i = 0; i < distance->GetNumberOfTuples(); ++i)
+  {
+    left += distance->GetComponent(i, 0) > 0;
+  }
+  return left;
+}
+
+double Number(vtkUnstructuredGrid* grid, const char* name)
+{
+  return grid->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+/// Of what lies on the kept side, by places spread evenly over all elements.
+double VolumeInside(const Mesh& mesh, const Surface& surface)
+{
+  constexpr int Places = 4; // along each edge
+  const Model model(mesh.Grid);
+  double volume = 0;
+  for (std::size_t e = 0; e < model.Elements.size(); ++e)
+  {
+    const auto corners = model.Corners(e);
+    int inside = 0;
+    for (int k = 0; k < Places * Places * Places; ++k)
+    {
+      const double u = (k % Places + 0.5) / Places, v = (k / Places % Places + 0.5) / Places,
+                   w = (k / Places / Places + 0.5) / Places;
+      const auto quad = [&](int i)
+      {
+        return (1 - v) * ((1 - u) * corners[i] + u * corners[i + 1]) +
+          v * ((1 - u) * corners[i + 3] + u * corners[i + 2]);
+      };
+      inside += surface.Roughly((1 - w) * quad(0) + w * quad(4)) <= 0;
+    }
+    volume += VolumeOf(corners, 8) * inside / (Places * Places * Places);
+  }
+  return volume;
+}
+
+/// Judged without and with a layer, which is taken only where it leaves less.
+void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
+  double largestError, Tally& tally)
+{
+  TrimOptions options;
+  const Outcome without = RunTrim(mesh, surface, options);
+  Expect(Number(without.Case.Trimmed, "InsertedElements") == 0, trial + ": elements unasked for");
+  Expect(!without.Case.Trimmed->GetCellData()->GetArray("Inserted") &&
+      !without.Case.Trimmed->GetPointData()->GetArray("Inserted"),
+    trial + ": an array unasked for");
+  options.InsertLayer = true;
+  Report report("layer " + trial);
+  const Outcome with = RunAndJudge(mesh, surface, options, report);
+  Wrong += report.Failures();
+  const int left = CountLeft(without.Case.Trimmed), now = CountLeft(with.Case.Trimmed);
+  const bool taken = Number(with.Case.Trimmed, "InsertedElements") > 0;
+  Expect(left > 0 || !taken, trial + ": a layer where no node was left off");
+  Expect(taken || now == left, trial + ": another trim without a layer");
+  const double volume = VolumeInside(mesh, surface);
+  const double gained = Number(with.Case.Trimmed, "Volume") - volume;
+  Expect(!taken || std::abs(gained) < largestError * volume,
+    trial + ": a volume wrong by " + std::to_string(gained));
+  tally.Left += left;
+  tally.LeftWithLayer += now;
+  tally.Taken += taken;
+}
+
+struct Cut
+{
+  std::string Kind;
+  double Lean;
+  double LargestError; ///< of the volume; chords cost more where the cut is round
+};
+
+void TestAslant()
+{
+  Tally tally;
+  for (const std::string name : { "block", "bar" })
+  {
+    const Mesh mesh = MakeMesh(name);
+    for (const Cut& cut :
+      std::initializer_list<Cut>{ { "plane", 0.35, 0.006 }, { "plane", 0.6, 0.006 },
+        { "wavy", 0.35, 0.006 }, { "wavy", 0.6, 0.006 }, { "cylinder", 0.6, 0.05 } })
+    {
+      for (const bool reversed : { false, true })
+      {
+        Placement at;
+        at.Angle = 0.7;
+        at.Lean = cut.Lean;
+        at.Size = 0.55;
+        at.Reversed = reversed;
+        Compare(
+          name + " " + cut.Kind + " " + std::to_string(cut.Lean) + (reversed ? " reversed" : ""),
+          mesh, MakeSurface(cut.Kind, mesh.Box, at), cut.LargestError, tally);
+      }
+    }
+  }
+  std::printf("left off without %d, with a layer %d, taken %d times\n", tally.Left,
+    tally.LeftWithLayer, tally.Taken);
+  Expect(tally.Taken > 16, "hardly a layer was taken");
+  Expect(tally.LeftWithLayer < 0.15 * tally.Left, "too many nodes are left with a layer");
+}
+
+/// A plane along the diagonal of the elements: each has a corner with three facets at the cut.
+void TestDiagonal()
+{
+  const Mesh mesh = MakeMesh("block");
+  Placement at;
+  at.Angle = std::atan(1.0);
+  at.Lean = std::atan(std::sqrt(0.5));
+  const Surface plane = MakeSurface("plane", mesh.Box, at);
+  TrimOptions options;
+  const Outcome without = RunTrim(mesh, plane, options);
+  Expect(CountLeft(without.Case.Trimmed) > 20, "the diagonal plane is no trouble without a layer");
+  options.InsertLayer = true;
+  Report report("layer diagonal");
+  const Outcome with = RunAndJudge(mesh, plane, options, report);
+  Wrong += report.Failures();
+  Expect(CountLeft(with.Case.Trimmed) == 0, "nodes left off the diagonal plane");
+  Expect(Number(with.Case.Trimmed, "MinimumScaledJacobian") > 0.4,
+    "the diagonal plane's elements are worth " +
+      std::to_string(Number(with.Case.Trimmed, "MinimumScaledJacobian")));
+}
+
+/// Values that are linear in space stay so where they are mapped; else what was inserted has those
+/// of what it stands on.
+void TestValues()
+{
+  Mesh mesh = MakeMesh("block");
+  const auto field = [](const Vec3& p) { return 1 + 0.3 * p[0] - 0.2 * p[1] + 0.7 * p[2]; };
+  const Model model(mesh.Grid);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Linear");
+  for (const Vec3& point : model.Points)
+  {
+    values->InsertNextValue(field(point));
+  }
+  mesh.Grid->GetPointData()->AddArray(values);
+  Placement at;
+  at.Angle = 0.7;
+  at.Lean = 0.6;
+  const Surface plane = MakeSurface("plane", mesh.Box, at);
+  for (const bool map : { false, true })
+  {
+    TrimOptions options;
+    options.InsertLayer = true;
+    options.MapValues = map;
+    const Outcome outcome = RunTrim(mesh, plane, options);
+    const Model out(outcome.Case.Trimmed);
+    vtkDataArray* own = outcome.Case.Trimmed->GetPointData()->GetArray("Linear");
+    vtkDataArray* ids = outcome.Case.Trimmed->GetPointData()->GetArray("vtkOriginalPointIds");
+    vtkDataArray* inserted = outcome.Case.Trimmed->GetPointData()->GetArray("Inserted");
+    int checked = 0;
+    for (std::size_t i = 0; i < out.Points.size(); ++i)
+    {
+      checked += inserted->GetComponent(i, 0) > 0;
+      const double wanted =
+        map ? field(out.Points[i]) : values->GetValue(static_cast<Id>(ids->GetComponent(i, 0)));
+      Expect(std::abs(own->GetComponent(i, 0) - wanted) < 1e-9, "a node has another value");
+    }
+    Expect(checked > 20, "hardly a node was inserted");
+  }
+}
+
+/// The result is the input of the next trim.
+void TestSequence()
+{
+  const Mesh mesh = MakeMesh("block");
+  Placement at;
+  at.Angle = 0.7;
+  at.Lean = 0.6;
+  TrimOptions options;
+  options.InsertLayer = true;
+  Mesh next = mesh;
+  next.Grid = RunTrim(mesh, MakeSurface("plane", mesh.Box, at), options).Case.Trimmed;
+  at.Angle = 2.8;
+  at.X = -0.2;
+  const Outcome outcome = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
+  Expect(outcome.Clean(), "an error at the second trim");
+  Expect(Number(outcome.Case.Trimmed, "CertifiedElements") ==
+      Number(outcome.Case.Trimmed, "TouchedElements"),
+    "the second trim is not certified");
+}
+
+}
+
+int main()
+{
+  TestAslant();
+  TestDiagonal();
+  TestValues();
+  TestSequence();
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}
