@@ -102,7 +102,7 @@ private:
     cell.Count = 2 * face.Count;
     cell.From = { element, true };
     unsigned char status[8] = {};
-    for (int i = 0; i < std::min(face.Count, 4); ++i)
+    for (int i = 0; i < std::min(face.Count, 4); ++i) // the compiler does not know its limit
     {
       const int node = this->TheBand.Elements[element].Node[nodes.Node[i]];
       cell.Node[i] = this->InnerNode[node];
@@ -210,7 +210,7 @@ private:
       this->Mover.Constrained(node, freedom, wanted, false, place);
   }
 
-  /// False if all elements with new nodes are valid that were so.
+  /// Halves the shares at invalid elements with new nodes; false if there are none.
   bool ThinWhereInvalid(const BandCells& cells, std::vector<double>& share) const
   {
     std::vector<char> thin(cells.Nodes.size(), 0);

@@ -129,11 +129,6 @@ void NameInserted(GridPart& part)
     [&part](int number, const InsertedPoint& point) { part.Points.data()[number] = point.Origin; });
 }
 
-}
-
-namespace
-{
-
 /// Gives inserted points the numbers behind those in whose places they are.
 void InterleaveInserted(GridPart& part)
 {

@@ -70,9 +70,26 @@ def draw_line_source():
     picture.save(IMAGES, "trim-line-source.png")
 
 
+def draw_layer():
+    """A block cut aslant to all its elements, without and with a layer along the cut."""
+    block = sheet([12, 12, 12], [12, 12, 12])
+    corner = [-9, 12.5, -1.2, 1, 21, -11.5, -1.2, 1, -3, 12.5, 25, 1, 27, -11.5, 25, 1]
+    plane = NURBSSurfaceSource(Degrees=[1, 1], ControlNetSize=[2, 2], ControlPoints=corner,
+                               KnotsU=[0, 0, 1, 1], KnotsV=[0, 0, 1, 1])
+    picture = Picture((20.6, 19.7, 12), 55, SIZE)
+    for layer, aside in [(0, [0, 0, 0]), (1, [22.5, 13.3, 0])]:
+        trim = TrimHexahedralGrid(Input=block, TrimmingSurface=plane, InsertLayer=layer,
+                                  UseKeepPoint=1, KeepPoint=[11, 11, 0])
+        moved = Transform(Input=trim)
+        moved.Transform.Translate = aside
+        picture.add_mesh(moved)
+    picture.save(IMAGES, "inserted-layer.png")
+
+
 panel = sheet([200, 138, 2], [1600, 1100, 0.8])
 outside = CADSurfaceReader(FileName=os.path.join(DATA, "SidePanelOuter.igs"), Resolution=300)
 draw_reader(panel, outside)
 draw_statuses(panel, outside)
 draw_surface_source()
 draw_line_source()
+draw_layer()
