@@ -36,7 +36,6 @@ struct Entry
 const std::vector<Entry> Entries = {
   { "Kept", "elements that stayed" },
   { "Eliminated", "elements that went" },
-  { "InsertedElements", "elements that the input does not have" },
   { "Treated", "elements crossed by the surface" },
   { "MovedNodes", "nodes that were moved" },
   { "TouchedElements", "elements at moved nodes" },
@@ -53,6 +52,7 @@ const std::vector<Entry> Entries = {
   { "RescuedByCorrection", "columns saved by the other correction type" },
   { "RescuedByFate", "columns kept or eliminated against their volume" },
   { "RescuedByLeaving", "columns with nodes left off the surface" },
+  { "InsertedElements", "elements that the input does not have" },
 };
 
 std::vector<pqPipelineSource*> AllTrims()

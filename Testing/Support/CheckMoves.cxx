@@ -199,7 +199,7 @@ void CheckPlaces(const Evidence& e, Report& report)
   };
   const std::vector<char> skin = SkinPoints(e, stays);
   // A layer divides the facets of the skin, which changes the shape of twisted ones.
-  const double exact = e.Case.Options.InsertLayer ? std::max(e.Exact, 1e-5 * e.Diagonal) : e.Exact;
+  const double exact = e.Case.Options.InsertLayer ? std::max(e.Exact, 5e-5 * e.Diagonal) : e.Exact;
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];

@@ -135,12 +135,12 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
       return cells[c] % 6 == 2 ? vtkMeshQuality::HexScaledJacobian(grid->GetCell(c)) : std::nan("");
     });
   const std::map<std::string, double> summary = { { "Kept", 24 }, { "Eliminated", 24 },
-    { "Treated", 8 }, { "MovedNodes", 15 }, { "Pentahedra", 0 }, { "Wedges", 0 },
-    { "CertifiedElements", 8 }, { "TouchedElements", 8 }, { "MinimumScaledJacobian", 1 },
-    { "MinimumIntegrationPointJacobian", 1 }, { "MaximumDistanceToSurface", 0 },
-    { "Volume", CutAt * 4 * 0.8 }, { "NodeBandwidth", 20 + 4 + 1 }, { "RescuedByRelaxation", 2 },
-    { "RescuedByTreatment", 0 }, { "RescuedByCorrection", 0 }, { "RescuedByFate", 0 },
-    { "RescuedByLeaving", 0 } };
+    { "InsertedElements", 0 }, { "Treated", 8 }, { "MovedNodes", 15 }, { "Pentahedra", 0 },
+    { "Wedges", 0 }, { "CertifiedElements", 8 }, { "TouchedElements", 8 },
+    { "MinimumScaledJacobian", 1 }, { "MinimumIntegrationPointJacobian", 1 },
+    { "MaximumDistanceToSurface", 0 }, { "Volume", CutAt * 4 * 0.8 },
+    { "NodeBandwidth", 20 + 4 + 1 }, { "RescuedByRelaxation", 2 }, { "RescuedByTreatment", 0 },
+    { "RescuedByCorrection", 0 }, { "RescuedByFate", 0 }, { "RescuedByLeaving", 0 } };
   for (const auto& entry : summary)
   {
     Fill<vtkDoubleArray>(grid->GetFieldData(), entry.first.c_str(), 1, 1,
