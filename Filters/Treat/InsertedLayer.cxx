@@ -1,6 +1,7 @@
 #include "InsertedLayer.h"
 
 #include "Decision.h"
+#include "Moves.h"
 #include "Status.h"
 
 #include <Eigen/QR>
@@ -206,8 +207,10 @@ private:
   {
     NodeFreedom freedom = this->Mover.FreedomOf(node);
     const Vec3 wanted = this->TheBand.Point[node] + this->StepBehind(node, share);
-    return freedom.Constraint.Kind != ConstraintKind::Fixed &&
+    const bool found = freedom.Constraint.Kind != ConstraintKind::Fixed &&
       this->Mover.Constrained(node, freedom, wanted, false, place);
+    place = AsStored(this->TheBand, place);
+    return found;
   }
 
   /// Halves the shares at invalid elements with new nodes; false if there are none.
