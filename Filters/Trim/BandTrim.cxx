@@ -226,9 +226,10 @@ void TryLayers(TrimBand& near, const nurbs::TrimmingSurface& surface, double pre
     auto layered =
       TrimWithLayer(near, before, share, surface, precision, options, Part(progress, done, next));
     done = next;
-    if (layered && MeasureLeft(*layered) < least)
+    const Shortcomings now = layered ? MeasureLeft(*layered) : least;
+    if (now < least)
     {
-      least = MeasureLeft(*layered);
+      least = now;
       best = std::move(layered);
     }
   }

@@ -55,6 +55,19 @@ void WriteCoordinates(
 
 }
 
+std::vector<Id> PlacesInBand(const GridPart& part, int count)
+{
+  std::vector<Id> places(count, -1);
+  for (Id i = 0; i < part.Cells.size(); ++i)
+  {
+    if (part.InBand[i] >= 0)
+    {
+      places[part.InBand[i]] = i;
+    }
+  }
+  return places;
+}
+
 std::vector<InsertedPoint> FindInsertedPoints(const TrimResult& result)
 {
   std::vector<InsertedPoint> inserted;

@@ -63,6 +63,9 @@ struct GridPart
   Selection PointIds() const { return Selection::Numbered(this->Points, this->Number); }
 };
 
+/// Of each of so many elements of the part in the band, by InBand, its cell in the part; -1: none.
+std::vector<Id> PlacesInBand(const GridPart& part, int count);
+
 /// Calls action(run, begin, end) for all runs of PartGrain items, by all threads.
 template <typename Action>
 void ForRuns(Id count, const Action& action)

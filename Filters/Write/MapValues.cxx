@@ -171,14 +171,7 @@ Mapping OfElements(const GridPart& part, const Band& band, const BandShapes& sha
   {
     mapping.Input.push_back(element.Global);
   }
-  std::vector<Id> placeOf(shapes.Count, -1);
-  for (Id i = 0; i < part.Cells.size(); ++i)
-  {
-    if (part.InBand[i] >= 0)
-    {
-      placeOf[part.InBand[i]] = i;
-    }
-  }
+  const std::vector<Id> placeOf = PlacesInBand(part, shapes.Count);
   for (const ValueRow& row : mapping.Rows)
   {
     mapping.Output.push_back(placeOf[row.Target]);

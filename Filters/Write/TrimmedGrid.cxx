@@ -146,7 +146,8 @@ double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& s
   return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
 }
 
-/// Of the input, by elements where they were relaxed, by columns elsewhere: these go or stay as one.
+/// Of the input, by elements where they were relaxed, by columns elsewhere: these go or stay as
+/// one.
 void CountRescues(const TrimResult& result, Summary& summary)
 {
   const auto& trimmed = result.Near->Trimmed;
@@ -186,20 +187,6 @@ void Summarise(const Ranks& ranks, const TrimResult& result, const GridPart& kep
     summary.MaximumDistanceToSurface = LargestDistance(result, surface);
     CountRescues(result, summary);
   }
-}
-
-/// Of each element of the band its place in the part; -1: it is not there.
-std::vector<Id> PlacesInBand(const TrimResult& result, const GridPart& kept)
-{
-  std::vector<Id> places(result.Near ? result.Near->Mesh.NumberOfElements() : 0, -1);
-  for (Id i = 0; i < kept.Cells.size(); ++i)
-  {
-    if (kept.InBand[i] >= 0)
-    {
-      places[kept.InBand[i]] = i;
-    }
-  }
-  return places;
 }
 
 /// Of each element of the band its cell; -1: it is none of this rank's.
@@ -250,7 +237,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   {
     AddInserted(result, kept, output);
   }
-  AddRescues(result, kept.Cells.size(), PlacesInBand(result, kept), output->GetCellData());
+  AddRescues(result, kept.Cells.size(), PlacesInBand(kept, shapes.Count), output->GetCellData());
   AddScaledJacobians(mesh, kept, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, kept, shapes, ranks);
   SummariseTouched(shapes, summary);

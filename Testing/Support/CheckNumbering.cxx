@@ -23,6 +23,28 @@ Id Bandwidth(const std::vector<Element>& elements)
   return widest;
 }
 
+namespace
+{
+/// @param order the nodes in the order of their new numbers.
+template <typename Nodes>
+std::vector<Element> Renumbered(std::vector<Element> elements, const Nodes& order)
+{
+  std::vector<Id> number(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    number[order[i]] = static_cast<Id>(i);
+  }
+  for (Element& element : elements)
+  {
+    for (int i = 0; i < element.Size; ++i)
+    {
+      element.Node[i] = number[element.Node[i]];
+    }
+  }
+  return elements;
+}
+}
+
 Id ReverseCuthillMcKeeBandwidth(const Model& model)
 {
   using namespace boost;
@@ -41,27 +63,14 @@ Id ReverseCuthillMcKeeBandwidth(const Model& model)
   }
   std::vector<graph_traits<Graph>::vertex_descriptor> order(num_vertices(graph));
   cuthill_mckee_ordering(graph, order.rbegin(), get(vertex_color, graph), make_degree_map(graph));
-  std::vector<Id> number(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    number[order[i]] = static_cast<Id>(i);
-  }
-  std::vector<Element> elements = model.Elements;
-  for (Element& element : elements)
-  {
-    for (int i = 0; i < element.Size; ++i)
-    {
-      element.Node[i] = number[element.Node[i]];
-    }
-  }
-  return Bandwidth(elements);
+  return Bandwidth(Renumbered(model.Elements, order));
 }
 
 void CheckNumbering(const Evidence& e, Report& report)
 {
   // As it came: the kept nodes in the input's order, inserted ones behind those in whose places
   // they are.
-  std::vector<Id> order(e.PointOf.size()), number(order.size());
+  std::vector<Id> order(e.PointOf.size());
   std::iota(order.begin(), order.end(), Id(0));
   std::sort(order.begin(), order.end(),
     [&e](Id a, Id b)
@@ -69,18 +78,7 @@ void CheckNumbering(const Evidence& e, Report& report)
       return std::make_tuple(e.PointOf[a], e.InsertedPoint[a], a) <
         std::make_tuple(e.PointOf[b], e.InsertedPoint[b], b);
     });
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    number[order[i]] = static_cast<Id>(i);
-  }
-  std::vector<Element> elements = e.Out.Elements;
-  for (Element& element : elements)
-  {
-    for (int i = 0; i < element.Size; ++i)
-    {
-      element.Node[i] = number[element.Node[i]];
-    }
-  }
+  const std::vector<Element> elements = Renumbered(e.Out.Elements, order);
   const Id now = Bandwidth(e.Out.Elements), came = Bandwidth(elements);
   if (!e.Case.Options.RenumberNodes)
   {
