@@ -49,6 +49,7 @@ add_library(NURBSTrimStages STATIC
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
   Treat/TrimmedBand.cxx
+  Treat/StepDirections.cxx
   Treat/TrialTrim.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx

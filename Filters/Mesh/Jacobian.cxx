@@ -207,27 +207,21 @@ std::array<Vec3, 3> PrincipalAxes(const ElementPoints& p)
     p[4] + p[5] + p[6] + p[7] - p[0] - p[1] - p[2] - p[3] };
 }
 
-struct DeterminantGradient
+/// By each of three edges, of their unit vectors' determinant; zero where an edge has no length.
+std::array<Vec3, 3> UnitDeterminantGradient(const std::array<Vec3, 3>& edge, double determinant)
 {
-  double Value = 0;
-  std::array<Vec3, 3> By{ Vec3::Zero(), Vec3::Zero(), Vec3::Zero() }; ///< by each of the edges
-};
-
-DeterminantGradient UnitDeterminantGradient(const std::array<Vec3, 3>& edge)
-{
-  DeterminantGradient d;
+  std::array<Vec3, 3> by{ Vec3::Zero(), Vec3::Zero(), Vec3::Zero() };
   const double lengths = edge[0].norm() * edge[1].norm() * edge[2].norm();
   if (lengths == 0.0)
   {
-    return d;
+    return by;
   }
-  d.Value = Determinant(edge[0], edge[1], edge[2]) / lengths;
   for (int k = 0; k < 3; ++k)
   {
-    d.By[k] = edge[(k + 1) % 3].cross(edge[(k + 2) % 3]) / lengths -
-      d.Value / edge[k].squaredNorm() * edge[k];
+    by[k] = edge[(k + 1) % 3].cross(edge[(k + 2) % 3]) / lengths -
+      determinant / edge[k].squaredNorm() * edge[k];
   }
-  return d;
+  return by;
 }
 
 }
@@ -323,47 +317,50 @@ double ScaledJacobianBound(const ElementPoints& p, int count, unsigned moving)
   return count == 8 ? smallest : smallest * WedgeScale;
 }
 
-std::vector<ScaledDeterminant> ScaledDeterminants(const ElementPoints& p, int count)
+ScaledDeterminants::ScaledDeterminants(const ElementPoints& p, int count, double limit)
 {
-  std::vector<ScaledDeterminant> found;
+  const double scale = count == 8 ? 1.0 : WedgeScale;
+  const auto find = [&](const std::array<Vec3, 3>& edge, const auto& addTo)
+  {
+    const double value = UnitDeterminant(edge[0], edge[1], edge[2]);
+    if (value * scale >= limit)
+    {
+      return;
+    }
+    ScaledDeterminant& at = this->Found[this->Count++];
+    at.Value = value * scale;
+    at.Gradient.fill(Vec3::Zero());
+    const auto by = UnitDeterminantGradient(edge, value);
+    for (int k = 0; k < 3; ++k)
+    {
+      addTo(at.Gradient, k, by[k]);
+    }
+    for (int i = 0; count == 6 && i < count; ++i)
+    {
+      at.Gradient[i] *= scale;
+    }
+  };
   for (int i = 0; i < count; ++i)
   {
     const int* corner = count == 8 ? HexahedronCorners[i] : WedgeCorners[i];
-    const auto d =
-      UnitDeterminantGradient({ p[corner[0]] - p[i], p[corner[1]] - p[i], p[corner[2]] - p[i] });
-    ScaledDeterminant at{ d.Value, {} };
-    at.Gradient.fill(Vec3::Zero());
-    for (int k = 0; k < 3; ++k)
-    {
-      at.Gradient[corner[k]] += d.By[k];
-      at.Gradient[i] -= d.By[k];
-    }
-    found.push_back(at);
+    find({ p[corner[0]] - p[i], p[corner[1]] - p[i], p[corner[2]] - p[i] },
+      [&](auto& gradient, int k, const Vec3& by)
+      {
+        gradient[corner[k]] += by;
+        gradient[i] -= by;
+      });
   }
   if (count == 8)
   {
-    const auto d = UnitDeterminantGradient(PrincipalAxes(p));
-    ScaledDeterminant centre{ d.Value, {} };
-    for (int i = 0; i < 8; ++i)
-    {
-      centre.Gradient[i] = Vec3::Zero();
-      for (int k = 0; k < 3; ++k)
+    find(PrincipalAxes(p),
+      [](auto& gradient, int k, const Vec3& by)
       {
-        centre.Gradient[i] += AxisSide[k][i] * d.By[k];
-      }
-    }
-    found.push_back(centre);
-    return found;
+        for (int i = 0; i < 8; ++i)
+        {
+          gradient[i] += AxisSide[k][i] * by;
+        }
+      });
   }
-  for (auto& at : found)
-  {
-    at.Value *= WedgeScale;
-    for (int i = 0; i < count; ++i)
-    {
-      at.Gradient[i] *= WedgeScale;
-    }
-  }
-  return found;
 }
 
 }

@@ -15,7 +15,6 @@
 
 #include <array>
 #include <limits>
-#include <vector>
 
 namespace trim
 {
@@ -71,8 +70,19 @@ struct ScaledDeterminant
   std::array<Vec3, 8> Gradient; ///< by node
 };
 
-/// All of them: of the corners, for hexahedra also of the centre.
-std::vector<ScaledDeterminant> ScaledDeterminants(const ElementPoints& points, int count);
+/// Those below a limit: of the corners, for hexahedra also of the centre.
+class ScaledDeterminants
+{
+public:
+  ScaledDeterminants(const ElementPoints& points, int count, double limit);
+
+  const ScaledDeterminant* begin() const { return this->Found.data(); }
+  const ScaledDeterminant* end() const { return this->Found.data() + this->Count; }
+
+private:
+  std::array<ScaledDeterminant, 9> Found;
+  int Count = 0;
+};
 
 }
 

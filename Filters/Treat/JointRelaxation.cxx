@@ -1,12 +1,12 @@
 #include "JointRelaxation.h"
 
 #include "LeastSquaresStep.h"
-
-#include <Eigen/Eigenvalues>
+#include "StepDirections.h"
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace trim
@@ -46,6 +46,8 @@ constexpr double NoEdge = 1e-6;
 constexpr double FloorSlack = 1e-3;
 /// Steps times free directions after which the relaxation ends.
 constexpr std::size_t MostWork = 30000;
+/// An element that is worth so much more than a limit has no determinant below it.
+constexpr double SameWorth = 1e-6;
 /// A larger part is divided: one for each element.
 constexpr std::size_t MostNodes = 250;
 
@@ -57,6 +59,7 @@ public:
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
     , EndsEarly(goal.Effort.EndsEarly)
+    , Directions(*this)
     , Slot(given.TheBand.NumberOfNodes(), -1)
   {
   }
@@ -106,11 +109,13 @@ private:
   /// All there is to know of a part before a step.
   struct Linearisation
   {
-    Variables Free;
-    std::vector<Vec3> From;    // by node
     std::vector<double> Worth; // by element
+    Variables Free;
+    std::vector<Vec3> From; // by node
     std::vector<Row> Rows;
     std::vector<Slope> Gradients;
+    /// Where nodes settle that a step leaves where they are, by node, once known.
+    std::vector<std::optional<Vec3>> Home;
   };
 
   /// Raises the elements of a part, one after the other where it is large; see Raise.
@@ -151,6 +156,7 @@ private:
     if (this->StepOn(part))
     {
       this->TellMoved(nodes);
+      this->Directions.TellMoved(nodes);
     }
     double gained = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i)
@@ -213,26 +219,25 @@ private:
     bool moved = false;
     double rise = FirstRise;
     double damping = FirstDamping;
-    Linearisation now;
-    now.Worth = this->WorthOf(part.Elements);
+    std::vector<double> worth = this->WorthOf(part.Elements);
+    std::optional<Linearisation> now;
     for (int step = 0; step < MostSteps && this->Work < MostWork; ++step)
     {
-      const double lowest = this->LowestWanted(part, now.Worth);
+      const double lowest = this->LowestWanted(part, worth);
       if (lowest >= this->Goal * Reached / GoalMargin)
       {
         break;
       }
-      if (now.From.empty())
+      if (!now)
       {
-        this->Linearise(part, now);
+        now = this->Linearise(part, worth);
       }
-      this->Work += now.Free.Direction.size();
-      if (this->Step(part, now, lowest, std::min(lowest + rise, this->Goal), damping))
+      this->Work += now->Free.Direction.size();
+      if (this->Step(part, *now, lowest, std::min(lowest + rise, this->Goal), damping, worth))
       {
         moved = true;
         rise = std::min(2.0 * rise, MostRise);
-        now = {};
-        now.Worth = this->WorthOf(part.Elements);
+        now.reset();
         continue;
       }
       rise *= 0.25;
@@ -243,7 +248,7 @@ private:
       }
       else if (rise < LeastRise)
       {
-        this->Hold(lowest, now.Worth, part);
+        this->Hold(lowest, worth, part);
         rise = FirstRise;
       }
     }
@@ -287,7 +292,9 @@ private:
   }
 
   /// Moves all nodes so that the lowest elements come nearer to the target; false if that fails.
-  bool Step(Part& part, const Linearisation& now, double lowest, double target, double& damping)
+  /// @param[out] worth of the elements then.
+  bool Step(Part& part, Linearisation& now, double lowest, double target, double& damping,
+    std::vector<double>& worth)
   {
     const std::vector<StepDemand> demands = this->DemandsFor(part, now, target);
     for (int trial = 0; trial < MostTrials; ++trial, damping *= 8.0)
@@ -300,8 +307,10 @@ private:
       for (const double share : { 1.0, 0.5 })
       {
         this->Shift(part.Nodes, now, share * way);
-        if (this->SettleBetter(part, now, lowest))
+        std::vector<double> after = now.Worth;
+        if (this->SettleBetter(part, now, lowest, after))
         {
+          worth = std::move(after);
           damping = std::max(LeastDamping, 0.25 * damping);
           return true;
         }
@@ -312,23 +321,33 @@ private:
   }
 
   /// Each node settles by itself; false, with some that did not, if an element is no better for it.
-  bool SettleBetter(Part& part, const Linearisation& now, double lowest)
+  /// @param[in,out] worth of the elements, before and after.
+  bool SettleBetter(Part& part, Linearisation& now, double lowest, std::vector<double>& worth)
   {
-    std::vector<char> isSettled(part.Nodes.size(), 0);
-    const auto settle = [&](int slot)
+    enum : char
     {
-      if (!isSettled[slot])
-      {
-        isSettled[slot] = 1;
-        this->SettleFrom(part.Nodes[slot], now.From[slot]);
-      }
+      Unsettled,
+      Stayed,
+      Moved
     };
+    std::vector<char> states(part.Nodes.size(), Unsettled);
     // What a step spoils another one is likely to spoil: it comes first then.
     for (std::size_t i = 0; i < part.Order.size(); ++i)
     {
       const int index = part.Order[i];
-      std::for_each(part.Slots.begin(index), part.Slots.end(index), settle);
-      if (!this->IsBetter(part, index, now.Worth[index], lowest))
+      bool moved = false;
+      for (const int* slot = part.Slots.begin(index); slot != part.Slots.end(index); ++slot)
+      {
+        char& state = states[*slot];
+        if (state == Unsettled)
+        {
+          state = this->SettleFrom(part.Nodes[*slot], *slot, now) ? Moved : Stayed;
+        }
+        moved |= state == Moved;
+      }
+      const double least = this->LeastOf(part.Cap[index], worth[index], lowest);
+      worth[index] = moved ? this->Worth(part.Elements[index], least) : worth[index];
+      if (!(worth[index] >= least))
       {
         std::rotate(part.Order.begin(), part.Order.begin() + i, part.Order.begin() + i + 1);
         return false;
@@ -337,12 +356,12 @@ private:
     return true;
   }
 
-  bool IsBetter(const Part& part, int index, double before, double lowest) const
+  /// What an element has to be worth after a step.
+  double LeastOf(double cap, double before, double lowest) const
   {
-    const double least = part.Cap[index] < this->Goal
-      ? part.Cap[index] - Rounding
+    return cap < this->Goal
+      ? cap - Rounding
       : std::max(lowest + LeastGain, before >= this->Floor ? this->Floor : 0.0);
-    return this->Worth(part.Elements[index]) >= least;
   }
 
   Variables VariablesOf(const std::vector<int>& nodes)
@@ -351,7 +370,7 @@ private:
     for (const int node : nodes)
     {
       variables.First.push_back(static_cast<int>(variables.Direction.size()));
-      const Eigen::Matrix3Xd directions = this->DirectionsAt(node);
+      const Eigen::Matrix3Xd& directions = this->Directions.At(node);
       for (int i = 0; i < directions.cols(); ++i)
       {
         variables.Direction.push_back(directions.col(i));
@@ -359,26 +378,6 @@ private:
     }
     variables.First.push_back(static_cast<int>(variables.Direction.size()));
     return variables;
-  }
-
-  /// Tangents in which the edges at a node are of length one, so that a step is as easy along long
-  /// edges as across.
-  Eigen::Matrix3Xd DirectionsAt(int node)
-  {
-    const std::vector<Vec3> tangents = this->Mover.Tangents(
-      node, this->FreedomOf(node), this->TheMoves.Position[node], this->OnCut[node] != 0);
-    Eigen::Matrix3Xd t(3, tangents.size());
-    for (std::size_t i = 0; i < tangents.size(); ++i)
-    {
-      t.col(static_cast<int>(i)) = tangents[i];
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> metric(
-      t.transpose() * this->EdgeMetric(node) * t);
-    if (!(metric.eigenvalues().minCoeff() > 0.0))
-    {
-      return Eigen::Matrix3Xd(3, 0); // the surface touches the skin there
-    }
-    return t * metric.operatorInverseSqrt();
   }
 
   /// What has reached the floor stays there; what is held stays where it is.
@@ -408,58 +407,56 @@ private:
     return demands;
   }
 
-  /// @param[in,out] now has the worth of the elements.
-  void Linearise(const Part& part, Linearisation& now)
+  Linearisation Linearise(const Part& part, const std::vector<double>& worth)
   {
-    now.From = this->PositionsOf(part.Nodes);
-    now.Free = this->VariablesOf(part.Nodes);
+    Linearisation now{ worth, this->VariablesOf(part.Nodes), this->PositionsOf(part.Nodes), {}, {},
+      std::vector<std::optional<Vec3>>(part.Nodes.size()) };
     for (std::size_t i = 0; i < part.Elements.size(); ++i)
     {
-      this->AddDeterminants(part.Elements[i], i, now);
-      this->AddEdges(part.Elements[i], i, now);
+      if (worth[i] < this->HighestOfRows() + SameWorth)
+      {
+        this->AddDeterminants(part.Elements[i], i, now);
+        this->AddEdges(part.Elements[i], i, now);
+      }
     }
+    return now;
   }
 
-  void AddTo(Linearisation& now, int node, const Vec3& gradient) const
+  /// Adds the part of a gradient that is by one node; false if the node does not move.
+  bool AddTo(Linearisation& now, int node, const Vec3& gradient) const
   {
     const int slot = this->Slot[node];
     if (slot < 0)
     {
-      return;
+      return false;
     }
-    for (int v = now.Free.First[slot]; v < now.Free.First[slot + 1]; ++v)
+    const int begin = now.Free.First[slot], end = now.Free.First[slot + 1];
+    for (int v = begin; v < end && gradient != Vec3::Zero(); ++v)
     {
       now.Gradients.push_back({ v, gradient.dot(now.Free.Direction[v]) });
     }
+    return begin < end;
   }
 
-  /// Adds a row with what was added to the gradients since `begin`.
-  static void AddRow(double value, std::size_t element, std::size_t begin, Linearisation& now)
-  {
-    if (now.Gradients.size() > begin)
-    {
-      now.Rows.push_back({ value, element, begin, now.Gradients.size() });
-    }
-  }
-
-  /// No step aims at more.
-  double HighestAim() const { return std::max(this->Goal, this->Floor + FloorSlack); }
+  /// What is above is of no concern to any step.
+  double HighestOfRows() const { return std::max(this->Goal, this->Floor + FloorSlack) + Window; }
 
   void AddDeterminants(int e, std::size_t index, Linearisation& now) const
   {
     const auto& element = this->Elements[e];
-    for (const auto& at : ScaledDeterminants(this->PointsOf(e), element.Count))
+    for (const auto& at :
+      ScaledDeterminants(this->PointsOf(e), element.Count, this->HighestOfRows()))
     {
-      if (at.Value >= this->HighestAim() + Window)
-      {
-        continue;
-      }
       const std::size_t begin = now.Gradients.size();
+      bool moves = false;
       for (int i = 0; i < element.Count; ++i)
       {
-        this->AddTo(now, element.Node[i], at.Gradient[i]);
+        moves |= this->AddTo(now, element.Node[i], at.Gradient[i]);
       }
-      AddRow(at.Value, index, begin, now);
+      if (moves)
+      {
+        now.Rows.push_back({ at.Value, index, begin, now.Gradients.size() });
+      }
     }
   }
 
@@ -474,14 +471,16 @@ private:
       const Vec3 way = this->TheMoves.Position[b] - this->TheMoves.Position[a];
       const Vec3 before = this->TheBand.Point[b] - this->TheBand.Point[a];
       const double worth = EdgeWorth * way.norm() / before.norm();
-      if (worth < this->HighestAim() + Window)
+      if (worth < this->HighestOfRows())
       {
         const Vec3 along = way.norm() > NoEdge * before.norm() ? way : before;
         const Vec3 gradient = EdgeWorth / before.norm() * along.normalized();
         const std::size_t begin = now.Gradients.size();
-        this->AddTo(now, a, -gradient);
-        this->AddTo(now, b, gradient);
-        AddRow(worth, index, begin, now);
+        const bool moves = this->AddTo(now, a, -gradient);
+        if (this->AddTo(now, b, gradient) || moves)
+        {
+          now.Rows.push_back({ worth, index, begin, now.Gradients.size() });
+        }
       }
     }
   }
@@ -499,8 +498,30 @@ private:
     }
   }
 
+  /// Whether a node has moved then.
+  bool SettleFrom(int node, int slot, Linearisation& now)
+  {
+    Vec3& position = this->TheMoves.Position[node];
+    const Vec3& from = now.From[slot];
+    if (position == from)
+    {
+      auto& home = now.Home[slot];
+      if (!home)
+      {
+        this->SettleOnWay(node, from);
+        home = position;
+      }
+      position = *home;
+    }
+    else
+    {
+      this->SettleOnWay(node, from);
+    }
+    return position != from;
+  }
+
   /// A node that finds no place where it went goes half of the way, or stays.
-  void SettleFrom(int node, const Vec3& from)
+  void SettleOnWay(int node, const Vec3& from)
   {
     Vec3& position = this->TheMoves.Position[node];
     const Vec3 to = position;
@@ -520,6 +541,7 @@ private:
   double Floor;
   double Goal;
   bool EndsEarly;
+  StepDirections Directions;
   std::vector<int> Slot; // by node: its place in the part that is raised, or -1
   std::size_t Work = 0;  // steps times free directions
 };

@@ -2,6 +2,9 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <numeric>
 
 namespace trim
@@ -11,6 +14,8 @@ namespace
 
 /// How often a step is corrected for values that it makes miss.
 constexpr int MostRounds = 12;
+/// Values that are summed up side by side, as one alone would wait for each of its terms.
+constexpr std::size_t Abreast = 4;
 
 /// The slopes of some demands, sorted by variables.
 class SlopesByVariable
@@ -94,34 +99,94 @@ Eigen::VectorXd SolveFor(const std::vector<StepDemand>& demands, const std::vect
   return way;
 }
 
+/// What demands have after a step.
+class SteppedValues
+{
+public:
+  SteppedValues(const std::vector<StepDemand>& demands, const Eigen::VectorXd& way)
+    : Demands(demands)
+    , Way(way)
+  {
+  }
+
+  /// Calls take(i, value) for each, in order.
+  template <typename Take>
+  void ForAll(const Take& take) const
+  {
+    for (std::size_t i = 0; i < this->Demands.size(); i += Abreast)
+    {
+      const std::size_t count = std::min(Abreast, this->Demands.size() - i);
+      const std::array<double, Abreast> values = this->From(i, count);
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        take(i + k, values[k]);
+      }
+    }
+  }
+
+private:
+  std::array<double, Abreast> From(std::size_t first, std::size_t count) const
+  {
+    std::array<double, Abreast> value{};
+    std::array<const Slope*, Abreast> slope{};
+    std::ptrdiff_t common = count == Abreast ? std::numeric_limits<std::ptrdiff_t>::max() : 0;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const StepDemand& demand = this->Demands[first + k];
+      value[k] = demand.Value;
+      slope[k] = demand.Begin;
+      common = std::min(common, demand.End - demand.Begin);
+    }
+    for (std::ptrdiff_t i = 0; i < common; ++i)
+    {
+      for (std::size_t k = 0; k < Abreast; ++k)
+      {
+        value[k] += slope[k]->By * this->Way[slope[k]->Variable];
+        ++slope[k];
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      for (; slope[k] != this->Demands[first + k].End; ++slope[k])
+      {
+        value[k] += slope[k]->By * this->Way[slope[k]->Variable];
+      }
+    }
+    return value;
+  }
+
+  const std::vector<StepDemand>& Demands;
+  const Eigen::VectorXd& Way;
+};
+
 }
 
 Eigen::VectorXd FindLeastSquaresStep(
   const std::vector<StepDemand>& demands, std::size_t variables, double damping)
 {
-  Eigen::VectorXd way = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(variables));
   std::vector<int> missed, last;
-  for (int round = 0; round < MostRounds; ++round)
+  for (std::size_t i = 0; i < demands.size(); ++i)
   {
-    missed.clear();
-    for (std::size_t i = 0; i < demands.size(); ++i)
+    if (demands[i].Value < demands[i].Target)
     {
-      double value = demands[i].Value;
-      for (const Slope* slope = demands[i].Begin; slope != demands[i].End; ++slope)
-      {
-        value += slope->By * way[slope->Variable];
-      }
-      if (value < demands[i].Target)
-      {
-        missed.push_back(static_cast<int>(i));
-      }
+      missed.push_back(static_cast<int>(i));
     }
-    if (missed == last)
-    {
-      break;
-    }
+  }
+  Eigen::VectorXd way = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(variables));
+  for (int round = 0; round < MostRounds && missed != last; ++round)
+  {
     way = SolveFor(demands, missed, variables, damping);
     last.swap(missed);
+    missed.clear();
+    SteppedValues(demands, way)
+      .ForAll(
+        [&](std::size_t i, double value)
+        {
+          if (value < demands[i].Target)
+          {
+            missed.push_back(static_cast<int>(i));
+          }
+        });
   }
   return way;
 }
