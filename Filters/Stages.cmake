@@ -38,6 +38,7 @@ add_library(NURBSTrimStages STATIC
   Treat/ColumnChoices.cxx
   Treat/CreaseNodes.cxx
   Treat/ElementWorth.cxx
+  Treat/FailedReturns.cxx
   Treat/FloorClimb.cxx
   Treat/GuardedMesh.cxx
   Treat/InsertedLayer.cxx

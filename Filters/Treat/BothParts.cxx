@@ -75,6 +75,8 @@ BothParts ClimbForBothParts(
   LadderOptions demanding = options;
   demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
+  FailedReturns failures;
+  demanding.Failures = &failures;
   const NodeMover mover(band, given.TheColumns, given.Surface, given.Precision);
   const BandQuality quality(band, options.Treatment, options.QualityFloor);
   const double goal = std::max(options.QualityFloor, SmallestGoal);

@@ -7,6 +7,7 @@
 #define GuardedMesh_h
 
 #include "BandQuality.h"
+#include "FailedReturns.h"
 #include "RelaxedMesh.h"
 
 #include <functional>
@@ -26,6 +27,7 @@ struct GuardedCase
   std::vector<char>& Fixed;             ///< in and out: nodes that must not move
   std::vector<char>& OnCut;             ///< in and out: nodes of the new boundary
   Moves& NodeMoves;                     ///< in and out
+  FailedReturns* Failures = nullptr;    ///< in and out, of earlier climbs with the same band
 };
 
 class GuardedMesh : public RelaxedMesh

@@ -259,8 +259,7 @@ private:
     for (const Place& place : this->PlacesFor(node))
     {
       this->Put(node, place);
-      if (this->RelaxRound(at) && this->LowestOf(elements, standards) >= 0.0 &&
-        !this->HasCoincident(before))
+      if (this->MakesRoom(node, at, before, standards))
       {
         return true;
       }
@@ -272,19 +271,52 @@ private:
     return false;
   }
 
-  /// Makes room for a node; false if there is none.
-  bool RelaxRound(const std::vector<int>& elements)
+  /// Whether a node finds room where it was put.
+  /// @param at elements at it.
+  /// @param before the node, as the last one, and all that may make room, as they were.
+  /// @param standards of the elements at these.
+  bool MakesRoom(int node, const std::vector<int>& at, const State& before,
+    const std::vector<Standard>& standards)
   {
     if (this->Relaxations == MostRelaxations ||
-      std::any_of(elements.begin(), elements.end(), [&](int e) { return this->IsFlat(e); }))
+      std::any_of(at.begin(), at.end(), [&](int e) { return this->IsFlat(e); }))
     {
       return false;
     }
     ++this->Relaxations;
+    FailedReturns::Key key;
+    if (this->Given.Failures)
+    {
+      key = this->KeyOf(node, at, before);
+      if (this->Given.Failures->Contain(key))
+      {
+        return false;
+      }
+    }
     const RelaxationGoal goal{ this->Limit, this->Limit, Decisive };
-    Relax(this->Given.ToRelax, elements, goal, this->TheMoves);
-    RelaxJointly(this->Given.ToRelax, elements, goal, this->TheMoves);
-    return true;
+    Relax(this->Given.ToRelax, at, goal, this->TheMoves);
+    RelaxJointly(this->Given.ToRelax, at, goal, this->TheMoves);
+    const bool stood = this->LowestOf(this->ElementsAt(before.Nodes), standards) >= 0.0;
+    if (!stood && this->Given.Failures)
+    {
+      this->Given.Failures->Add(key);
+    }
+    // Coincident nodes may be anywhere, so that this is no matter of the neighbours alone.
+    return stood && !this->HasCoincident(before);
+  }
+
+  /// The standards are those of the places before.
+  FailedReturns::Key KeyOf(int node, const std::vector<int>& at, const State& before) const
+  {
+    FailedReturns::Key key = StateRound(*this, this->Given.Fixed, at, RelaxedRings);
+    AppendBytes(node, key);
+    AppendBytes(this->Limit, key);
+    const Vec3& from = before.Position.back();
+    for (int c = 0; c < 3; ++c)
+    {
+      AppendBytes(from[c], key);
+    }
+    return key;
   }
 
   /// Whether all edges at a corner of an element lie in one plane of the surface: there is no

@@ -569,7 +569,8 @@ GuardedCase TrialTrim::Guard(
   Shapes& shapes, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   return { { this->TheBand, this->Mover, shapes.Elements, shapes.Fixed, shapes.OnCut },
-    this->Quality, this->GoalForLeft(), aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves };
+    this->Quality, this->GoalForLeft(), aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves,
+    this->Options.Failures };
 }
 
 void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, double quality,

@@ -6,6 +6,7 @@
 #define TrialTrim_h
 
 #include "BandQuality.h"
+#include "FailedReturns.h"
 #include "Progress.h"
 #include "Relaxation.h"
 #include "ReturnedNodes.h"
@@ -40,6 +41,7 @@ struct LadderOptions
   /// not move.
   bool KeepsCorners = true;
   Demands ForOffcut;
+  FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others
 
   /// Scaled Jacobian that touched elements are to reach short of leaving nodes off; 0: none.
   double AimedQuality() const

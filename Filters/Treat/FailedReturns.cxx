@@ -1,0 +1,83 @@
+#include "FailedReturns.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trim
+{
+namespace
+{
+
+void SortOut(std::vector<int>& list)
+{
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Elements of the band at nodes, kept or not.
+std::vector<int> ElementsAtAny(const Band& band, const std::vector<int>& nodes)
+{
+  std::vector<int> elements;
+  for (const int node : nodes)
+  {
+    const auto at = band.ElementsOfNode(node);
+    elements.insert(elements.end(), at.begin(), at.end());
+  }
+  SortOut(elements);
+  return elements;
+}
+
+/// Nodes of elements of the band, also those that a wedge does without.
+std::vector<int> NodesOf(const Band& band, const std::vector<int>& elements)
+{
+  std::vector<int> nodes;
+  for (const int e : elements)
+  {
+    const auto& element = band.Elements[e];
+    nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
+  }
+  SortOut(nodes);
+  return nodes;
+}
+
+void AppendShape(const Band& band, const RelaxedElement& shape, int e, FailedReturns::Key& key)
+{
+  AppendBytes(e, key);
+  AppendBytes(static_cast<char>(shape.Count), key);
+  if (shape.Count > 0 && shape.Count != band.Elements[e].Count)
+  {
+    std::for_each(shape.Node.begin(), shape.Node.begin() + shape.Count,
+      [&key](int node) { AppendBytes(node, key); });
+  }
+}
+
+}
+
+FailedReturns::Key StateRound(const RelaxedMesh& mesh, const std::vector<char>& fixed,
+  const std::vector<int>& elements, int rings)
+{
+  const Band& band = mesh.TheBand;
+  std::vector<int> round = elements;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    round = ElementsAtAny(band, NodesOf(band, round));
+  }
+  FailedReturns::Key key;
+  for (const int e : round)
+  {
+    AppendShape(band, mesh.Elements[e], e, key);
+  }
+  for (const int node : NodesOf(band, round))
+  {
+    const Vec3& place = mesh.TheMoves.Position[node];
+    for (int c = 0; c < 3; ++c)
+    {
+      AppendBytes(place[c], key);
+    }
+    key.push_back(static_cast<char>(
+      4 * (fixed[node] != 0) + 2 * (mesh.OnCut[node] != 0) + (mesh.TheMoves.Left[node] != 0)));
+  }
+  return key;
+}
+
+}
