@@ -63,10 +63,31 @@ private:
   std::vector<Entry> Entries;
 };
 
-/// Least squares of the values that miss, by their normal equations: there are fewer of them than
-/// variables.
-Eigen::VectorXd SolveFor(const std::vector<StepDemand>& demands, const std::vector<int>& missed,
-  std::size_t variables, double damping)
+/// Least squares of values that miss, by the normal equations of the variables.
+Eigen::VectorXd SolveByVariables(const std::vector<StepDemand>& demands,
+  const std::vector<int>& missed, std::size_t variables, double damping)
+{
+  const auto count = static_cast<Eigen::Index>(variables);
+  Eigen::MatrixXd products = damping * Eigen::MatrixXd::Identity(count, count);
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(count);
+  for (const int i : missed)
+  {
+    const StepDemand& demand = demands[i];
+    for (const Slope* a = demand.Begin; a != demand.End; ++a)
+    {
+      pull[a->Variable] += a->By * (demand.Target - demand.Value);
+      for (const Slope* b = demand.Begin; b != demand.End; ++b)
+      {
+        products(b->Variable, a->Variable) += b->By * a->By;
+      }
+    }
+  }
+  return products.ldlt().solve(pull);
+}
+
+/// The same by those of the values.
+Eigen::VectorXd SolveByValues(const std::vector<StepDemand>& demands,
+  const std::vector<int>& missed, std::size_t variables, double damping)
 {
   const auto count = static_cast<Eigen::Index>(missed.size());
   const SlopesByVariable slopes(demands, missed, variables);
@@ -175,7 +196,9 @@ Eigen::VectorXd FindLeastSquaresStep(
   Eigen::VectorXd way = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(variables));
   for (int round = 0; round < MostRounds && missed != last; ++round)
   {
-    way = SolveFor(demands, missed, variables, damping);
+    // The fewer equations.
+    way = missed.size() > variables ? SolveByVariables(demands, missed, variables, damping)
+                                    : SolveByValues(demands, missed, variables, damping);
     last.swap(missed);
     missed.clear();
     SteppedValues(demands, way)
