@@ -258,14 +258,18 @@ double TurnCosine(
   return a.Exterior && b.Exterior ? cosine : std::abs(cosine);
 }
 
-NodeConstraint ConstrainNode(
-  const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node)
+namespace
+{
+
+/// The constraint by these of the faces of a node.
+NodeConstraint ConstrainBy(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, int node, const std::vector<int>& faces)
 {
   NodeConstraint constraint;
   std::vector<int> lateral;
   std::vector<int> exterior;
   bool sheet = false;
-  for (const int f : band.FacesOfNode(node))
+  for (const int f : faces)
   {
     const auto& face = band.Faces[f];
     const bool layer = columns.IsLayerFace(band, f);
@@ -308,6 +312,30 @@ NodeConstraint ConstrainNode(
   }
   SetKind(band, node, constraint);
   return constraint;
+}
+
+}
+
+NodeConstraint ConstrainNode(
+  const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node)
+{
+  const auto faces = band.FacesOfNode(node);
+  return ConstrainBy(band, columns, nodeStatus, node, { faces.begin(), faces.end() });
+}
+
+NodeConstraint ConstrainNode(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, int node)
+{
+  std::vector<int> faces;
+  for (const int f : band.FacesOfNode(node))
+  {
+    const auto& face = band.Faces[f];
+    if (kept[face.Element[0]] && (face.Element[1] < 0 || kept[face.Element[1]]))
+    {
+      faces.push_back(f);
+    }
+  }
+  return ConstrainBy(band, columns, nodeStatus, node, faces);
 }
 
 }

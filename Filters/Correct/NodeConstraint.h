@@ -49,6 +49,10 @@ double TurnCosine(
 NodeConstraint ConstrainNode(
   const Band& band, const Columns& columns, const std::vector<unsigned char>& nodeStatus, int node);
 
+/// The same by the faces of the kept elements alone, but for those that they share with others.
+NodeConstraint ConstrainNode(const Band& band, const Columns& columns,
+  const std::vector<unsigned char>& nodeStatus, const std::vector<char>& kept, int node);
+
 }
 
 #endif

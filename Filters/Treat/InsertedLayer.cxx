@@ -25,16 +25,20 @@ constexpr double LeastTurn = 0.2;
 class LayerBuilder
 {
 public:
-  LayerBuilder(const Band& band, const NodeMover& mover, const std::vector<char>& kept)
+  LayerBuilder(
+    const Band& band, const Columns& columns, const NodeMover& mover, const std::vector<char>& kept)
     : TheBand(band)
+    , TheColumns(columns)
     , Mover(mover)
     , Kept(kept)
+    , AllKept(band.NumberOfNodes(), NodeKeep)
     , InnerNode(band.NumberOfNodes(), -1)
   {
   }
 
-  bool Build(BandCells& cells)
+  std::vector<int> Build(BandCells& cells)
   {
+    cells = BandCells();
     this->TakeBand(cells);
     this->AddNodes(cells);
     this->AddCells(cells);
@@ -83,12 +87,14 @@ private:
 
   int Behind(int node) const { return this->InnerNode[node] >= 0 ? this->InnerNode[node] : node; }
 
-  void AddCells(BandCells& cells) const
+  void AddCells(BandCells& cells)
   {
-    for (const BandFace& face : this->TheBand.Faces)
+    for (std::size_t f = 0; f < this->TheBand.Faces.size(); ++f)
     {
+      const BandFace& face = this->TheBand.Faces[f];
       if (IsCutFace(face, this->Kept))
       {
+        this->CutFaces.push_back(static_cast<int>(f));
         cells.Cells.push_back(this->CellOn(face));
       }
     }
@@ -181,31 +187,36 @@ private:
     return Facet(this->TheBand, face).NormalAt(corner);
   }
 
-  /// Places the new nodes; where an element has no room, the layer is thinner.
-  bool Place(BandCells& cells) const
+  /// Places the new nodes; where an element has no room, the layer is thinner. Returns the faces
+  /// of the cut where it still has none.
+  std::vector<int> Place(BandCells& cells) const
   {
     std::vector<double> share(cells.Nodes.size(), LayerShare);
+    std::vector<int> noRoom;
     for (int halvings = 0; halvings <= MostHalvings; ++halvings)
     {
-      for (auto& node : cells.Nodes)
+      std::vector<char> unplaced(cells.Nodes.size(), 0);
+      for (std::size_t n = 0; n < cells.Nodes.size(); ++n)
       {
-        if (node.From.Inserted &&
-          !this->PlaceBehind(node.From.Index, share[&node - cells.Nodes.data()], node.Point))
-        {
-          return false;
-        }
+        auto& node = cells.Nodes[n];
+        unplaced[n] =
+          node.From.Inserted && !this->PlaceBehind(node.From.Index, share[n], node.Point);
       }
-      if (!this->ThinWhereInvalid(cells, share))
+      noRoom = this->FindNoRoom(cells, unplaced, share);
+      if (noRoom.empty())
       {
-        return true;
+        break;
       }
     }
-    return false;
+    return noRoom;
   }
 
   bool PlaceBehind(int node, double share, Vec3& place) const
   {
-    NodeFreedom freedom = this->Mover.FreedomOf(node);
+    // What the other elements are held by goes with them.
+    NodeFreedom freedom;
+    freedom.Constraint =
+      ConstrainNode(this->TheBand, this->TheColumns, this->AllKept, this->Kept, node);
     const Vec3 wanted = this->TheBand.Point[node] + this->StepBehind(node, share);
     const bool found = freedom.Constraint.Kind != ConstraintKind::Fixed &&
       this->Mover.Constrained(node, freedom, wanted, false, place);
@@ -213,46 +224,69 @@ private:
     return found;
   }
 
-  /// Halves the shares at invalid elements with new nodes; false if there are none.
-  bool ThinWhereInvalid(const BandCells& cells, std::vector<double>& share) const
+  /// Faces of invalid elements of the layer, and at nodes without a place or of other invalid
+  /// elements; the shares there are halved.
+  std::vector<int> FindNoRoom(
+    const BandCells& cells, std::vector<char> bad, std::vector<double>& share) const
   {
     std::vector<char> thin(cells.Nodes.size(), 0);
-    bool any = false;
-    for (const auto& cell : cells.Cells)
+    std::vector<char> invalid(cells.Cells.size(), 0);
+    for (std::size_t c = 0; c < cells.Cells.size(); ++c)
     {
-      ElementPoints points;
-      bool changed = false;
-      for (int i = 0; i < cell.Count; ++i)
+      const auto& cell = cells.Cells[c];
+      invalid[c] = IsInvalid(cells, cell);
+      for (int i = 0; invalid[c] && i < cell.Count; ++i)
       {
-        points[i] = cells.Nodes[cell.Node[i]].Point;
-        changed |= cells.Nodes[cell.Node[i]].From.Inserted;
-      }
-      if (changed && !(MeasureJacobian(points, cell.Count).Bezier > 0.0))
-      {
-        any = true;
-        std::for_each(
-          cell.Node.begin(), cell.Node.begin() + cell.Count, [&thin](int n) { thin[n] = 1; });
+        thin[cell.Node[i]] = 1;
+        bad[cell.Node[i]] |= !cell.From.Inserted;
       }
     }
     for (std::size_t n = 0; n < thin.size(); ++n)
     {
       share[n] *= thin[n] ? 0.5 : 1.0;
     }
-    return any;
+    std::vector<int> faces;
+    for (std::size_t i = 0; i < this->CutFaces.size(); ++i)
+    {
+      const BandFace& face = this->TheBand.Faces[this->CutFaces[i]];
+      const bool atBad = std::any_of(face.Node.begin(), face.Node.begin() + face.Count,
+        [&](int n) { return bad[this->InnerNode[n]]; });
+      if (atBad || invalid[this->TheBand.NumberOfElements() + i])
+      {
+        faces.push_back(this->CutFaces[i]);
+      }
+    }
+    return faces;
+  }
+
+  /// Whether a cell with new nodes is.
+  static bool IsInvalid(const BandCells& cells, const BandCells::Cell& cell)
+  {
+    ElementPoints points;
+    bool changed = false;
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      points[i] = cells.Nodes[cell.Node[i]].Point;
+      changed |= cells.Nodes[cell.Node[i]].From.Inserted;
+    }
+    return changed && !(MeasureJacobian(points, cell.Count).Bezier > 0.0);
   }
 
   const Band& TheBand;
+  const Columns& TheColumns;
   const NodeMover& Mover;
   const std::vector<char>& Kept;
-  std::vector<int> InnerNode; ///< by node of the band: the new one behind it, -1: none
+  std::vector<unsigned char> AllKept; ///< status of the nodes as if there were no cut
+  std::vector<int> InnerNode;         ///< by node of the band: the new one behind it, -1: none
+  std::vector<int> CutFaces;          ///< the layer's elements stand on, in their order
 };
 
 }
 
-bool InsertLayer(
-  const Band& band, const NodeMover& mover, const std::vector<char>& kept, BandCells& cells)
+std::vector<int> InsertLayer(const Band& band, const Columns& columns, const NodeMover& mover,
+  const std::vector<char>& kept, BandCells& cells)
 {
-  return LayerBuilder(band, mover, kept).Build(cells);
+  return LayerBuilder(band, columns, mover, kept).Build(cells);
 }
 
 }

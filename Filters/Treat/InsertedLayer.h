@@ -23,12 +23,12 @@ namespace trim
  * the model along it. The model has the shape that it had.
  *
  * @param mover of the band.
- * @param[out] cells status, rings and ids as in the band, of inserted nodes and cells their
+ * @param[out] cells made anew; status, rings and ids as in the band, of inserted nodes and cells their
  * Origin: the node whose place was taken, the kept element on whose face it stands.
- * @return false if there is no room for it.
+ * @return the faces where there is no room for it; empty: it stands.
  */
-bool InsertLayer(
-  const Band& band, const NodeMover& mover, const std::vector<char>& kept, BandCells& cells);
+std::vector<int> InsertLayer(const Band& band, const Columns& columns, const NodeMover& mover,
+  const std::vector<char>& kept, BandCells& cells);
 
 }
 

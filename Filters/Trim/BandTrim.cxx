@@ -39,12 +39,13 @@ struct Shortcomings
 
 Shortcomings MeasureLeft(const TrimBand& near)
 {
-  const Band& band = near.Mesh;
+  const Band& band = WithoutLayer(near.Mesh);
   Shortcomings sum;
   sum.Elements = near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() +
     near.Rest.Invalid.size() + near.Rest.BelowFloor.size();
-  for (const auto& [node, distance] : near.NodesLeft)
+  for (const auto& [left, distance] : near.NodesLeft)
   {
+    const int node = NodeWithoutLayer(near.Mesh, left);
     double length = 0.0;
     const auto edges = band.EdgesOfNode(node);
     for (const int edge : edges)

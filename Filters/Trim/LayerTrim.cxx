@@ -10,6 +10,9 @@ namespace trim
 namespace
 {
 
+/// How often the fates of elements are changed to give a layer room.
+constexpr int MostAttempts = 8;
+
 /// By whole columns in a sheet, element by element in a block: there the layer makes up for it.
 Columns ColumnsFor(const Band& band, bool isSheet)
 {
@@ -19,23 +22,69 @@ Columns ColumnsFor(const Band& band, bool isSheet)
     : NoColumns(band, std::move(columns.Part));
 }
 
-/// What the layer is to stand on.
-std::vector<char> FindKept(const TrimBand& near, const Columns& columns, double largestShare,
-  const nurbs::TrimmingSurface& surface)
+/// Of each element the largest share in its column.
+VolumeShares LargestOfColumns(const VolumeShares& shares, const Columns& columns)
 {
-  VolumeShares reach = near.Shares;
-  reach.Column.assign(near.Mesh.NumberOfElements(), 0.0);
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  VolumeShares reach = shares;
+  std::vector<double> largest(shares.Element.size(), 0.0);
+  for (std::size_t e = 0; e < largest.size(); ++e)
   {
-    double& ofColumn = reach.Column[columns.Column[e]];
-    ofColumn = std::max(ofColumn, reach.Element[e]);
+    double& ofColumn = largest[columns.Column[e]];
+    ofColumn = std::max(ofColumn, shares.Element[e]);
   }
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  for (std::size_t e = 0; e < largest.size(); ++e)
   {
-    reach.Column[e] = reach.Column[columns.Column[e]];
+    reach.Column[e] = largest[columns.Column[e]];
   }
-  const std::vector<Fate> fates(near.Mesh.NumberOfElements(), Fate::ByVolume);
-  return Decision(near.Mesh, columns, reach, surface, largestShare, false).Take(fates);
+  return reach;
+}
+
+/// Parts the columns at faces where a layer has no room elsewhere: the one that is nearer to the
+/// surface changes its fate. False if none may.
+bool PartElsewhere(const Band& band, const Columns& columns, const VolumeShares& reach,
+  const std::vector<char>& kept, const std::vector<int>& faces, std::vector<Fate>& fates)
+{
+  bool any = false;
+  for (const int f : faces)
+  {
+    const auto& elements = band.Faces[f].Element;
+    const int in = elements[kept[elements[0]] ? 0 : 1];
+    const int out = elements[kept[elements[0]] ? 1 : 0];
+    const bool moveIn = 1.0 - reach.Column[in] < reach.Column[out];
+    for (const int e : { moveIn ? in : out, moveIn ? out : in })
+    {
+      Fate& fate = fates[columns.Column[e]];
+      if (fate == Fate::ByVolume && band.Elements[e].Ring < 2)
+      {
+        fate = e == in ? Fate::Eliminate : Fate::Keep;
+        any = true;
+        break;
+      }
+    }
+  }
+  return any;
+}
+
+/// What is kept of the band and its layer; false if there is no room for one.
+bool PutLayer(const TrimBand& near, const Columns& columns, double largestShare,
+  const nurbs::TrimmingSurface& surface, double precision, std::vector<char>& kept,
+  BandCells& cells)
+{
+  const Band& band = near.Mesh;
+  const VolumeShares reach = LargestOfColumns(near.Shares, columns);
+  Decision decision(band, columns, reach, surface, largestShare, false);
+  const NodeMover mover(band, columns, surface, precision);
+  std::vector<Fate> fates(band.NumberOfElements(), Fate::ByVolume);
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  {
+    kept = decision.Take(fates);
+    const auto noRoom = InsertLayer(band, columns, mover, kept, cells);
+    if (noRoom.empty() || !PartElsewhere(band, columns, reach, kept, noRoom, fates))
+    {
+      return noRoom.empty();
+    }
+  }
+  return false;
 }
 
 /// By which what is kept stays so, the layer with it, and nothing else.
@@ -85,9 +134,9 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
 {
   const bool isSheet = near.Structure.HasThickness() && !near.Structure.ChosenByCut;
   const Columns columns = ColumnsFor(near.Mesh, isSheet);
-  const std::vector<char> kept = FindKept(near, columns, largestShare, surface);
+  std::vector<char> kept;
   BandCells cells;
-  if (!InsertLayer(near.Mesh, NodeMover(near.Mesh, columns, surface, precision), kept, cells))
+  if (!PutLayer(near, columns, largestShare, surface, precision, kept, cells))
   {
     return nullptr;
   }

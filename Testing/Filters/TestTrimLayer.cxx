@@ -132,6 +132,40 @@ void TestAslant()
   Expect(tally.LeftWithLayer < 0.15 * tally.Left, "too many nodes are left with a layer");
 }
 
+/// Sections with inner edges, where a layer has room only if other elements stay beneath it.
+void TestInnerEdges()
+{
+  struct Trial
+  {
+    std::string Mesh, Kind;
+    Placement At;
+  };
+  const auto at = [](double x, double y, double angle, double lean, double size)
+  {
+    Placement place;
+    place.X = x;
+    place.Y = y;
+    place.Angle = angle;
+    place.Lean = lean;
+    place.Size = size;
+    return place;
+  };
+  Tally tally;
+  for (const Trial& trial :
+    std::initializer_list<Trial>{ { "angle", "slot", at(0.342, -0.324, 5.176, 0.59, 0.431) },
+      { "angle", "scurve", at(0.098, -0.213, 5.313, 0.463, 0.422) },
+      { "tee", "slot", at(-0.073, 0.391, 1.629, 0.716, 0.35) } })
+  {
+    const Mesh mesh = MakeMesh(trial.Mesh);
+    Compare(trial.Mesh + " " + trial.Kind, mesh, MakeSurface(trial.Kind, mesh.Box, trial.At), 0.05,
+      tally);
+  }
+  std::printf("inner edges: left off without %d, with a layer %d, taken %d times\n", tally.Left,
+    tally.LeftWithLayer, tally.Taken);
+  Expect(tally.Taken == 3, "no layer at an inner edge");
+  Expect(tally.LeftWithLayer < 0.15 * tally.Left, "too many nodes are left at inner edges");
+}
+
 /// A plane along the diagonal of the elements: each has a corner with three facets at the cut.
 void TestDiagonal()
 {
@@ -218,6 +252,7 @@ void TestSequence()
 int main()
 {
   TestAslant();
+  TestInnerEdges();
   TestDiagonal();
   TestValues();
   TestSequence();
