@@ -44,10 +44,26 @@ struct Layout
   size_t Width = 3;
 };
 
+/// The names in a header without units, as in "x [mm]" and "x(mm)".
+std::vector<std::string> WithoutUnits(const std::vector<std::string>& header)
+{
+  std::vector<std::string> names;
+  for (const std::string& text : header)
+  {
+    const std::string name = text.substr(0, text.find_first_of("[("));
+    if (!name.empty())
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
 /// As the names in a header say, those of ParaView's spreadsheet among them; three columns if they
 /// say nothing.
-Layout FindLayout(const std::vector<std::string>& names)
+Layout FindLayout(const std::vector<std::string>& header)
 {
+  const std::vector<std::string> names = WithoutUnits(header);
   Layout layout;
   for (size_t axis = 0; axis < 3; ++axis)
   {
@@ -80,6 +96,13 @@ void SkipByteOrderMark(std::istream& stream)
     }
     stream.get();
   }
+}
+
+/// Some spreadsheets save so; no UTF-8 starts like that.
+bool IsUTF16(std::istream& stream)
+{
+  const int first = stream.peek();
+  return first == 0xFF || first == 0xFE;
 }
 
 /// Not strtod: a decimal point whatever the locale.
@@ -118,6 +141,11 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
   if (!stream || vtksys::SystemTools::FileIsDirectory(path))
   {
     error = file + " cannot be read; give the path of an existing CSV, IGES or STEP file";
+    return false;
+  }
+  if (IsUTF16(stream))
+  {
+    error = file + " is in UTF-16; save it as CSV in UTF-8";
     return false;
   }
   SkipByteOrderMark(stream);

@@ -404,7 +404,8 @@ void TestFile()
          "\"0\",\"0\",\"0\"\n\"4\",\"0\",\"0.5\"\n4,3,0\n-10,3,0\n0.0001,0,0\n",
          "\"Point ID\",\"Points:0\",\"Points:1\",\"Points:2\",\"Points_Magnitude\"\n0,0,0,0,0\n"
          "1,4,0,0.5,4.03\n2,4,3,0,5\n3,-10,3,0,10.44\n",
-         "Z Y X\n0 0 0\n0.5 0 4\n0 3 4\n0 3 -10\n" })
+         "Z Y X\n0 0 0\n0.5 0 4\n0 3 4\n0 3 -10\n",
+         "t (s);X [mm];Y[mm];Z(mm)\n9;0;0;0\n9;4;0;0.5\n9;4;3;0\n9;-10;3;0\n" })
   {
     const std::string path = OutputPath("line.csv");
     WriteText(path, text);
@@ -500,6 +501,10 @@ void TestBadInput()
     });
   CheckError("cannot be read", [](Source* s) { s->SetFileName("/nowhere/line.csv"); });
   CheckError("cannot be read", [](Source* s) { s->SetFileName("/tmp"); });
+  CheckFileError("is in UTF-16; save it as CSV in UTF-8",
+    std::string("\xFF\xFE"
+                "0\0,\0",
+      6));
   CheckFileError("is cut short", "ISO-10303-21;\nHEADER;\n");
   CheckFileError("line 3 is \"1,2\"; expected three", "x,y,z\n0,0,0\n1,2\n");
   CheckFileError("line 2", "0,0,0\n1,2,3,4\n");
