@@ -4,6 +4,8 @@
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -184,6 +186,27 @@ void CheckMoves(const Evidence& e, Report& report)
 
 namespace
 {
+/// Points of the input where facets of kept elements meet in a ridge.
+std::vector<char> RidgesOfKept(const Evidence& e, const std::vector<char>& kept)
+{
+  const double cosine = std::cos(Exterior::SureAngle * std::acos(-1.0) / 180);
+  std::vector<char> ridge(e.In.Points.size(), 0);
+  std::vector<std::vector<Vec3>> normals(e.In.Points.size());
+  for (const Facet& facet : e.Border.Facets().Exterior)
+  {
+    const auto at = [&](int i) { return e.In.Points[facet.Node[i]]; };
+    const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    for (int i = 0; kept[facet.Owner] && i < facet.Size(); ++i)
+    {
+      auto& others = normals[facet.Node[i]];
+      ridge[facet.Node[i]] |= std::any_of(others.begin(), others.end(),
+        [&](const Vec3& other) { return other.dot(normal) < cosine; });
+      others.push_back(normal);
+    }
+  }
+  return ridge;
+}
+
 void CheckPlaces(const Evidence& e, Report& report)
 {
   std::vector<char> kept(e.In.Elements.size(), 0);
@@ -199,7 +222,8 @@ void CheckPlaces(const Evidence& e, Report& report)
   };
   const std::vector<char> skin = SkinPoints(e, stays);
   // A layer divides the facets of the skin, which changes the shape of twisted ones.
-  const double exact = e.Case.Options.InsertLayer ? std::max(e.Exact, 5e-5 * e.Diagonal) : e.Exact;
+  const double exact = e.Case.Options.InsertLayer ? std::max(e.Exact, 1e-4 * e.Diagonal) : e.Exact;
+  const std::vector<char> ridges = RidgesOfKept(e, kept);
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];
@@ -223,11 +247,13 @@ void CheckPlaces(const Evidence& e, Report& report)
           Where(x),
         away, exact);
     }
-    if (!free && place == Exterior::Place::Ridge && e.Border.RidgeDistance(x) > exact)
+    // What stands on one side of an inner edge ends on that side.
+    const bool onRidge = e.InsertedPoint[p] ? ridges[o] != 0 : place == Exterior::Place::Ridge;
+    if (!free && onRidge && e.Border.RidgeDistance(x) > exact)
     {
       report.Fail("stays on the ridge", Point(p), e.Border.RidgeDistance(x), exact);
     }
-    if (!free && place == Exterior::Place::Corner)
+    if (!free && place == Exterior::Place::Corner && !e.InsertedPoint[p])
     {
       report.Fail("corner stays", Point(p), (x - e.In.Points[o]).norm(), 0);
     }
