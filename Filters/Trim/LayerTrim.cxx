@@ -10,6 +10,8 @@ namespace trim
 namespace
 {
 
+/// Elements from this ring on keep their fate: the layer and those behind it need room in the band.
+constexpr int FirstFixedRing = 2;
 /// How often the fates of elements are changed to give a layer room.
 constexpr int MostAttempts = 8;
 
@@ -39,8 +41,8 @@ VolumeShares LargestOfColumns(const VolumeShares& shares, const Columns& columns
   return reach;
 }
 
-/// Parts the columns at faces where a layer has no room elsewhere: the one that is nearer to the
-/// surface changes its fate. False if none may.
+/// Where a layer has no room on faces, one of the columns beside changes its fate, rather the one
+/// that is nearer to the surface. False if none may.
 bool PartElsewhere(const Band& band, const Columns& columns, const VolumeShares& reach,
   const std::vector<char>& kept, const std::vector<int>& faces, std::vector<Fate>& fates)
 {
@@ -54,7 +56,7 @@ bool PartElsewhere(const Band& band, const Columns& columns, const VolumeShares&
     for (const int e : { moveIn ? in : out, moveIn ? out : in })
     {
       Fate& fate = fates[columns.Column[e]];
-      if (fate == Fate::ByVolume && band.Elements[e].Ring < 2)
+      if (fate == Fate::ByVolume && band.Elements[e].Ring < FirstFixedRing)
       {
         fate = e == in ? Fate::Eliminate : Fate::Keep;
         any = true;
