@@ -64,7 +64,7 @@ namespace
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-/// Extents of a block along unit vectors from the centre of another.
+/// Extents of a block, or of a box along the axes, along unit vectors from the centre of a block.
 struct Extents
 {
   Eigen::Vector3f Middle, Half;
@@ -81,6 +81,23 @@ struct Extents
       this->Middle[axis] = axes[axis]->dot(center);
       this->Half[axis] =
         (axes[axis]->transpose() * edges).cwiseAbs().dot(half.transpose()) + rounding;
+    }
+  }
+  Extents(const SurfaceBlock& frame, const Eigen::Vector3f& firstAxis, const TreeNode& node, int c)
+  {
+    Eigen::Vector3f center, half;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const float low = node.Low[axis][c], high = node.High[axis][c];
+      center[axis] = static_cast<float>(0.5 * (double(low) + double(high)) - frame.Center[axis]);
+      half[axis] = 0.5f * (high - low) + 1e-6f * (std::abs(low) + std::abs(high));
+    }
+    const Eigen::Vector3f* axes[3] = { &firstAxis, &frame.Y, &frame.Z };
+    const float rounding = 1e-6f * (center.norm() + half.sum());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Middle[axis] = axes[axis]->dot(center);
+      this->Half[axis] = axes[axis]->cwiseAbs().dot(half) + rounding;
     }
   }
 };
@@ -103,24 +120,54 @@ void FindRing(const std::vector<double>& breaks, int block, double width, int& f
 }
 
 /**
- * How far from the surface a point with its foot in the block may be and still be nearer to the
- * foot than to all of the other block. With v = Q - F and the normal n at F the sphere through Q
+ * How far from the surface a point with its foot in a block may be and still be nearer to the
+ * foot than to all of another part. With v = Q - F and the normal n at F the sphere through Q
  * that touches at F has the radius |v|^2 / (2 n.v).
  */
-double FreeOf(const SurfaceBlock& block, const SurfaceBlock& other, double tilt)
+class FreeDistance
 {
-  const Eigen::Vector3f first = block.AcrossV();
-  const Extents own(block, first, block), extents(block, first, other);
-  const Eigen::Vector3f offset = (extents.Middle - own.Middle).cwiseAbs();
-  const Eigen::Vector3f gap = (offset - own.Half - extents.Half).cwiseMax(0.0f);
-  const Eigen::Vector3f most = offset + own.Half + extents.Half;
-  const double across = std::max(gap.x(), gap.y());
-  const double squared = across * across + gap.z() * gap.z();
-  const Eigen::Matrix3f edges = block.Edges();
-  const double rise =
-    most.z() + tilt * (most.x() * edges.col(0).norm() + most.y() * edges.col(1).norm());
-  return std::max({ 0.5 * std::sqrt(squared), across / (1 + tilt), 0.5 * squared / rise });
-}
+public:
+  /// @param tilt of the normals in the block against that at its middle.
+  FreeDistance(const SurfaceBlock& block, double tilt)
+    : Block(block)
+    , First(block.AcrossV())
+    , Own(block, this->First, block)
+    , Tilt(tilt)
+  {
+    const Eigen::Matrix3f edges = block.Edges();
+    this->LengthU = edges.col(0).norm();
+    this->LengthV = edges.col(1).norm();
+  }
+
+  double To(const SurfaceBlock& other) const
+  {
+    return this->To(Extents(this->Block, this->First, other));
+  }
+  /// To all that hangs in the child of a node: never more than to one of it.
+  double To(const TreeNode& node, int child) const
+  {
+    return 0.999 * this->To(Extents(this->Block, this->First, node, child));
+  }
+
+private:
+  double To(const Extents& extents) const
+  {
+    const Eigen::Vector3f offset = (extents.Middle - this->Own.Middle).cwiseAbs();
+    const Eigen::Vector3f gap = (offset - this->Own.Half - extents.Half).cwiseMax(0.0f);
+    const Eigen::Vector3f most = offset + this->Own.Half + extents.Half;
+    const double across = std::max(gap.x(), gap.y());
+    const double squared = across * across + gap.z() * gap.z();
+    const double rise =
+      most.z() + this->Tilt * (most.x() * this->LengthU + most.y() * this->LengthV);
+    return std::max({ 0.5 * std::sqrt(squared), across / (1 + this->Tilt), 0.5 * squared / rise });
+  }
+
+  const SurfaceBlock& Block;
+  Eigen::Vector3f First;
+  Extents Own;
+  double Tilt;
+  float LengthU, LengthV;
+};
 
 }
 
@@ -197,7 +244,7 @@ double SurfaceBlocks::ClearanceOfOthers(
 {
   const SurfaceBlock& block = this->Blocks[index];
   const Grid& grid = this->Grids[block.Face];
-  const float tilt = this->ReachOf(model, index).Tilt;
+  const FreeDistance distance(block, this->ReachOf(model, index).Tilt);
   const TreePoint center(block.Center);
   const Extents extents(block, block.X, block);
   const double radius = (extents.Middle.cwiseAbs() + extents.Half).norm();
@@ -216,14 +263,17 @@ double SurfaceBlocks::ClearanceOfOthers(
       }
       if (child >= 0)
       {
-        stack.push_back(child);
+        if (distance.To(node, c) < clearance)
+        {
+          stack.push_back(child);
+        }
         continue;
       }
       const SurfaceBlock& other = this->Blocks[~child];
       const int i = (~child - grid.First) % grid.CountU, j = (~child - grid.First) / grid.CountU;
       if (other.Face != block.Face || !ring.Holds(i, j))
       {
-        clearance = std::min(clearance, FreeOf(block, other, tilt));
+        clearance = std::min(clearance, distance.To(other));
       }
     }
   }
@@ -233,7 +283,7 @@ double SurfaceBlocks::ClearanceOfOthers(
 /**
  * The distance within which a foot in the block is the closest point. On the rectangle of the block
  * and its neighbours the distance is convex as long as the point stays within the reach of each
- * of them; all other blocks are kept off by FreeOf.
+ * of them; all other blocks are kept off by FreeDistance.
  */
 double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, double width) const
 {
