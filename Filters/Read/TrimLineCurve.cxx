@@ -175,7 +175,7 @@ std::string FindPointDefect(const std::vector<Vec3>& points, bool closed)
   std::ostringstream text;
   if (count < (closed ? 3u : 2u))
   {
-    text << "it has " << count << " points; give at least " << (closed ? 3 : 2);
+    text << "it has " << count << " points; give x, y, z of at least " << (closed ? 3 : 2);
     return text.str();
   }
   for (size_t i = 0; i < count; ++i)

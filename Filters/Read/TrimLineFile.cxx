@@ -12,29 +12,58 @@ namespace nurbs
 {
 namespace
 {
-/// The values of a line, without the quotes that some programs put round them.
-std::vector<std::string> SplitLine(const std::string& line)
+/// The characters that part the values of a line: each of them, or as many as stand together.
+struct Separators
 {
-  std::vector<std::string> values;
-  bool between = true;
+  std::string Characters;
+  bool KeepsEmpty;
+};
+const Separators Semicolons{ ";", true };
+const Separators Commas{ ",", true };
+const Separators Blanks{ " \t\r", false };
+const Separators SemicolonsOrBlanks{ "; \t\r", false };
+const Separators CommasOrBlanks{ ", \t\r", false };
+const Separators Any{ ",; \t\r", false };
+
+std::string WithoutBlanksAround(const std::string& text)
+{
+  const size_t first = text.find_first_not_of(Blanks.Characters);
+  const size_t last = text.find_last_not_of(Blanks.Characters);
+  return first == std::string::npos ? std::string() : text.substr(first, last + 1 - first);
+}
+
+/// The values of a line, without the quotes that some programs put round them.
+std::vector<std::string> SplitLine(const std::string& line, const Separators& separators)
+{
+  std::vector<std::string> values(1);
   bool quoted = false;
-  for (char c : line)
+  for (const char c : line)
   {
-    const bool quote = c == '"';
-    quoted = quoted != quote;
-    const bool blank =
-      !quoted && !quote && (c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';');
-    if (!blank && between)
+    const bool separates = !quoted && separators.Characters.find(c) != std::string::npos;
+    quoted = quoted != (c == '"');
+    if (separates)
     {
       values.emplace_back();
     }
-    if (!blank && !quote)
+    else if (c != '"')
     {
       values.back() += c;
     }
-    between = blank;
+  }
+  std::transform(values.begin(), values.end(), values.begin(), WithoutBlanksAround);
+  if (!separators.KeepsEmpty)
+  {
+    values.erase(std::remove(values.begin(), values.end(), std::string()), values.end());
   }
   return values;
+}
+
+/// Names of columns may have blanks in them, and in an export in German or French commas.
+const Separators& SeparatorsOfHeader(const std::string& line)
+{
+  return line.find(';') != std::string::npos ? Semicolons
+    : line.find(',') != std::string::npos    ? Commas
+                                             : Blanks;
 }
 
 /// In which columns of a file the coordinates are, and how many columns it has.
@@ -45,13 +74,14 @@ struct Layout
 };
 
 /// The names in a header without units, as in "x [mm]" and "x(mm)".
-std::vector<std::string> WithoutUnits(const std::vector<std::string>& header)
+std::vector<std::string> NamesIn(const std::string& header)
 {
+  const Separators& separators = SeparatorsOfHeader(header);
   std::vector<std::string> names;
-  for (const std::string& text : header)
+  for (const std::string& text : SplitLine(header, separators))
   {
-    const std::string name = text.substr(0, text.find_first_of("[("));
-    if (!name.empty())
+    const std::string name = WithoutBlanksAround(text.substr(0, text.find_first_of("[(")));
+    if (separators.KeepsEmpty || !name.empty()) // a unit may stand by itself
     {
       names.push_back(name);
     }
@@ -61,9 +91,9 @@ std::vector<std::string> WithoutUnits(const std::vector<std::string>& header)
 
 /// As the names in a header say, those of ParaView's spreadsheet among them; three columns if they
 /// say nothing.
-Layout FindLayout(const std::vector<std::string>& header)
+Layout FindLayout(const std::string& header)
 {
-  const std::vector<std::string> names = WithoutUnits(header);
+  const std::vector<std::string> names = NamesIn(header);
   Layout layout;
   for (size_t axis = 0; axis < 3; ++axis)
   {
@@ -114,14 +144,26 @@ bool ReadNumber(const std::string& text, double& number)
   return result.ec == std::errc() && result.ptr == end;
 }
 
-bool ReadPoint(const std::vector<std::string>& values, const Layout& layout, Vec3& point)
+/// @param decimal the character between the whole of a number and its fraction.
+bool TakePoint(std::vector<std::string> values, const Layout& layout, char decimal, Vec3& point)
 {
   bool complete = values.size() == layout.Width;
   for (size_t axis = 0; axis < 3 && complete; ++axis)
   {
-    complete = ReadNumber(values[layout.Columns[axis]], point[axis]);
+    std::string& value = values[layout.Columns[axis]];
+    std::replace(value.begin(), value.end(), decimal, '.');
+    complete = ReadNumber(value, point[axis]);
   }
   return complete && point.allFinite();
+}
+
+/// A comma parts values where that makes as many as there are columns, and else is a decimal one.
+bool ReadPoint(const std::string& line, const Layout& layout, Vec3& point)
+{
+  return TakePoint(SplitLine(line, Commas), layout, '.', point) ||
+    TakePoint(SplitLine(line, CommasOrBlanks), layout, '.', point) ||
+    TakePoint(SplitLine(line, Semicolons), layout, ',', point) ||
+    TakePoint(SplitLine(line, SemicolonsOrBlanks), layout, ',', point);
 }
 
 bool HasNumber(const std::vector<std::string>& values)
@@ -154,7 +196,7 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
   bool headerMayCome = true;
   for (size_t number = 1; std::getline(stream, line); ++number)
   {
-    const std::vector<std::string> values = SplitLine(line);
+    const std::vector<std::string> values = SplitLine(line, Any);
     if (values.empty() || (!values[0].empty() && values[0][0] == '#'))
     {
       continue;
@@ -163,11 +205,11 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     headerMayCome = false;
     if (header)
     {
-      layout = FindLayout(values);
+      layout = FindLayout(line);
       continue;
     }
     Vec3 point;
-    if (!ReadPoint(values, layout, point))
+    if (!ReadPoint(line, layout, point))
     {
       error = file + ", line " + std::to_string(number) + " is \"" + line.substr(0, 60) +
         "\"; expected three finite numbers x, y, z, or a header that says which columns they are "

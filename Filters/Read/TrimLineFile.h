@@ -14,7 +14,7 @@ namespace nurbs
 {
 /**
  * Reads points from a CSV file: x, y, z in each line, separated by commas, semicolons, blanks or
- * tabs, quoted or not. Empty lines and lines that begin with # are passed over, and so is a header,
+ * tabs, quoted or not; with decimal commas where no comma separates. Empty lines and lines that begin with # are passed over, and so is a header,
  * the first other line if none of its values is a number; where it names columns x, y, z, or
  * Points:0 to 2 as ParaView does, there may be others. Units in brackets are passed over.
  *

@@ -143,12 +143,13 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
     left.begin(), left.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const auto& axes = result.Near->SheetAxis;
   const bool inBlock = std::any_of(axes.begin(), axes.end(), [](int axis) { return axis < 0; });
+  const bool mayInsert = inBlock && !options.InsertLayer && !options.ProduceOffcut;
+  const bool hasFloor = options.Ladder.QualityFloor > 0;
   result.Warnings.push_back(std::to_string(left.size()) +
-    " nodes of the new boundary were left off the surface, as no valid element was to be had "
-    "otherwise: " +
-    (inBlock && !options.InsertLayer && !options.ProduceOffcut
-        ? "try InsertLayer, refine the mesh there or move the surface."
-        : "refine the mesh there or move the surface.") +
+    " nodes of the new boundary were left off the surface, as elements would be invalid" +
+    (hasFloor ? " or below MinimumScaledJacobian" : "") +
+    " otherwise: " + (mayInsert ? "try InsertLayer, " : "") + "refine the mesh there" +
+    (hasFloor ? ", move the surface or ask for less." : " or move the surface.") +
     " The farthest, " + std::to_string(farthest->second) + " away, is at " +
     nurbs::PlaceText(result.Near->Mesh.Point[farthest->first]) + ".");
 }

@@ -405,7 +405,13 @@ void TestFile()
          "\"Point ID\",\"Points:0\",\"Points:1\",\"Points:2\",\"Points_Magnitude\"\n0,0,0,0,0\n"
          "1,4,0,0.5,4.03\n2,4,3,0,5\n3,-10,3,0,10.44\n",
          "Z Y X\n0 0 0\n0.5 0 4\n0 3 4\n0 3 -10\n",
-         "t (s);X [mm];Y[mm];Z(mm)\n9;0;0;0\n9;4;0;0.5\n9;4;3;0\n9;-10;3;0\n" })
+         "t (s);X [mm];Y[mm];Z(mm)\n9;0;0;0\n9;4;0;0.5\n9;4;3;0\n9;-10;3;0\n",
+         "x [mm] y [mm] z [mm]\n0 0 0\n4 0 0.5\n4 3 0\n-10 3 0\n",
+         "Point ID,x,y,z\n0,0,0,0\n1,4,0,0.5\n2,4,3,0\n3,-10,3,0\n",
+         ",x,y,z,\"note, if any\"\n0,0,0,0,first\n1,4,0,0.5,\n2,4,3,0,\"a, b\"\n3,-10,3,0,\n",
+         "0,0;0,0;0,0\n4;0;0,5\n4,00;3;0\n-1,0e1;3;0\n",
+         "Punkt Nr.;x;y;z\n1,5;0;0;0\n2;4;0;0,5\n3;4;3;0\n4;-10,0;3,0;0\n",
+         "0,0\t0,0\t0,0\r\n4,0\t0\t0,5\r\n4\t3\t0\r\n-10 3,0 0\r\n" })
   {
     const std::string path = OutputPath("line.csv");
     WriteText(path, text);
@@ -513,7 +519,9 @@ void TestBadInput()
   CheckFileError("line 2", "0,0,0\nx,y,z\n");
   CheckFileError("line 1", "0,0,nan\n1,2,3\n");
   CheckFileError("line 2", "0,0,0\n1,2,3mm\n");
-  CheckFileError("has 0 points", "");
+  CheckFileError("has 0 points; give x, y, z of at least 2", "");
+  CheckFileError("line 2 is \"1,5;2\"; expected three", "0,5;2;1\n1,5;2\n");
+  CheckFileError("line 1", "1.000,5;2;1\n");
 }
 }
 
