@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nurbs
 {
@@ -248,6 +249,17 @@ double SurfaceBlocks::ClearanceOfOthers(
   const TreePoint center(block.Center);
   const Extents extents(block, block.X, block);
   const double radius = (extents.Middle.cwiseAbs() + extents.Half).norm();
+  // Those right behind the ring leave the least, mostly; then most nodes need not be opened.
+  const int own[2] = { (index - grid.First) % grid.CountU, (index - grid.First) / grid.CountU };
+  for (const auto& [i, j] : { std::pair(ring.FirstU - 1, own[1]), std::pair(ring.EndU, own[1]),
+         std::pair(own[0], ring.FirstV - 1), std::pair(own[0], ring.EndV) })
+  {
+    if (i >= 0 && i < grid.CountU && j >= 0 && j < grid.CountV)
+    {
+      const SurfaceBlock& other = this->Blocks[grid.First + i + j * grid.CountU];
+      clearance = std::min(clearance, distance.To(other));
+    }
+  }
   std::vector<int> stack{ 0 };
   while (!stack.empty() && clearance > 0)
   {

@@ -11,6 +11,10 @@ namespace trim
 std::vector<nurbs::NurbsSurface> ShareFaces(
   const Ranks& ranks, const std::vector<nurbs::NurbsSurface>& own)
 {
+  if (ranks.Alone() && own.size() < 2)
+  {
+    return own;
+  }
   nurbs::Packer mine;
   for (const auto& face : own)
   {
