@@ -147,7 +147,7 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
   const bool hasFloor = options.Ladder.QualityFloor > 0;
   result.Warnings.push_back(std::to_string(left.size()) +
     " nodes of the new boundary were left off the surface, as elements would be invalid" +
-    (hasFloor ? " or below MinimumScaledJacobian" : "") +
+    (hasFloor ? " or short of MinimumScaledJacobian" : "") +
     " otherwise: " + (mayInsert ? "try InsertLayer, " : "") + "refine the mesh there" +
     (hasFloor ? ", move the surface or ask for less." : " or move the surface.") +
     " The farthest, " + std::to_string(farthest->second) + " away, is at " +
