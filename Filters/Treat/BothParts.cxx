@@ -68,6 +68,15 @@ private:
 
 }
 
+Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const TrimmedBand& kept)
+{
+  const Band& band = given.TheBand;
+  const NodeMover mover(band, given.TheColumns, given.Surface, given.Precision);
+  const BandQuality quality(band, options.Treatment, options.QualityFloor);
+  const double goal = std::max(options.QualityFloor, SmallestGoal);
+  return FitOffcut(band, given.TheColumns, mover, kept, quality, goal);
+}
+
 BothParts ClimbForBothParts(
   const TrimCase& given, const LadderOptions& options, const Progress& progress)
 {
@@ -77,9 +86,6 @@ BothParts ClimbForBothParts(
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
   FailedReturns failures;
   demanding.Failures = &failures;
-  const NodeMover mover(band, given.TheColumns, given.Surface, given.Precision);
-  const BandQuality quality(band, options.Treatment, options.QualityFloor);
-  const double goal = std::max(options.QualityFloor, SmallestGoal);
   Demander demander(given, demanding.ForOffcut);
   BothParts parts;
   LadderPosition position;
@@ -94,7 +100,7 @@ BothParts ClimbForBothParts(
     {
       return parts;
     }
-    parts.Rest = FitOffcut(band, given.TheColumns, mover, parts.Kept, quality, goal);
+    parts.Rest = FitOffcut(given, options, parts.Kept);
     if (!demander.Add(parts, round < RoundsOfFates))
     {
       break;

@@ -21,6 +21,9 @@ struct BothParts
   Offcut Rest;
 };
 
+/// The offcut of a kept part.
+Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const TrimmedBand& kept);
+
 /// See ClimbLadder.
 BothParts ClimbForBothParts(
   const TrimCase& given, const LadderOptions& options, const Progress& progress);

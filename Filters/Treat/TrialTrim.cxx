@@ -304,7 +304,7 @@ void TrialTrim::FollowCreases(
     std::find(missed.begin(), missed.end(), 1) != missed.end())
   {
     // The middle node of a pentahedron may be in the way: then it is dropped.
-    Faults faults = this->FaultsOf(trimmed);
+    Faults faults = this->FaultsOf(trimmed, this->GoalForLeft());
     int tried = 0;
     for (const auto& wedges :
       FindDroppable(this->TheBand, this->TheColumns, trimmed.Kept, trimmed.Treated))
@@ -347,8 +347,8 @@ std::vector<char> TrialTrim::PutOnCreases(const Choices& set, const std::vector<
   const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
-  return trim::PutOnCreases(
-    this->Guard(shapes, aborted, trimmed), this->Surface, among, trimmed.OnCrease);
+  return trim::PutOnCreases(this->Guard(shapes, this->GoalForLeft(), aborted, trimmed),
+    this->Surface, among, trimmed.OnCrease);
 }
 
 void TrialTrim::ReturnLeft(
@@ -356,7 +356,41 @@ void TrialTrim::ReturnLeft(
 {
   const auto aborted = [&progress] { return progress(-1.0); };
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  Faults faults = this->FaultsOf(trimmed);
+  const double aim = this->GoalForLeft();
+  this->ReturnWithRoom(set, aim, progress, trimmed);
+  this->BringNearer(set, aborted, trimmed);
+  // Some have come so near that nothing keeps them from the surface any more.
+  const std::vector<int> left = this->FindLeft(set, trimmed);
+  if (!left.empty())
+  {
+    Faults faults = this->FaultsOf(trimmed, aim);
+    this->Try(faults, trimmed,
+      [&] { return this->ReturnNodesLeft(set, left, aim, ReturnEffort::Alone, aborted, trimmed); });
+  }
+}
+
+bool TrialTrim::ReturnLeftToFloor(
+  const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const
+{
+  const double floor = this->Options.QualityFloor;
+  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  const std::size_t left = this->FindLeft(set, trimmed).size();
+  if (left == 0 || floor <= 0.0 || floor >= this->GoalForLeft())
+  {
+    return false;
+  }
+  this->ReturnWithRoom(set, floor, progress, trimmed);
+  this->BringNearer(
+    set, [&progress] { return progress(-1.0); }, trimmed);
+  return this->FindLeft(set, trimmed).size() < left;
+}
+
+/// @param goal what elements are not to fall below for it.
+void TrialTrim::ReturnWithRoom(
+  const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const
+{
+  const auto aborted = [&progress] { return progress(-1.0); };
+  Faults faults = this->FaultsOf(trimmed, goal);
   bool changed = true;
   double done = 0.0;
   // What makes room for one node may do so for others.
@@ -369,18 +403,9 @@ void TrialTrim::ReturnLeft(
     {
       break;
     }
-    changed = this->Try(
-      faults, trimmed, [&] { return this->ReturnNodesLeft(set, left, effort, aborted, trimmed); });
+    changed = this->Try(faults, trimmed,
+      [&] { return this->ReturnNodesLeft(set, left, goal, effort, aborted, trimmed); });
     changed |= this->DropEdgesLeft(set, aborted, faults, trimmed);
-  }
-  this->BringNearer(set, aborted, trimmed);
-  // Some have come so near that nothing keeps them from the surface any more.
-  const std::vector<int> left = this->FindLeft(set, trimmed);
-  if (!left.empty())
-  {
-    faults = this->FaultsOf(trimmed);
-    this->Try(faults, trimmed,
-      [&] { return this->ReturnNodesLeft(set, left, ReturnEffort::Alone, aborted, trimmed); });
   }
 }
 
@@ -416,7 +441,8 @@ void TrialTrim::BringNearer(
     {
       this->RelaxRound(set, round, this->GoalForLeft(), Brief, trimmed);
     }
-    const bool changed = this->ReturnNodesLeft(set, left, ReturnEffort::Nearer, aborted, trimmed);
+    const bool changed =
+      this->ReturnNodesLeft(set, left, this->GoalForLeft(), ReturnEffort::Nearer, aborted, trimmed);
     if (!changed || this->Quality.FindInvalid(trimmed).size() > invalid ||
       this->Quality.FindBelowFloor(trimmed).size() > below)
     {
@@ -451,12 +477,11 @@ std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trim
   return left;
 }
 
-TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed) const
+TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed, double goal) const
 {
-  const BandQuality goal(
-    this->TheBand, this->Options.Treatment, this->GoalForLeft(), Measure::Worth);
-  return { this->Quality.FindInvalid(trimmed).size(), this->Quality.FindBelowFloor(trimmed).size(),
-    goal.MeasureShortage(trimmed) };
+  const BandQuality quality(this->TheBand, this->Options.Treatment, goal, Measure::Worth);
+  return { goal, this->Quality.FindInvalid(trimmed).size(),
+    this->Quality.FindBelowFloor(trimmed).size(), quality.MeasureShortage(trimmed) };
 }
 
 /// Does something to the band; undoes it if it was no help or spoiled an element.
@@ -467,7 +492,7 @@ bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) 
   Pentahedra treated = trimmed.Treated;
   if (action())
   {
-    const Faults now = this->FaultsOf(trimmed);
+    const Faults now = this->FaultsOf(trimmed, faults.Goal);
     if (now.Invalid <= faults.Invalid && now.BelowFloor <= faults.BelowFloor &&
       now.OfGoal.Sum <= faults.OfGoal.Sum && now.OfGoal.Largest <= faults.OfGoal.Largest)
     {
@@ -480,11 +505,11 @@ bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) 
   return false;
 }
 
-bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left,
+bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
   ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
-  return ReturnNodes(this->Guard(shapes, aborted, trimmed), left, effort);
+  return ReturnNodes(this->Guard(shapes, goal, aborted, trimmed), left, effort);
 }
 
 /// Pentahedra that kept their middle nodes as those were left may do without them.
@@ -506,15 +531,15 @@ bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& a
       [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });
     if (helps && tried++ < MostDrops && !aborted())
     {
-      dropped |=
-        this->Try(faults, trimmed, [&] { return this->DropAndRelax(set, wedges, trimmed); });
+      dropped |= this->Try(
+        faults, trimmed, [&] { return this->DropAndRelax(set, wedges, faults.Goal, trimmed); });
     }
   }
   return dropped;
 }
 
-bool TrialTrim::DropAndRelax(
-  const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const
+bool TrialTrim::DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges,
+  double goal, TrimmedBand& trimmed) const
 {
   if (!DropEdges(wedges, trimmed.Treated))
   {
@@ -526,7 +551,7 @@ bool TrialTrim::DropAndRelax(
     elements.push_back(wedge.Element);
   }
   std::sort(elements.begin(), elements.end());
-  this->RelaxRound(set, elements, this->GoalForLeft(), Brief, trimmed);
+  this->RelaxRound(set, elements, goal, Brief, trimmed);
   return true;
 }
 
@@ -566,10 +591,10 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
 }
 
 GuardedCase TrialTrim::Guard(
-  Shapes& shapes, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  Shapes& shapes, double least, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   return { { this->TheBand, this->Mover, shapes.Elements, shapes.Fixed, shapes.OnCut },
-    this->Quality, this->GoalForLeft(), aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves,
+    this->Quality, least, aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves,
     this->Options.Failures };
 }
 

@@ -82,6 +82,11 @@ public:
   /// @param progress where it ends the work, the result is of no use.
   void ReturnLeft(const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const;
 
+  /// The same for nodes that were left although the floor does not ask for it, but what is aimed
+  /// at. False if none returned.
+  bool ReturnLeftToFloor(
+    const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const;
+
   /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
@@ -116,20 +121,23 @@ private:
   /// What must not become more when nodes that were left return.
   struct Faults
   {
+    double Goal;                     ///< see OfGoal
     std::size_t Invalid, BelowFloor; ///< elements
     BandQuality::Shortage OfGoal;
   };
-  Faults FaultsOf(const TrimmedBand& trimmed) const;
+  Faults FaultsOf(const TrimmedBand& trimmed, double goal) const;
   template <typename Action>
   bool Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const;
-  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, ReturnEffort effort,
-    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  void ReturnWithRoom(
+    const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
+  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
+    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted, Faults& faults,
     TrimmedBand& trimmed) const;
   void BringNearer(
     const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  bool DropAndRelax(
-    const Choices& set, const std::vector<ReplacedElement>& wedges, TrimmedBand& trimmed) const;
+  bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,
+    TrimmedBand& trimmed) const;
   void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
     const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
   /// @return nodes beside sharp edges that were missed.
@@ -142,8 +150,9 @@ private:
     std::vector<char> Fixed, OnCut;
   };
   Shapes ShapesOf(const Choices& set, const TrimmedBand& trimmed, bool onCutToo) const;
+  /// @param least scaled Jacobian that no element falls below.
   GuardedCase Guard(
-    Shapes& shapes, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+    Shapes& shapes, double least, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   void RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
     const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
 

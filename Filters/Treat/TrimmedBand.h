@@ -8,6 +8,7 @@
 #include "Jacobian.h"
 #include "Pentahedra.h"
 
+#include <memory>
 #include <vector>
 
 namespace trim
@@ -38,6 +39,9 @@ struct TrimmedBand
   std::vector<int> Invalid;    ///< elements that no rung could save; empty as a rule
   std::vector<char> Moving;    ///< nodes that have to lie on the new boundary
   std::vector<char> OnCrease;  ///< nodes on sharp edges of the surface; empty: none are
+  /// The same with more nodes on the surface, where elements are above the floor, but not above
+  /// what is aimed at; none: no nodes were left for the sake of that.
+  std::shared_ptr<const TrimmedBand> Closer;
 };
 
 /// Nodes and positions of a band element as it is after the trim.

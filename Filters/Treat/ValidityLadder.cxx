@@ -14,7 +14,7 @@ namespace
 constexpr int LongestClimb = 40;
 
 /// Shares of the whole work, about.
-constexpr double Climbed = 0.2, Raised = 0.4, Left = 0.6, Returned = 0.9;
+constexpr double Climbed = 0.2, Raised = 0.4, Left = 0.6, Returned = 0.8, Closer = 0.9;
 
 class Ladder
 {
@@ -60,10 +60,11 @@ public:
     LeaveBelowFloor(this->TheChoices, aborted, trimmed);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
-    this->TheChoices.Trial.Polish(this->TheChoices.At.Set, trimmed);
-    this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+    const auto closer = this->ReturnToFloor(trimmed, Part(progress, Returned, Closer));
+    progress(Closer);
+    this->Finish(aborted, trimmed);
     trimmed.RescuedBy = this->TheChoices.At.Rungs;
-    trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
+    trimmed.Closer = closer;
     return trimmed;
   }
 
@@ -90,6 +91,34 @@ private:
       return;
     }
     this->TheChoices.Trial.ReturnLeft(this->TheChoices.At.Set, progress, trimmed);
+    this->TellReturned(trimmed, this->TheChoices.At.Rungs);
+  }
+
+  /// See TrimmedBand::Closer.
+  std::shared_ptr<const TrimmedBand> ReturnToFloor(
+    const TrimmedBand& trimmed, const Progress& progress) const
+  {
+    auto closer = std::make_shared<TrimmedBand>(trimmed);
+    if (!this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, progress, *closer))
+    {
+      return nullptr;
+    }
+    this->Finish([&progress] { return progress(-1.0); }, *closer);
+    closer->RescuedBy = this->TheChoices.At.Rungs;
+    this->TellReturned(*closer, closer->RescuedBy);
+    return closer;
+  }
+
+  void Finish(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  {
+    this->TheChoices.Trial.Polish(this->TheChoices.At.Set, trimmed);
+    this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+    trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
+  }
+
+  /// @param[in,out] rungs by column.
+  void TellReturned(const TrimmedBand& trimmed, std::vector<Rung>& rungs) const
+  {
     const std::vector<int> users = CountUsers(this->TheChoices.TheBand, trimmed);
     std::vector<char> hasLeft(this->TheChoices.TheBand.NumberOfElements(), 0);
     for (int e = 0; e < this->TheChoices.TheBand.NumberOfElements(); ++e)
@@ -99,15 +128,15 @@ private:
         std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
           [&](int n) { return users[n] > 0 && this->TheChoices.IsLeft(trimmed, n); });
     }
-    for (std::size_t c = 0; c < this->TheChoices.At.Rungs.size(); ++c)
+    for (std::size_t c = 0; c < rungs.size(); ++c)
     {
-      if (this->TheChoices.At.Rungs[c] != Rung::None && hasLeft[c])
+      if (rungs[c] != Rung::None && hasLeft[c])
       {
-        this->TheChoices.At.Rungs[c] = Rung::Left;
+        rungs[c] = Rung::Left;
       }
-      else if (this->TheChoices.At.Rungs[c] == Rung::Left)
+      else if (rungs[c] == Rung::Left)
       {
-        this->TheChoices.At.Rungs[c] = Rung::Correction;
+        rungs[c] = Rung::Correction;
       }
     }
   }

@@ -9,8 +9,9 @@
  * the surface: where they were for elements that are invalid, a part of their way for elements
  * below the floor. Nodes whose border ends at a corner of the model right beside the surface may
  * end there. What came below the floor is held to 0.2, or exempt if it came below that, too. Then
- * nodes that were left return to the surface, as many as can. At the end everything is relaxed once
- * more, to a higher goal that binds nobody.
+ * nodes that were left return to the surface, as many as can without elements that fall below what
+ * is aimed at, and in a second result without such that fall below the floor. At the end everything
+ * is relaxed once more, to a higher goal that binds nobody.
  */
 #ifndef ValidityLadder_h
 #define ValidityLadder_h

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace trim
 {
@@ -260,16 +261,39 @@ void ClimbBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pre
   near.NodesLeft = FindNodesLeft(near, surface, precision);
 }
 
+void TakeCloser(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options)
+{
+  const auto closer = std::move(near.Trimmed.Closer);
+  if (!closer)
+  {
+    return;
+  }
+  const Shortcomings before = MeasureLeft(near);
+  TrimmedBand trimmed = std::exchange(near.Trimmed, *closer);
+  Offcut rest = std::move(near.Rest);
+  auto left = std::move(near.NodesLeft);
+  if (options.ProduceOffcut)
+  {
+    const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
+    near.Rest = FitOffcut(given, options.Ladder, near.Trimmed);
+  }
+  near.NodesLeft = FindNodesLeft(near, surface, precision);
+  if (!(MeasureLeft(near) < before))
+  {
+    near.Trimmed = std::move(trimmed);
+    near.Rest = std::move(rest);
+    near.NodesLeft = std::move(left);
+  }
+}
+
 void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const BandOptions& options, const Progress& progress)
 {
-  if (!options.MayInsert())
-  {
-    DecideWithMesh(near, surface, precision, options, progress);
-    return;
-  }
-  DecideWithMesh(near, surface, precision, options, Part(progress, 0.0, 0.5));
-  if (!progress(0.5) && !near.NodesLeft.empty())
+  DecideWithMesh(
+    near, surface, precision, options, Part(progress, 0.0, options.MayInsert() ? 0.5 : 1.0));
+  TakeCloser(near, surface, precision, options);
+  if (options.MayInsert() && !progress(0.5) && !near.NodesLeft.empty())
   {
     TryLayers(near, surface, precision, options, Part(progress, 0.5, 1.0));
   }

@@ -40,6 +40,10 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
 void ClimbBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const BandOptions& options, const Progress& progress);
 
+/// Takes TrimmedBand::Closer where all in all it leaves nodes less far off the surface.
+void TakeCloser(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options);
+
 }
 
 #endif

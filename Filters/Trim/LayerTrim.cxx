@@ -149,6 +149,7 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
   layered->Structure = ColumnsFor(band, isSheet);
   layered->Shares = SharesByFate(band, kept);
   ClimbBand(*layered, surface, precision, options, progress);
+  TakeCloser(*layered, surface, precision, options);
   layered->Shares = SharesOfOrigins(band, near.Shares);
   for (const Origin& origin : band.ElementOrigins)
   {
