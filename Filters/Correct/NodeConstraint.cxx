@@ -16,6 +16,8 @@ namespace
 /// Cosine of the dihedral angle (45 degrees) above which an edge is a ridge: bends with radii of
 /// two elements turn by about 30 degrees from face to face.
 constexpr double RidgeCosine = 0.7071;
+/// Under more than 35 degrees a ridge goes on, though it fades.
+constexpr double FadingCosine = 0.8192;
 /// A border that turns by more than 30 degrees at a node has a corner there.
 constexpr double CornerCosine = 0.866;
 /// An edge goes on straight with another one that turns by less than 45 degrees.
@@ -46,9 +48,9 @@ std::array<int, 2> EdgesAt(const Band& band, const BandFace& face, int node)
     band.FindEdge(node, face.Node[(at + face.Count - 1) % face.Count]) };
 }
 
-/// Faces of a set that share an edge at the node under more than the ridge angle.
-void AddCreases(
-  const Band& band, const std::vector<int>& faces, int node, std::vector<int>& ridgeEdges)
+/// Edges at the node that faces of a set share under more than an angle.
+void AddCreases(const Band& band, const std::vector<int>& faces, int node, double cosine,
+  std::vector<int>& ridgeEdges)
 {
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -60,7 +62,7 @@ void AddCreases(
       {
         const auto eb = EdgesAt(band, b, node);
         if ((ea == eb[0] || ea == eb[1]) &&
-          TurnCosine(a, FaceNormal(band, a), b, FaceNormal(band, b)) < RidgeCosine)
+          TurnCosine(a, FaceNormal(band, a), b, FaceNormal(band, b)) < cosine)
         {
           AddUnique(ridgeEdges, ea);
         }
@@ -219,7 +221,16 @@ bool StaysOnBorder(const Band& band, const Columns& columns,
       });
 }
 
-void SetKind(const Band& band, int node, NodeConstraint& constraint)
+/// Whether the one ridge edge of a node does not go on at all.
+bool RidgeEnds(const Band& band, int node, const NodeConstraint& constraint)
+{
+  std::vector<int> edges = constraint.RidgeEdges;
+  AddCreases(band, constraint.Faces, node, FadingCosine, edges);
+  return edges.size() == 1;
+}
+
+/// @param isCut the rest of its ridge may have gone with what is cut off.
+void SetKind(const Band& band, int node, bool isCut, NodeConstraint& constraint)
 {
   const auto& ridges = constraint.RidgeEdges;
   if (ridges.empty())
@@ -234,6 +245,10 @@ void SetKind(const Band& band, int node, NodeConstraint& constraint)
     const Vec3 in = (p - band.Point[band.OtherEnd(ridges[0], node)]).normalized();
     const Vec3 out = (band.Point[band.OtherEnd(ridges[1], node)] - p).normalized();
     constraint.SharpCorner = in.dot(out) < CornerCosine;
+  }
+  else if (ridges.size() == 1)
+  {
+    constraint.SharpCorner = !isCut && RidgeEnds(band, node, constraint);
   }
 }
 
@@ -295,12 +310,12 @@ NodeConstraint ConstrainBy(const Band& band, const Columns& columns,
       nodeStatus[node] == NodeEliminate && StaysOnBorder(band, columns, nodeStatus, border, node);
     constraint.RidgeEdges = stays ? border : LateralEdges(band, columns, exterior, node);
     // Folds of the skin without a radius hold their nodes; inner layers fold alike.
-    AddCreases(band, constraint.Faces, node, constraint.RidgeEdges);
+    AddCreases(band, constraint.Faces, node, RidgeCosine, constraint.RidgeEdges);
   }
   else
   {
     constraint.Faces = exterior;
-    AddCreases(band, exterior, node, constraint.RidgeEdges);
+    AddCreases(band, exterior, node, RidgeCosine, constraint.RidgeEdges);
   }
   // A ridge that lies beyond the surface to both sides of the node goes with what is cut off.
   const bool ridgeGoes = nodeStatus[node] == NodeEliminate && !stays &&
@@ -310,7 +325,7 @@ NodeConstraint ConstrainBy(const Band& band, const Columns& columns,
   {
     constraint.RidgeEdges.clear();
   }
-  SetKind(band, node, constraint);
+  SetKind(band, node, nodeStatus[node] == NodeEliminate, constraint);
   return constraint;
 }
 

@@ -31,7 +31,7 @@ struct NodeConstraint
   ConstraintKind Kind = ConstraintKind::Free;
   std::vector<int> Faces;      ///< band faces that the node may slide on
   std::vector<int> RidgeEdges; ///< band edges that the node may slide along
-  bool SharpCorner = false;    ///< its ridge turns by more than a vertex of a smooth border
+  bool SharpCorner = false; ///< its ridge turns more than at a vertex of a smooth border, or ends
 };
 
 /// True for a face all of whose nodes lie beyond the surface: it goes with what is cut off.

@@ -101,12 +101,17 @@ void NodeMover::WalkRidge(int node, int firstEdge, const Visit& visit) const
   }
 }
 
+bool NodeMover::StaysAtCorner(int node, const NodeConstraint& constraint) const
+{
+  return this->TheBand.NodeStatus[node] == NodeKeep &&
+    (constraint.Kind == ConstraintKind::Fixed || constraint.SharpCorner);
+}
+
 NodeMove NodeMover::SlideAlongRidge(int node, const NodeConstraint& constraint) const
 {
   NodeMove move;
-  if (constraint.SharpCorner && this->TheBand.NodeStatus[node] == NodeKeep)
+  if (this->StaysAtCorner(node, constraint))
   {
-    // A corner that is kept stays: moving it would cut it off.
     return move;
   }
   double best = std::numeric_limits<double>::infinity();
@@ -158,9 +163,11 @@ NodeMove NodeMover::EndAtCorner(int node) const
       this->IsBesideCut(n, constraint);
   };
   const NodeConstraint constraint = this->FreedomOf(node).Constraint;
-  if (isCorner(node, constraint))
+  const bool stays = this->StaysAtCorner(node, constraint);
+  const bool isAtEnd = isCorner(node, constraint);
+  if (stays || isAtEnd)
   {
-    move.Found = this->TheBand.NodeStatus[node] == NodeKeep;
+    move.Found = stays && isAtEnd;
     move.Target = this->TheBand.Point[node];
     return move;
   }

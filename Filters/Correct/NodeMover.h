@@ -134,6 +134,8 @@ private:
   /// true or the ridge turns or ends; `walked` is the way to `from`.
   template <typename Visit>
   void WalkRidge(int node, int firstEdge, const Visit& visit) const;
+  /// Whether a node is kept where ridges meet, turn or end: moving it would cut that corner off.
+  bool StaysAtCorner(int node, const NodeConstraint& constraint) const;
   bool IsBesideCut(int corner, const NodeConstraint& constraint) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;

@@ -303,19 +303,17 @@ void TestKeepPoint()
   }
 }
 
-// Parts that are one another's neighbours at a line only may have columns along different axes, and
-// no node of one goes on to the skin of another.
-void TestBlocksJoinedAtEdges()
+struct Cut
 {
-  const Mesh mesh = BlocksJoinedAtEdges(4);
-  struct Cut
-  {
-    const char* Kind;
-    double X, Y, Angle, Lean, Size;
-    int Type;
-  };
-  for (const Cut& cut : { Cut{ "torus", -0.354, -0.215, 6.073, 0.261, 0.586, 2 },
-         Cut{ "contour", 0.084, 0.08, 5.149, 0.641, 0.452, 3 } })
+  const char* Kind;
+  double X, Y, Angle, Lean, Size;
+  int Type, Optimization = 2;
+  bool Reversed = false, Invert = false;
+};
+
+void JudgeCuts(const Mesh& mesh, const std::vector<Cut>& cuts)
+{
+  for (const Cut& cut : cuts)
   {
     Placement at;
     at.X = cut.X;
@@ -323,12 +321,37 @@ void TestBlocksJoinedAtEdges()
     at.Angle = cut.Angle;
     at.Lean = cut.Lean;
     at.Size = cut.Size;
+    at.Reversed = cut.Reversed;
     TrimOptions options;
     options.CorrectionType = cut.Type;
-    Report report(std::string("blocks joined at edges ") + cut.Kind);
+    options.Optimization = cut.Optimization;
+    options.InvertSide = cut.Invert;
+    Report report("special cut of " + mesh.Name + " by " + cut.Kind);
     RunAndJudge(mesh, MakeSurface(cut.Kind, mesh.Box, at), options, report);
     Wrong += report.Failures();
   }
+}
+
+// Parts that are one another's neighbours at a line only may have columns along different axes, and
+// no node of one goes on to the skin of another.
+void TestBlocksJoinedAtEdges()
+{
+  JudgeCuts(BlocksJoinedAtEdges(4),
+    { { "torus", -0.354, -0.215, 6.073, 0.261, 0.586, 2 },
+      { "contour", 0.084, 0.08, 5.149, 0.641, 0.452, 3 } });
+}
+
+// Where the border of what is kept turns or a ridge of it ends, its node does not slide along the
+// border of an element that goes, to where that has a corner.
+void TestKeptCorners()
+{
+  JudgeCuts(MakeMesh("zigzag"),
+    { { "sphere", -0.036, 0.404, 0.67, 0, 0.391, 2, 2, true },
+      { "torus", 0.593, -0.535, 0.545, 0, 0.401, 3, 1, true, true },
+      { "torus", 0.202, -0.147, 1.352, 0.586, 0.708, 3 } });
+  JudgeCuts(MakeMesh("fading-ridge"),
+    { { "trimmedface", -0.006, 0.132, 2.858, 0.349, 0.675, 2, 0 },
+      { "roundrect", -0.581, -0.326, 2.389, 0.548, 0.425, 2 } });
 }
 
 // CAD programs write a body as a solid and its shells beside it: faces that are there more than
@@ -537,6 +560,7 @@ int main()
   TestCrossingAtKnot();
   TestKeepPoint();
   TestBlocksJoinedAtEdges();
+  TestKeptCorners();
   TestRepeatedFaces();
   TestWedgeOrder();
   TestJoints();

@@ -2,9 +2,9 @@
  * @file TrimCampaign.cxx
  * @brief Random trims: mesh x surface x position x options, each judged; a table of outcomes.
  *
- * TrimCampaign [count [seed [only ["layer"] [files]]]]: `only` repeats one trim of the series
- * alone, and shows what the filter says of it, -1: all; with "layer" InsertLayer is on; files
- * (.vtu) are trimmed instead of the tests' own meshes.
+ * TrimCampaign [count [seed [only ["layer"] [meshes]]]]: `only` repeats one trim of the series
+ * alone, and shows what the filter says of it, -1: all; with "layer" InsertLayer is on; the meshes
+ * (files, .vtu, or the tests' own by name) are trimmed instead of all of the tests'.
  */
 #include "RunTrim.h"
 
@@ -67,6 +67,14 @@ Draw DrawTrim(unsigned seed, int number, const std::vector<std::string>& names)
   return draw;
 }
 
+Mesh GetMesh(const std::string& name)
+{
+  const std::string ending = ".vtu";
+  const bool isFile = name.size() > ending.size() &&
+    name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+  return isFile ? ReadMesh(name) : MakeMesh(name);
+}
+
 std::string Words(const Draw& draw)
 {
   char text[300];
@@ -88,13 +96,13 @@ int main(int argc, char* argv[])
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
   std::map<std::string, Mesh> meshes;
   const bool layer = argc > 4 && std::string(argv[4]) == "layer";
-  const std::vector<std::string> files(argv + std::min(argc, layer ? 5 : 4), argv + argc);
-  const std::vector<std::string> names = files.empty() ? AllMeshNames() : files;
+  const std::vector<std::string> given(argv + std::min(argc, layer ? 5 : 4), argv + argc);
+  const std::vector<std::string> names = given.empty() ? AllMeshNames() : given;
   try
   {
     for (const std::string& name : names)
     {
-      meshes[name] = files.empty() ? MakeMesh(name) : ReadMesh(name);
+      meshes[name] = GetMesh(name);
     }
   }
   catch (const std::invalid_argument& wrong)

@@ -255,7 +255,10 @@ void CheckPlaces(const Evidence& e, Report& report)
     }
     if (!free && place == Exterior::Place::Corner && !e.InsertedPoint[p])
     {
-      report.Fail("corner stays", Point(p), (x - e.In.Points[o]).norm(), 0);
+      report.Fail("corner stays",
+        Point(p) + " of the input's " + std::to_string(o) + Where(e.In.Points[o]) + " now" +
+          Where(x),
+        (x - e.In.Points[o]).norm(), 0);
     }
   }
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
@@ -133,6 +134,26 @@ Mesh Angle(int n, int nz)
   return Solid("angle", Beam(plan, n));
 }
 
+/// A sheet of nz layers cut off along a zigzag of elements, as wide and as deep as these.
+Mesh Zigzag(int nx, int ny, int nz)
+{
+  Plan plan = GridPlan(nx, ny, 1, 1);
+  plan.Keep([nx](const Vec2& c) { return c.sum() < nx; });
+  return Solid("zigzag", Extrude(plan, nz, 0.4 * nz, Flat()));
+}
+
+/// A block with a sharp ridge along x on its top that ends half way.
+Mesh FadingRidge(int nx, int ny, int nz)
+{
+  const RawMesh raw = Extrude(GridPlan(nx, ny, 1, 1), nz, nz,
+    [=](const Vec2& p, double z)
+    {
+      const bool isRaised = z > 0.49 * nz && 2 * p[0] <= nx && 2 * p[1] == ny;
+      return Vec3(p[0], p[1], z + (isRaised ? 0.6 : 0.0));
+    });
+  return Solid("fading-ridge", raw);
+}
+
 /// A sheet of nz layers thicker at one end.
 Mesh Tailored(int nx, int ny, int nz)
 {
@@ -203,6 +224,10 @@ struct Part
   Mesh (*Make)();
 };
 
+/// No part of the campaign, whose series would be others with them.
+const Part OddParts[] = { { "zigzag", [] { return Zigzag(16, 12, 2); } },
+  { "fading-ridge", [] { return FadingRidge(12, 8, 4); } } };
+
 const Part Parts[] = { { "tube", [] { return Tube(28, 16, 2); } },
   { "bar", [] { return Bar(4, 2, 14); } }, { "twist", [] { return Twist(5, 20, 0.25); } },
   { "ball", [] { return Ball(10); } }, { "tee", [] { return Tee(14, 2); } },
@@ -212,12 +237,13 @@ const Part Parts[] = { { "tube", [] { return Tube(28, 16, 2); } },
 
 Mesh MakePart(const std::string& name)
 {
-  for (const Part& part : Parts)
+  const Part* found = nullptr;
+  const auto look = [&](const Part& part) { found = name == part.Name ? &part : found; };
+  std::for_each(std::begin(Parts), std::end(Parts), look);
+  std::for_each(std::begin(OddParts), std::end(OddParts), look);
+  if (found)
   {
-    if (name == part.Name)
-    {
-      return part.Make();
-    }
+    return found->Make();
   }
   throw std::invalid_argument("no mesh called " + name);
 }
