@@ -369,20 +369,21 @@ void TrialTrim::ReturnLeft(
   }
 }
 
-bool TrialTrim::ReturnLeftToFloor(
-  const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const
+std::shared_ptr<TrimmedBand> TrialTrim::ReturnLeftToFloor(
+  const Choices& choices, const Progress& progress, const TrimmedBand& from) const
 {
   const double floor = this->Options.QualityFloor;
-  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  const std::size_t left = this->FindLeft(set, trimmed).size();
+  const Choices set = this->ForDecision(this->WithDemands(choices), from);
+  const std::size_t left = this->FindLeft(set, from).size();
   if (left == 0 || floor <= 0.0 || floor >= this->GoalForLeft())
   {
-    return false;
+    return nullptr;
   }
-  this->ReturnWithRoom(set, floor, progress, trimmed);
+  auto trimmed = std::make_shared<TrimmedBand>(from);
+  this->ReturnWithRoom(set, floor, progress, *trimmed);
   this->BringNearer(
-    set, [&progress] { return progress(-1.0); }, trimmed);
-  return this->FindLeft(set, trimmed).size() < left;
+    set, [&progress] { return progress(-1.0); }, *trimmed);
+  return this->FindLeft(set, *trimmed).size() < left ? trimmed : nullptr;
 }
 
 /// @param goal what elements are not to fall below for it.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace trim
@@ -83,9 +84,9 @@ public:
   void ReturnLeft(const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const;
 
   /// The same for nodes that were left although the floor does not ask for it, but what is aimed
-  /// at. False if none returned.
-  bool ReturnLeftToFloor(
-    const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const;
+  /// at. Null if none returned.
+  std::shared_ptr<TrimmedBand> ReturnLeftToFloor(
+    const Choices& choices, const Progress& progress, const TrimmedBand& from) const;
 
   /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
   /// by TrimmedBand::Invalid; no more may become so.

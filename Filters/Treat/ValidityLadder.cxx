@@ -98,14 +98,14 @@ private:
   std::shared_ptr<const TrimmedBand> ReturnToFloor(
     const TrimmedBand& trimmed, const Progress& progress) const
   {
-    auto closer = std::make_shared<TrimmedBand>(trimmed);
-    if (!this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, progress, *closer))
+    const auto closer =
+      this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, progress, trimmed);
+    if (closer)
     {
-      return nullptr;
+      this->Finish([&progress] { return progress(-1.0); }, *closer);
+      closer->RescuedBy = this->TheChoices.At.Rungs;
+      this->TellReturned(*closer, closer->RescuedBy);
     }
-    this->Finish([&progress] { return progress(-1.0); }, *closer);
-    closer->RescuedBy = this->TheChoices.At.Rungs;
-    this->TellReturned(*closer, closer->RescuedBy);
     return closer;
   }
 
