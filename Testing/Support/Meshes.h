@@ -98,10 +98,11 @@ Mesh ReadMesh(const std::string& path);
 Mesh MakeMesh(const std::string& name);
 std::vector<std::string> MeshNames();
 
-/// Others by name: tubes, bars, ribs, sheets of changing thickness. The matrix does not have them.
+/// Others by name: tubes, bars, ribs, sheets of changing thickness, and two with odd corners. The
+/// matrix does not have them.
 Mesh MakePart(const std::string& name);
 
-/// These too.
+/// These too, but for the two.
 std::vector<std::string> AllMeshNames();
 
 }
