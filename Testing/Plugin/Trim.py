@@ -44,16 +44,16 @@ def check_plane(correction):
 
 
 def check_told():
-    """Each entry of the summary has a line in the window's table and in the README."""
+    """Each entry of the summary has a line in the window's table and in the manual."""
     project = os.path.dirname(DATA_DIRECTORY)
     with open(os.path.join(project, "Plugin", "Window", "TrimSummary.cxx")) as file:
         rows = re.findall(r'\{ "(\w+)", "', file.read())
-    with open(os.path.join(project, "README.md")) as file:
-        readme = file.read()
+    with open(os.path.join(project, "Plugin", "Documentation", "Manual.md")) as file:
+        manual = file.read()
     entries = set(summary(trim(sheet(), plane_at(10.3))))
     check_equal(set(rows), entries, "rows of the window's table")
     for name in entries:
-        check("`%s`" % name in readme, "the README does not tell of " + name)
+        check("`%s`" % name in manual, "the manual does not tell of " + name)
 
 
 def check_arrays():
