@@ -37,12 +37,15 @@ add_library(NURBSTrimStages STATIC
   Treat/CoincidentNodes.cxx
   Treat/ColumnChoices.cxx
   Treat/CreaseNodes.cxx
+  Treat/DirectionBehind.cxx
   Treat/ElementWorth.cxx
   Treat/FailedReturns.cxx
   Treat/FloorClimb.cxx
   Treat/GuardedMesh.cxx
   Treat/InsertedLayer.cxx
   Treat/JointRelaxation.cxx
+  Treat/LayerRelaxation.cxx
+  Treat/LayerSkin.cxx
   Treat/LeastSquaresStep.cxx
   Treat/Offcut.cxx
   Treat/Pentahedra.cxx
@@ -62,6 +65,7 @@ add_library(NURBSTrimStages STATIC
   Write/FindingArrays.cxx
   Write/GridPart.cxx
   Write/MapValues.cxx
+  Write/NameClashes.cxx
   Write/OffcutGrid.cxx
   Write/PartQuality.cxx
   Write/StatusArrays.cxx

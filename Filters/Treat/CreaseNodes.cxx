@@ -200,14 +200,18 @@ private:
         there = sides[isFirst ? 1 : 0];
       }
       Vec3 to = from;
-      if (this->Given.Fixed[node] ||
-        !this->Mover.MeetCrease(node, this->FreedomOf(node), here, there, to))
+      if (!this->Mover.MeetCrease(node, this->FreedomOf(node), here, there, to))
+      {
+        return false;
+      }
+      const double length = (to - from).norm() / (other - from).norm();
+      if (this->Given.Fixed[node] && length >= NoWay)
       {
         return false;
       }
       way.Nodes.push_back(node);
       way.To.push_back(AsStored(this->TheBand, to));
-      way.Length = std::max(way.Length, (to - from).norm() / (other - from).norm());
+      way.Length = std::max(way.Length, length);
     }
     return way.Length <= LongestWay;
   }

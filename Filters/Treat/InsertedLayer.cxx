@@ -1,6 +1,7 @@
 #include "InsertedLayer.h"
 
 #include "Decision.h"
+#include "DirectionBehind.h"
 #include "Moves.h"
 #include "Status.h"
 
@@ -21,6 +22,48 @@ constexpr int MostHalvings = 3;
 constexpr double SkinWeight = 30.0;
 /// Faces that turn by less than this, about, count as one direction.
 constexpr double LeastTurn = 0.2;
+/// From here on the skin has a ridge, which holds its nodes: 45 degrees.
+constexpr double RidgeTurn = 0.785;
+/// A node has room behind the faces of the cut where its way is under no smaller angle to them.
+constexpr double LeastSine = 0.15;
+/// What a step leads behind each face, of the depth that it is to have there, at least.
+constexpr double LeastOfDepth = 0.5;
+
+/// What a node of the cut has to go behind, and what holds it.
+struct FacesAtCut
+{
+  std::vector<Vec3> Normals, Skin; ///< unit, out of the kept elements
+  std::vector<int> Faces;          ///< of Normals
+};
+
+Vec3 NormalAt(const Band& band, const BandFace& face, int node)
+{
+  return Facet(band, face).NormalAt(CornerOf(face, node));
+}
+
+FacesAtCut FacesAt(const Band& band, const std::vector<char>& kept, int node)
+{
+  FacesAtCut faces;
+  for (const int f : band.FacesOfNode(node))
+  {
+    const BandFace& face = band.Faces[f];
+    if (IsCutFace(face, kept))
+    {
+      faces.Normals.emplace_back((kept[face.Element[0]] ? 1.0 : -1.0) * NormalAt(band, face, node));
+      faces.Faces.push_back(f);
+    }
+    else if (face.Exterior && kept[face.Element[0]])
+    {
+      faces.Skin.push_back(NormalAt(band, face, node));
+    }
+  }
+  return faces;
+}
+
+DirectionBehind DirectionBehindAll(const FacesAtCut& faces)
+{
+  return FindDirectionBehind(faces.Normals, faces.Skin, RidgeTurn);
+}
 
 class LayerBuilder
 {
@@ -38,6 +81,11 @@ public:
 
   std::vector<int> Build(BandCells& cells)
   {
+    std::vector<int> noRoom = this->FindNoDirection();
+    if (!noRoom.empty())
+    {
+      return noRoom;
+    }
     cells = BandCells();
     this->TakeBand(cells);
     this->AddNodes(cells);
@@ -152,42 +200,53 @@ private:
   /// of the cut there, and stays on the skin as far as it is plane.
   Vec3 StepBehind(int node, double share) const
   {
-    std::vector<std::pair<Vec3, double>> rows;
-    for (const int f : this->TheBand.FacesOfNode(node))
+    const FacesAtCut faces = FacesAt(this->TheBand, this->Kept, node);
+    const auto cut = static_cast<Eigen::Index>(faces.Normals.size());
+    const auto skin = static_cast<Eigen::Index>(faces.Skin.size());
+    Eigen::MatrixXd normals(cut + skin, 3);
+    Eigen::VectorXd depths = Eigen::VectorXd::Zero(cut + skin);
+    for (Eigen::Index i = 0; i < cut; ++i)
     {
-      const BandFace& face = this->TheBand.Faces[f];
-      if (IsCutFace(face, this->Kept))
-      {
-        const int side = this->Kept[face.Element[0]] ? 0 : 1;
-        const Vec3 normal = (side == 0 ? 1.0 : -1.0) * this->NormalOf(face, node);
-        rows.emplace_back(normal, -share * this->DepthBehind(face.Element[side], face.Slot[side]));
-      }
-      else if (face.Exterior && this->Kept[face.Element[0]])
-      {
-        rows.emplace_back(SkinWeight * this->NormalOf(face, node), 0.0);
-      }
+      const BandFace& face = this->TheBand.Faces[faces.Faces[i]];
+      const int side = this->Kept[face.Element[0]] ? 0 : 1;
+      normals.row(i) = faces.Normals[i];
+      depths[i] = -share * this->DepthBehind(face.Element[side], face.Slot[side]);
     }
-    Eigen::MatrixXd normals(rows.size(), 3);
-    Eigen::VectorXd depths(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    for (Eigen::Index i = 0; i < skin; ++i)
     {
-      normals.row(i) = rows[i].first;
-      depths[i] = rows[i].second;
+      normals.row(cut + i) = SkinWeight * faces.Skin[i];
     }
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(LeastTurn / SkinWeight);
     solver.compute(normals);
-    return solver.solve(depths);
+    const Vec3 step = solver.solve(depths);
+    const auto reached = (normals.topRows(cut) * step).array();
+    if ((reached <= LeastOfDepth * depths.head(cut).array()).all())
+    {
+      return step;
+    }
+    // Where faces turn against each other the mean of what they ask for leads behind none.
+    const Vec3 direction = DirectionBehindAll(faces).Direction;
+    const Eigen::ArrayXd ways = depths.head(cut).array() / (normals.topRows(cut) * direction).array();
+    return ways.minCoeff() * direction;
   }
 
-  Vec3 NormalOf(const BandFace& face, int node) const
+  /// Nodes of the cut from which no way leads behind all faces of it there.
+  std::vector<int> FindNoDirection() const
   {
-    const auto begin = face.Node.begin();
-    const int corner = static_cast<int>(std::find(begin, begin + face.Count, node) - begin);
-    return Facet(this->TheBand, face).NormalAt(corner);
+    const std::vector<char> onCut = FindCutNodes(this->TheBand, this->Kept);
+    std::vector<int> nodes;
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    {
+      if (onCut[n] && !HasRoomForLayer(this->TheBand, this->Kept, n))
+      {
+        nodes.push_back(n);
+      }
+    }
+    return nodes;
   }
 
-  /// Places the new nodes; where an element has no room, the layer is thinner. Returns the faces
+  /// Places the new nodes; where an element has no room, the layer is thinner. Returns the nodes
   /// of the cut where it still has none.
   std::vector<int> Place(BandCells& cells) const
   {
@@ -224,8 +283,8 @@ private:
     return found;
   }
 
-  /// Faces of invalid elements of the layer, and at nodes without a place or of other invalid
-  /// elements; the shares there are halved.
+  /// Nodes of faces under invalid elements of the layer, those without a place, and those of other
+  /// invalid elements; the shares there are halved.
   std::vector<int> FindNoRoom(
     const BandCells& cells, std::vector<char> bad, std::vector<double>& share) const
   {
@@ -245,18 +304,23 @@ private:
     {
       share[n] *= thin[n] ? 0.5 : 1.0;
     }
-    std::vector<int> faces;
     for (std::size_t i = 0; i < this->CutFaces.size(); ++i)
     {
       const BandFace& face = this->TheBand.Faces[this->CutFaces[i]];
-      const bool atBad = std::any_of(face.Node.begin(), face.Node.begin() + face.Count,
-        [&](int n) { return bad[this->InnerNode[n]]; });
-      if (atBad || invalid[this->TheBand.NumberOfElements() + i])
+      for (int k = 0; invalid[this->TheBand.NumberOfElements() + i] && k < face.Count; ++k)
       {
-        faces.push_back(this->CutFaces[i]);
+        bad[this->InnerNode[face.Node[k]]] = 1;
       }
     }
-    return faces;
+    std::vector<int> nodes;
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+    {
+      if (this->InnerNode[n] >= 0 && bad[this->InnerNode[n]])
+      {
+        nodes.push_back(n);
+      }
+    }
+    return nodes;
   }
 
   /// Whether a cell with new nodes is.
@@ -281,6 +345,12 @@ private:
   std::vector<int> CutFaces;          ///< the layer's elements stand on, in their order
 };
 
+}
+
+bool HasRoomForLayer(const Band& band, const std::vector<char>& kept, int node)
+{
+  const FacesAtCut faces = FacesAt(band, kept, node);
+  return faces.Normals.empty() || DirectionBehindAll(faces).Sine > LeastSine;
 }
 
 std::vector<int> InsertLayer(const Band& band, const Columns& columns, const NodeMover& mover,

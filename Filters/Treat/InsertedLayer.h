@@ -17,6 +17,10 @@
 namespace trim
 {
 
+/// Whether a way leads from a node behind all faces of the cut at it, along the skin that it is on;
+/// true for one that is not on the cut.
+bool HasRoomForLayer(const Band& band, const std::vector<char>& kept, int node);
+
 /**
  * The band with an element on each face between kept and eliminated elements, on the side of the
  * kept ones, whose nodes at the faces give way: a share of their elements' depth, on the border of
@@ -25,7 +29,7 @@ namespace trim
  * @param mover of the band.
  * @param[out] cells made anew; status, rings and ids as in the band, of inserted nodes and cells their
  * Origin: the node whose place was taken, the kept element on whose face it stands.
- * @return the faces where there is no room for it; empty: it stands.
+ * @return the nodes of the cut where there is no room for it; empty: it stands.
  */
 std::vector<int> InsertLayer(const Band& band, const Columns& columns, const NodeMover& mover,
   const std::vector<char>& kept, BandCells& cells);

@@ -34,6 +34,8 @@ struct TrimmedBand
   Moves Unrelaxed; ///< NodeMoves as corrected and treated
   Pentahedra Treated;
   std::vector<Rung> RescuedBy; ///< by column (smallest element)
+  /// Columns that were kept or eliminated against their volume, mostly to save one beside them.
+  std::vector<char> AgainstVolume;
   std::vector<char> Relaxed;   ///< elements that were below the floor before the relaxation
   std::vector<int> BelowFloor; ///< valid elements that stayed below the quality floor
   std::vector<int> Invalid;    ///< elements that no rung could save; empty as a rule

@@ -64,6 +64,7 @@ public:
     progress(Closer);
     this->Finish(aborted, trimmed);
     trimmed.RescuedBy = this->TheChoices.At.Rungs;
+    trimmed.AgainstVolume = this->FindAgainstVolume();
     trimmed.Closer = closer;
     return trimmed;
   }
@@ -104,9 +105,24 @@ private:
     {
       this->Finish([&progress] { return progress(-1.0); }, *closer);
       closer->RescuedBy = this->TheChoices.At.Rungs;
+      closer->AgainstVolume = this->FindAgainstVolume();
       this->TellReturned(*closer, closer->RescuedBy);
     }
     return closer;
+  }
+
+  /// By column.
+  std::vector<char> FindAgainstVolume() const
+  {
+    const auto& fates = this->TheChoices.At.Set.Fates;
+    std::vector<char> against(fates.size(), 0);
+    for (std::size_t c = 0; c < fates.size(); ++c)
+    {
+      const bool goes =
+        this->TheChoices.Shares.Column[c] > this->TheChoices.Options.EliminationFraction;
+      against[c] = fates[c] == (goes ? Fate::Keep : Fate::Eliminate);
+    }
+    return against;
   }
 
   void Finish(const std::function<bool()>& aborted, TrimmedBand& trimmed) const

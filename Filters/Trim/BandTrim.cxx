@@ -46,6 +46,10 @@ Shortcomings MeasureLeft(const TrimBand& near)
     near.Rest.Invalid.size() + near.Rest.BelowFloor.size();
   for (const auto& [left, distance] : near.NodesLeft)
   {
+    if (near.Mesh.IsInsertedNode(left))
+    {
+      continue; // it sticks out under one of the new boundary
+    }
     const int node = NodeWithoutLayer(near.Mesh, left);
     double length = 0.0;
     const auto edges = band.EdgesOfNode(node);
@@ -209,36 +213,85 @@ void DecideWithMesh(TrimBand& near, const nurbs::TrimmingSurface& surface, doubl
   }
 }
 
-/// The same with an inserted layer, the one of several that leaves least off the surface, if that
-/// is less than without.
-void TryLayers(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options, const Progress& progress)
+/// The trims with an inserted layer, of which one may be taken instead.
+class LayerTrims
 {
-  const auto before = std::make_shared<const Band>(near.Mesh);
-  Shortcomings least = MeasureLeft(near);
-  std::unique_ptr<TrimBand> best;
-  double done = 0.0;
-  for (const double share : LayerShares)
+public:
+  LayerTrims(const TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+    const BandOptions& options)
+    : Near(near)
+    , Surface(surface)
+    , Precision(precision)
+    , Options(options)
+    , Before(std::make_shared<const Band>(near.Mesh))
   {
-    if (progress(done) || (best && best->NodesLeft.empty()))
-    {
-      break;
-    }
-    const double next = done + 1.0 / LayerShares.size();
-    auto layered =
-      TrimWithLayer(near, before, share, surface, precision, options, Part(progress, done, next));
-    done = next;
-    const Shortcomings now = layered ? MeasureLeft(*layered) : least;
-    if (now < least)
-    {
-      least = now;
-      best = std::move(layered);
-    }
   }
-  if (best)
+
+  /// The first of them, if it leaves nothing off: else null.
+  std::unique_ptr<TrimBand> FindPerfect(const Progress& progress)
   {
-    near = std::move(*best);
+    this->Tried = 1;
+    this->First = this->Make(0, progress);
+    return this->First && !(Shortcomings() < MeasureLeft(*this->First)) ? std::move(this->First)
+                                                                       : nullptr;
   }
+
+  /// The one that leaves least off the surface, if that is less than without; else null.
+  std::unique_ptr<TrimBand> FindBest(const Progress& progress)
+  {
+    Shortcomings least = MeasureLeft(this->Near);
+    std::unique_ptr<TrimBand> best;
+    const auto offer = [&](std::unique_ptr<TrimBand> layered)
+    {
+      const Shortcomings now = layered ? MeasureLeft(*layered) : least;
+      if (now < least)
+      {
+        least = now;
+        best = std::move(layered);
+      }
+    };
+    offer(std::move(this->First));
+    for (std::size_t i = this->Tried; i < LayerShares.size(); ++i)
+    {
+      const double done = static_cast<double>(i) / LayerShares.size();
+      if (progress(done) || (best && best->NodesLeft.empty()))
+      {
+        break;
+      }
+      offer(this->Make(i, Part(progress, done, done + 1.0 / LayerShares.size())));
+    }
+    return best;
+  }
+
+private:
+  std::unique_ptr<TrimBand> Make(std::size_t i, const Progress& progress) const
+  {
+    return TrimWithLayer(this->Near, this->Before, LayerShares[i], this->Surface, this->Precision,
+      this->Options, progress);
+  }
+
+  const TrimBand& Near;
+  const nurbs::TrimmingSurface& Surface;
+  double Precision;
+  const BandOptions& Options;
+  std::shared_ptr<const Band> Before;
+  std::size_t Tried = 0;
+  std::unique_ptr<TrimBand> First; ///< tried already
+};
+
+/// Whether elements are invalid with all nodes on the surface, as they have faces of the cut on all
+/// sides of a corner: where a block is cut aslant to all its elements.
+bool IsCutAslant(const TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+  const BandOptions& options)
+{
+  if (near.Structure.HasColumns())
+  {
+    return false;
+  }
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
+  LadderPosition foot;
+  ColumnChoices choices(given, options.Ladder, foot);
+  return !choices.Quality.FindInvalid(choices.Trial.Make(choices.At.Set, choices.Quality)).empty();
 }
 
 }
@@ -290,12 +343,31 @@ void TakeCloser(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
 void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const BandOptions& options, const Progress& progress)
 {
-  DecideWithMesh(
-    near, surface, precision, options, Part(progress, 0.0, options.MayInsert() ? 0.5 : 1.0));
-  TakeCloser(near, surface, precision, options);
-  if (options.MayInsert() && !progress(0.5) && !near.NodesLeft.empty())
+  if (!options.MayInsert())
   {
-    TryLayers(near, surface, precision, options, Part(progress, 0.5, 1.0));
+    DecideWithMesh(near, surface, precision, options, progress);
+    TakeCloser(near, surface, precision, options);
+    return;
+  }
+  LayerTrims layers(near, surface, precision, options);
+  std::unique_ptr<TrimBand> layered;
+  // There the ladder without a layer is long, and in vain.
+  if (IsCutAslant(near, surface, precision, options))
+  {
+    layered = layers.FindPerfect(Part(progress, 0.0, 0.3));
+  }
+  if (!layered)
+  {
+    DecideWithMesh(near, surface, precision, options, Part(progress, 0.3, 0.5));
+    TakeCloser(near, surface, precision, options);
+    if (!progress(0.5) && !near.NodesLeft.empty())
+    {
+      layered = layers.FindBest(Part(progress, 0.5, 1.0));
+    }
+  }
+  if (layered)
+  {
+    near = std::move(*layered);
   }
 }
 

@@ -29,6 +29,8 @@ constexpr double SmallestSine = 0.05;
 /// Within one element a surface of the smallest radius turns by 29 degrees (chord 1, radius 2).
 /// What turns less between two crossings of an edge merely touches it.
 constexpr double CrossingCosine = 0.866;
+/// Cosine of the angle between a surface's normal and an edge below which it runs along the edge.
+constexpr double AlongCosine = 0.05;
 /// Normals within this angle of one direction turn less than that against each other.
 constexpr double HalfCrossingAngle = 0.2618;
 /// Between two nodes' feet the normal turns by at least 20 degrees where a bend is read off it;
@@ -447,12 +449,19 @@ private:
     return edges;
   }
 
-  /// From the end that comes first by its place, so that the numbering has no say.
+  /// From the end that comes first by its place, so that the numbering has no say; without those at
+  /// which the surface runs along the edge, as a side of a contour on a line of the mesh does.
   std::vector<nurbs::LineHit> Crossings(const Edge& edge) const
   {
     const Vec3 a = this->Mesh.Point(edge[0]);
     const Vec3 b = this->Mesh.Point(edge[1]);
-    return LiesBefore(a, b) ? this->Surface.Intersect(a, b) : this->Surface.Intersect(b, a);
+    auto hits = LiesBefore(a, b) ? this->Surface.Intersect(a, b) : this->Surface.Intersect(b, a);
+    const Vec3 way = (b - a).normalized();
+    hits.erase(std::remove_if(hits.begin(), hits.end(),
+                 [&way](const nurbs::LineHit& hit)
+                 { return std::abs(hit.Normal.dot(way)) < AlongCosine; }),
+      hits.end());
+    return hits;
   }
 
   void FindCrossedTwice()

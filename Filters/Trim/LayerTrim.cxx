@@ -1,8 +1,14 @@
 #include "LayerTrim.h"
 
 #include "InsertedLayer.h"
+#include "LayerRelaxation.h"
+#include "LayerSkin.h"
+#include "Manifold.h"
+#include "Shortfalls.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace trim
@@ -13,7 +19,9 @@ namespace
 /// Elements from this ring on keep their fate: the layer and those behind it need room in the band.
 constexpr int FirstFixedRing = 2;
 /// How often the fates of elements are changed to give a layer room.
-constexpr int MostAttempts = 8;
+constexpr int MostAttempts = 24;
+/// How often they are changed where elements of the layer are not good enough in the end.
+constexpr int MostClimbs = 3;
 
 /// By whole columns in a sheet, element by element in a block: there the layer makes up for it.
 Columns ColumnsFor(const Band& band, bool isSheet)
@@ -41,53 +49,241 @@ VolumeShares LargestOfColumns(const VolumeShares& shares, const Columns& columns
   return reach;
 }
 
-/// Where a layer has no room on faces, one of the columns beside changes its fate, rather the one
-/// that is nearer to the surface. False if none may.
-bool PartElsewhere(const Band& band, const Columns& columns, const VolumeShares& reach,
-  const std::vector<char>& kept, const std::vector<int>& faces, std::vector<Fate>& fates)
+/// Changes the fates of columns so that a layer finds room.
+class RoomMaker
 {
-  bool any = false;
-  for (const int f : faces)
+public:
+  RoomMaker(const Band& band, const Columns& columns, const VolumeShares& reach)
+    : TheBand(band)
+    , TheColumns(columns)
+    , Reach(reach)
+    , ElementsOf(columns.Elements())
   {
-    const auto& elements = band.Faces[f].Element;
-    const int in = elements[kept[elements[0]] ? 0 : 1];
-    const int out = elements[kept[elements[0]] ? 1 : 0];
-    const bool moveIn = 1.0 - reach.Column[in] < reach.Column[out];
-    for (const int e : { moveIn ? in : out, moveIn ? out : in })
+  }
+
+  /// Where there is none at nodes, one of the columns at each goes or stays instead. False if none
+  /// may.
+  bool PartElsewhere(
+    const std::vector<char>& kept, const std::vector<int>& nodes, std::vector<Fate>& fates) const
+  {
+    bool any = false;
+    std::vector<char> now = kept;
+    for (const int node : nodes)
     {
-      Fate& fate = fates[columns.Column[e]];
-      if (fate == Fate::ByVolume && band.Elements[e].Ring < FirstFixedRing)
+      const auto elements = this->TheBand.ElementsOfNode(node);
+      const auto isChanged = [&](int e) { return now[e] != kept[e]; };
+      if (std::any_of(elements.begin(), elements.end(), isChanged))
       {
-        fate = e == in ? Fate::Eliminate : Fate::Keep;
+        continue; // for a node beside it
+      }
+      for (const int e : this->FindBest(node, now, fates))
+      {
+        fates[this->TheColumns.Column[e]] = kept[e] ? Fate::Eliminate : Fate::Keep;
+        this->Turn(e, now);
         any = true;
+      }
+    }
+    return any;
+  }
+
+private:
+  /// Elements at a node, one or two, whose columns may change their fates: of those that leave fewer
+  /// nodes without room, if there are any, the ones nearest to the surface; empty: none.
+  std::vector<int> FindBest(
+    int node, std::vector<char>& kept, const std::vector<Fate>& fates) const
+  {
+    const std::vector<int> free = this->FreeColumnsAt(node, fates);
+    std::vector<int> best;
+    std::pair<bool, double> least;
+    const auto offer = [&](const std::vector<int>& turned)
+    {
+      std::pair<bool, double> price(!this->GivesRoom(turned, kept), 0.0);
+      for (const int e : turned)
+      {
+        const double reach = this->Reach.Column[e];
+        price.second += kept[e] ? 1.0 - reach : reach;
+      }
+      if (best.empty() || price < least)
+      {
+        best = turned;
+        least = price;
+      }
+    };
+    for (std::size_t i = 0; i < free.size(); ++i)
+    {
+      offer({ free[i] });
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        offer({ free[j], free[i] });
+      }
+    }
+    return best;
+  }
+
+  /// An element of each column at a node that may change its fate.
+  std::vector<int> FreeColumnsAt(int node, const std::vector<Fate>& fates) const
+  {
+    std::vector<int> free;
+    std::vector<int> seen;
+    for (const int e : this->TheBand.ElementsOfNode(node))
+    {
+      const int column = this->TheColumns.Column[e];
+      if (fates[column] == Fate::ByVolume && this->TheBand.Elements[e].Ring < FirstFixedRing &&
+        std::find(seen.begin(), seen.end(), column) == seen.end())
+      {
+        seen.push_back(column);
+        free.push_back(e);
+      }
+    }
+    return free;
+  }
+
+  /// Whether fewer nodes have no room when the columns of elements are turned round.
+  bool GivesRoom(const std::vector<int>& turned, std::vector<char>& kept) const
+  {
+    std::vector<int> nodes;
+    for (const int e : turned)
+    {
+      for (const int member : this->Members(e))
+      {
+        const BandElement& element = this->TheBand.Elements[member];
+        nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
+      }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto count = [&]
+    {
+      return std::count_if(nodes.begin(), nodes.end(),
+        [&](int node)
+        {
+          return !IsManifoldAt(this->TheBand, kept, node) ||
+            !HasRoomForLayer(this->TheBand, kept, node);
+        });
+    };
+    const auto turn = [&] {
+      std::for_each(turned.begin(), turned.end(), [&](int e) { this->Turn(e, kept); });
+    };
+    const auto before = count();
+    turn();
+    const auto after = count();
+    turn();
+    return after < before;
+  }
+
+  Band::Range Members(int e) const
+  {
+    const int column = this->TheColumns.Column[e];
+    return { this->ElementsOf.begin(column), this->ElementsOf.end(column) };
+  }
+
+  /// Turns the column of an element round.
+  void Turn(int e, std::vector<char>& kept) const
+  {
+    for (const int member : this->Members(e))
+    {
+      kept[member] = !kept[member];
+    }
+  }
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const VolumeShares& Reach;
+  Band::Lists ElementsOf; ///< by column
+};
+
+/// Looks for what is to be kept so that a layer on it has room.
+class LayerSearch
+{
+public:
+  LayerSearch(const TrimBand& near, const std::shared_ptr<const Band>& before, bool isSheet,
+    double largestShare, const nurbs::TrimmingSurface& surface, double precision,
+    const LadderOptions& options)
+    : Near(near)
+    , Before(before)
+    , IsSheet(isSheet)
+    , Surface(surface)
+    , Precision(precision)
+    , Options(options)
+    , TheColumns(ColumnsFor(near.Mesh, isSheet))
+    , Reach(LargestOfColumns(near.Shares, this->TheColumns))
+    , TheDecision(near.Mesh, this->TheColumns, this->Reach, surface, largestShare, false)
+    , Mover(near.Mesh, this->TheColumns, surface, precision)
+    , MakesRoom(near.Mesh, this->TheColumns, this->Reach)
+    , Fates(near.Mesh.NumberOfElements(), Fate::ByVolume)
+  {
+  }
+
+  /// The band with a layer as good as it can be before any correction; none: there is no room.
+  std::optional<Band> Find()
+  {
+    for (int attempt = 0; attempt < MostAttempts; ++attempt)
+    {
+      this->Kept = this->TheDecision.Take(this->Fates);
+      BandCells cells;
+      const std::vector<int> noRoom =
+        InsertLayer(this->Near.Mesh, this->TheColumns, this->Mover, this->Kept, cells);
+      if (noRoom.empty())
+      {
+        return this->Relaxed(std::move(cells));
+      }
+      if (!this->PartElsewhere(noRoom))
+      {
         break;
       }
     }
+    return std::nullopt;
   }
-  return any;
-}
 
-/// What is kept of the band and its layer; false if there is no room for one.
-bool PutLayer(const TrimBand& near, const Columns& columns, double largestShare,
-  const nurbs::TrimmingSurface& surface, double precision, std::vector<char>& kept,
-  BandCells& cells)
-{
-  const Band& band = near.Mesh;
-  const VolumeShares reach = LargestOfColumns(near.Shares, columns);
-  Decision decision(band, columns, reach, surface, largestShare, false);
-  const NodeMover mover(band, columns, surface, precision);
-  std::vector<Fate> fates(band.NumberOfElements(), Fate::ByVolume);
-  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  /// Other elements at some nodes are to be kept from now on; false if there is no other choice.
+  bool PartElsewhere(const std::vector<int>& nodes)
   {
-    kept = decision.Take(fates);
-    const auto noRoom = InsertLayer(band, columns, mover, kept, cells);
-    if (noRoom.empty() || !PartElsewhere(band, columns, reach, kept, noRoom, fates))
-    {
-      return noRoom.empty();
-    }
+    return this->MakesRoom.PartElsewhere(this->Kept, nodes, this->Fates);
   }
-  return false;
-}
+
+  /// What Find has kept of the mesh.
+  const std::vector<char>& KeptUnderIt() const { return this->Kept; }
+
+  /// See ReturnToSkin.
+  void ReturnToSkin(const Band& layered, TrimmedBand& trimmed) const
+  {
+    const BandQuality quality(layered, this->Options.Treatment, this->Options.QualityFloor);
+    trim::ReturnToSkin(layered, this->TheColumns, this->Mover, this->Kept, quality, trimmed);
+  }
+
+private:
+  Band MakeBand(const BandCells& cells) const
+  {
+    Band layered(cells, this->Near.Mesh.NumberOfRings(), this->Near.Mesh.SinglePrecision);
+    layered.BeforeLayer = this->Before;
+    return layered;
+  }
+
+  Band Relaxed(BandCells cells) const
+  {
+    Band layered = this->MakeBand(cells);
+    const Columns columns = ColumnsFor(layered, this->IsSheet);
+    const NodeMover mover(layered, columns, this->Surface, this->Precision);
+    const BandQuality quality(layered, this->Options.Treatment, this->Options.QualityFloor);
+    return RelaxLayer(layered, mover, quality, this->Options.QualityFloor, cells)
+      ? this->MakeBand(cells)
+      : layered;
+  }
+
+  const TrimBand& Near;
+  const std::shared_ptr<const Band>& Before;
+  bool IsSheet;
+  const nurbs::TrimmingSurface& Surface;
+  double Precision;
+  const LadderOptions& Options;
+  Columns TheColumns;
+  VolumeShares Reach;
+  Decision TheDecision;
+  NodeMover Mover;
+  RoomMaker MakesRoom;
+  std::vector<Fate> Fates;
+  std::vector<char> Kept;
+};
 
 /// By which what is kept stays so, the layer with it, and nothing else.
 VolumeShares SharesByFate(const Band& layered, const std::vector<char>& kept)
@@ -127,6 +323,51 @@ void TellInserted(const Band& layered, Moves& moves)
   }
 }
 
+/// Elements that no place of their nodes makes good enough.
+std::vector<int> FaultyElements(const TrimBand& layered)
+{
+  std::vector<int> elements = layered.Trimmed.Invalid;
+  elements.insert(
+    elements.end(), layered.Trimmed.BelowFloor.begin(), layered.Trimmed.BelowFloor.end());
+  return elements;
+}
+
+/// The nodes of elements, as the mesh has them.
+std::vector<int> NodesWithoutLayer(const Band& layered, const std::vector<int>& elements)
+{
+  std::vector<int> nodes;
+  for (const int e : elements)
+  {
+    const BandElement& element = layered.Elements[e];
+    std::transform(element.Node.begin(), element.Node.begin() + element.Count,
+      std::back_inserter(nodes), [&layered](int n) { return NodeWithoutLayer(layered, n); });
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh,
+  const LayerSearch& search, bool isSheet, const nurbs::TrimmingSurface& surface,
+  double precision, const BandOptions& options, const Progress& progress)
+{
+  auto layered = std::make_unique<TrimBand>(std::move(mesh));
+  const Band& band = layered->Mesh;
+  layered->Structure = ColumnsFor(band, isSheet);
+  layered->Shares = SharesByFate(band, search.KeptUnderIt());
+  ClimbBand(*layered, surface, precision, options, progress);
+  TakeCloser(*layered, surface, precision, options);
+  search.ReturnToSkin(band, layered->Trimmed);
+  layered->NodesLeft = FindNodesLeft(*layered, surface, precision);
+  layered->Shares = SharesOfOrigins(band, near.Shares);
+  for (const Origin& origin : band.ElementOrigins)
+  {
+    layered->SheetAxis.push_back(near.SheetAxis[origin.Index]);
+  }
+  TellInserted(band, layered->Trimmed.NodeMoves);
+  return layered;
+}
+
 }
 
 std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
@@ -135,28 +376,33 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
   const Progress& progress)
 {
   const bool isSheet = near.Structure.HasThickness() && !near.Structure.ChosenByCut;
-  const Columns columns = ColumnsFor(near.Mesh, isSheet);
-  std::vector<char> kept;
-  BandCells cells;
-  if (!PutLayer(near, columns, largestShare, surface, precision, kept, cells))
+  LayerSearch search(near, before, isSheet, largestShare, surface, precision, options.Ladder);
+  std::unique_ptr<TrimBand> best;
+  std::size_t fewest = 0;
+  for (int climb = 0; climb < MostClimbs && !progress(-1.0); ++climb)
   {
-    return nullptr;
+    auto mesh = search.Find();
+    if (!mesh)
+    {
+      break;
+    }
+    const Progress part = Part(
+      progress, static_cast<double>(climb) / MostClimbs, (climb + 1.0) / MostClimbs);
+    auto layered = ClimbWithLayer(
+      near, std::move(*mesh), search, isSheet, surface, precision, options, part);
+    const std::vector<int> faulty = FaultyElements(*layered);
+    const std::vector<int> nodes = NodesWithoutLayer(layered->Mesh, faulty);
+    if (!best || faulty.size() < fewest)
+    {
+      best = std::move(layered);
+      fewest = faulty.size();
+    }
+    if (nodes.empty() || !search.PartElsewhere(nodes))
+    {
+      break;
+    }
   }
-  auto layered = std::make_unique<TrimBand>(
-    Band(std::move(cells), near.Mesh.NumberOfRings(), near.Mesh.SinglePrecision));
-  layered->Mesh.BeforeLayer = before;
-  const Band& band = layered->Mesh;
-  layered->Structure = ColumnsFor(band, isSheet);
-  layered->Shares = SharesByFate(band, kept);
-  ClimbBand(*layered, surface, precision, options, progress);
-  TakeCloser(*layered, surface, precision, options);
-  layered->Shares = SharesOfOrigins(band, near.Shares);
-  for (const Origin& origin : band.ElementOrigins)
-  {
-    layered->SheetAxis.push_back(near.SheetAxis[origin.Index]);
-  }
-  TellInserted(band, layered->Trimmed.NodeMoves);
-  return layered;
+  return best;
 }
 
 }

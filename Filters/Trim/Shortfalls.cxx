@@ -76,7 +76,8 @@ std::vector<std::pair<int, float>> FindNodesLeft(
   const auto& moves = near.Trimmed.NodeMoves;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {
-    if (users[n] == 0 || !moves.Left[n])
+    // What is relaxed behind nodes that are left may come to stick out as well.
+    if (users[n] == 0 || !(moves.Left[n] || moves.Applied[n] == Correction::Relax))
     {
       continue;
     }

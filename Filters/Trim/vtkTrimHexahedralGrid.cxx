@@ -4,6 +4,7 @@
 #include "ControllerRanks.h"
 #include "GhostCells.h"
 #include "InputScale.h"
+#include "NameClashes.h"
 #include "NodeOrdering.h"
 #include "OffcutGrid.h"
 #include "ThreadScope.h"
@@ -51,16 +52,23 @@ std::string FindOptionDefect(const trim::TrimOptions& options)
 }
 
 /// @param outputs of ports 0 to 2.
-void WriteOutputs(const trim::TrimInputs& inputs, const trim::TrimResult& result,
+/// @param[in,out] result gets another warning where arrays of the input had to be renamed.
+void WriteOutputs(const trim::TrimInputs& inputs, trim::TrimResult& result,
   const trim::Ranks& ranks, const trim::WriteOptions& options, bool offcut,
   const trim::Progress& progress, const std::array<vtkUnstructuredGrid*, 3>& outputs)
 {
-  vtkUnstructuredGrid* own = inputs.Own().Grid;
+  std::string renamed;
+  const auto own =
+    trim::ResolveNameClashes(inputs.Own().Grid, options.InsertLayer, renamed);
+  renamed = ranks.FirstText(renamed);
+  if (!renamed.empty())
+  {
+    result.Warnings.push_back(renamed);
+  }
   trim::WriteTrimmedGrid(own, inputs.Mesh(), inputs.Blocks(), ranks, result, inputs.Surface(),
     options, progress, outputs[0]);
   trim::RestoreOriginalIds(inputs.Own(), outputs[0]);
   trim::WriteStatusGrid(own, result, outputs[1]);
-  trim::Summary::RemoveFrom(outputs[1]->GetFieldData());
   if (offcut)
   {
     trim::WriteOffcutGrid(
@@ -221,7 +229,7 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const trim::TrimInputs& inputs = *this->Inputs;
-  const trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(),
+  trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(),
     { ranks, inputs.Shared() }, inputs.Surface(), options, progress);
   if (!result.Error.empty())
   {

@@ -16,7 +16,7 @@ enum class Rescue : unsigned char
   Relaxation = 1, ///< the nodes round it moved
   Treatment = 2,  ///< the other treatment of pentahedra
   Correction = 3, ///< the other correction type
-  Fate = 4,       ///< it, or an element beside it, was kept or eliminated against its volume
+  Fate = 4,       ///< its column, or one beside it, was kept or eliminated against its volume
   Left = 5        ///< its nodes were left off the surface
 };
 
@@ -39,10 +39,17 @@ inline Rescue RescueBy(Rung rung)
   }
 }
 
+/// How a column was saved, or another one by it.
+inline Rescue RescueOfColumn(const TrimmedBand& trimmed, int column)
+{
+  const Rescue rung = RescueBy(trimmed.RescuedBy[column]);
+  return rung == Rescue::None && trimmed.AgainstVolume[column] ? Rescue::Fate : rung;
+}
+
 /// The last rung of an element of the band; of one that went, that of its column.
 inline Rescue RescueOf(const TrimBand& near, int element)
 {
-  const Rescue byColumn = RescueBy(near.Trimmed.RescuedBy[near.Structure.Column[element]]);
+  const Rescue byColumn = RescueOfColumn(near.Trimmed, near.Structure.Column[element]);
   const bool relaxed =
     near.Trimmed.Kept[element] && !near.Trimmed.Relaxed.empty() && near.Trimmed.Relaxed[element];
   return byColumn == Rescue::None && relaxed ? Rescue::Relaxation : byColumn;

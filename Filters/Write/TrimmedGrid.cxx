@@ -158,7 +158,7 @@ void CountRescues(const TrimResult& result, Summary& summary)
       continue;
     }
     summary.RescuedByRelaxation += RescueOf(*result.Near, e) == Rescue::Relaxation;
-    const Rescue rescue = RescueBy(trimmed.RescuedBy[e]);
+    const Rescue rescue = RescueOfColumn(trimmed, e);
     summary.RescuedByTreatment += rescue == Rescue::Treatment;
     summary.RescuedByCorrection += rescue == Rescue::Correction;
     summary.RescuedByFate += rescue == Rescue::Fate;

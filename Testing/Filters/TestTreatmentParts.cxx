@@ -1,9 +1,11 @@
 /**
  * @file TestTreatmentParts.cxx
  * @brief What the ladder relies on, by itself: a decision that is taken again, the bound of the
- * scaled Jacobian, the step of least squares, the worth of an element, the way to a sharp edge.
+ * scaled Jacobian, the step of least squares, the worth of an element, the way to a sharp edge, the
+ * way behind several planes.
  */
 #include "Decision.h"
+#include "DirectionBehind.h"
 #include "ElementWorth.h"
 #include "Expect.h"
 #include "Jacobian.h"
@@ -299,10 +301,59 @@ void CheckCrease()
   Expect(met > 5, "there are nodes near the rim: " + std::to_string(met));
 }
 
+/// No direction of many leads farther behind the planes.
+void CheckDirectionBehind()
+{
+  constexpr double Turn = 0.785;
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+  const auto behind = [&](const std::vector<Vec3>& normals, const std::vector<Vec3>& held)
+  { return FindDirectionBehind(normals, held, Turn); };
+  Expect((behind({ x }, {}).Direction + x).norm() < 1e-12, "behind one plane");
+  Expect(std::abs(behind({ x, y, z }, {}).Sine - std::sqrt(1.0 / 3.0)) < 1e-12, "behind a corner");
+  Expect(behind({ x, y, -y, z }, {}).Sine == 0.0, "no way between planes that face each other");
+  Expect((behind({ x, Vec3(x + z).normalized() }, { z }).Direction + x).norm() < 1e-12,
+    "along the skin");
+  // A skin that bends by 20 degrees holds in one direction, a ridge in two.
+  const Vec3 bent(0.0, std::sin(0.35), std::cos(0.35));
+  Expect(behind({ y }, { z, bent }).Sine > 0.9, "along a bent skin");
+  Expect(behind({ y }, { z, y }).Sine == 0.0, "off a ridge");
+  std::mt19937 random(5);
+  std::normal_distribution<double> any;
+  const auto direction = [&] { return Vec3(any(random), any(random), any(random)).normalized(); };
+  int found = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    std::vector<Vec3> normals;
+    for (int i = 0; i < 2 + trial % 5; ++i)
+    {
+      normals.push_back((direction() + 0.8 * x).normalized());
+    }
+    const auto leastOf = [&normals](const Vec3& d)
+    {
+      double least = 1.0;
+      for (const Vec3& normal : normals)
+      {
+        least = std::min(least, -normal.dot(d));
+      }
+      return least;
+    };
+    const DirectionBehind best = behind(normals, {});
+    found += best.Sine > 0.0;
+    Expect(best.Sine == 0.0 || std::abs(leastOf(best.Direction) - best.Sine) < 1e-6,
+      "the sine is that of the direction");
+    for (int i = 0; i < 300; ++i)
+    {
+      Expect(leastOf(direction()) < best.Sine + 1e-6, "another direction leads farther behind");
+    }
+  }
+  Expect(found > 100, "there mostly is a way: " + std::to_string(found));
+}
+
 }
 
 int main()
 {
+  CheckDirectionBehind();
   CheckDecisionAgain();
   CheckBound();
   CheckStep();

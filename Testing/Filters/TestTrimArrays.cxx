@@ -60,6 +60,78 @@ void TestUnusual(Mesh mesh, const Surface& surface)
   Wrong += report.Failures();
 }
 
+template <typename Array>
+void AddFilled(vtkFieldData* data, const char* name, vtkIdType count, double value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  array->FillComponent(0, value);
+  data->AddArray(array);
+}
+
+bool IsFilled(vtkFieldData* data, const char* name, double value)
+{
+  vtkDataArray* array = data->GetArray(name);
+  bool filled = array != nullptr && array->GetNumberOfTuples() > 0;
+  for (vtkIdType i = 0; filled && i < array->GetNumberOfTuples(); ++i)
+  {
+    filled = array->GetComponent(i, 0) == value;
+  }
+  return filled;
+}
+
+// What a solver calls as the trim calls its own is told of and taken along under another name.
+void TestNameClashes(Mesh mesh, const Surface& surface)
+{
+  vtkUnstructuredGrid* grid = mesh.Grid;
+  AddFilled<vtkFloatArray>(
+    grid->GetPointData(), "Displacement", grid->GetNumberOfPoints(), 3.5);
+  AddFilled<vtkFloatArray>(
+    grid->GetCellData(), "ScaledJacobian", grid->GetNumberOfCells(), 0.77);
+  AddFilled<vtkFloatArray>(grid->GetFieldData(), "Volume", 1, 12);
+  grid->GetPointData()->SetActiveScalars("Displacement");
+  TrimOptions options;
+  options.MapValues = true;
+  const Outcome outcome = RunTrim(mesh, surface, options);
+  Expect(outcome.Warnings.size() == 1 &&
+      outcome.Warnings.front().find("Displacement (points), ScaledJacobian (cells), Volume") !=
+        std::string::npos,
+    "names: not one warning of all arrays");
+  for (vtkUnstructuredGrid* output : { outcome.Case.Trimmed, outcome.Case.Whole })
+  {
+    Expect(IsFilled(output->GetPointData(), "InputDisplacement", 3.5), "names: of points");
+    Expect(IsFilled(output->GetCellData(), "InputScaledJacobian", 0.77f), "names: of cells");
+    Expect(IsFilled(output->GetFieldData(), "InputVolume", 12), "names: of the field data");
+    vtkDataArray* scalars = output->GetPointData()->GetScalars();
+    Expect(scalars && std::string(scalars->GetName()) == "InputDisplacement",
+      "names: other scalars are active");
+    Expect(output->GetPointData()->GetArray("Displacement")->GetNumberOfComponents() == 3,
+      "names: no displacement of the trim's own");
+  }
+  Expect(IsFilled(grid->GetPointData(), "Displacement", 3.5), "names: the input has changed");
+}
+
+// What an earlier trim has written is no clash, and nothing of it stays that the next one does not
+// write.
+void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
+{
+  TrimOptions options;
+  options.InsertLayer = true;
+  Mesh next = mesh;
+  next.Grid = RunTrim(mesh, surface, options).Case.Trimmed;
+  AddFilled<vtkFloatArray>(
+    next.Grid->GetCellData(), "Inserted", next.Grid->GetNumberOfCells(), 1);
+  options.InsertLayer = false;
+  Placement at;
+  at.X = 0.31;
+  const Outcome outcome = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
+  Expect(outcome.Warnings.empty(), "names: a warning of an earlier trim's arrays");
+  Expect(!outcome.Case.Trimmed->GetCellData()->HasArray("Inserted"), "names: Inserted is stale");
+  Expect(!outcome.Case.Trimmed->GetPointData()->HasArray("InputDisplacement"),
+    "names: an earlier trim's displacement stays");
+}
+
 // Tuples follow their elements whatever the numbering: with and without renumbering.
 void TestNumberings(const Mesh& mesh, const Surface& surface)
 {
@@ -85,6 +157,8 @@ int main()
   }
   const Mesh mesh = MakeMesh("sheet2");
   TestUnusual(mesh, MakeSurface("scurve", mesh.Box, Placement()));
+  TestNameClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
+  TestNamesOfEarlierTrim(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

@@ -5,6 +5,7 @@
  */
 #include "Expect.h"
 #include "RunTrim.h"
+#include "SplineData.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -229,6 +230,37 @@ void TestSmallHoles()
   ExpectOnly("hole across an edge", sheet, Hole(sheet, 15.1, 15.5, 0.3), NotOpened, 4);
 }
 
+// A polyline through a sheet, as a drawn contour is: one surface of degree 1; what it holds goes.
+Surface Polyline(const std::vector<Vec2>& corners)
+{
+  SplineSurface wall;
+  wall.CountU = static_cast<int>(corners.size()) + 1;
+  wall.CountV = 2;
+  wall.KnotsU = UniformKnots(wall.CountU, 1);
+  wall.KnotsV = { 0, 0, 1, 1 };
+  for (const double z : { -9.0, 9.0 })
+  {
+    for (int i = 0; i < wall.CountU; ++i)
+    {
+      const Vec2& corner = corners[i % corners.size()];
+      wall.Control.emplace_back(corner[0], corner[1], z, 1);
+    }
+  }
+  Surface surface;
+  surface.Data = ToPolyData(wall);
+  return surface;
+}
+
+// Two sides of a window lie on lines of the mesh, and run along edges that end at its corners.
+void TestAligned()
+{
+  const Mesh sheet = Sheet(40, 40, 2, Vec3(2.5, 2.5, 0.5));
+  ExpectNothing("window along x", sheet,
+    Polyline({ Vec2(20, 21), Vec2(80, 21), Vec2(80, 40.7), Vec2(20, 40.7) }), TrimOptions());
+  ExpectNothing("window along y", sheet,
+    Polyline({ Vec2(21, 20), Vec2(80, 20), Vec2(80, 40), Vec2(21, 40) }), TrimOptions());
+}
+
 // Through the whole sheet, with straight walls; what is between them goes.
 Surface Slot(const Mesh& sheet, double width)
 {
@@ -367,6 +399,7 @@ int main()
   TestOrdinary();
   TestInclined();
   TestSmallHoles();
+  TestAligned();
   TestSlots();
   TestStretched();
   TestShortfalls();

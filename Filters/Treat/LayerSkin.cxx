@@ -1,0 +1,136 @@
+#include "LayerSkin.h"
+
+#include "Status.h"
+
+#include <algorithm>
+
+namespace trim
+{
+namespace
+{
+
+class SkinReturn
+{
+public:
+  SkinReturn(const Band& layered, const Columns& columns, const NodeMover& mover,
+    const std::vector<char>& kept, const BandQuality& quality, TrimmedBand& trimmed)
+    : Layered(layered)
+    , TheColumns(columns)
+    , Mover(mover)
+    , Kept(kept)
+    , Quality(quality)
+    , Trimmed(trimmed)
+    , AllKept(layered.BeforeLayer->NumberOfNodes(), NodeKeep)
+  {
+  }
+
+  void Run()
+  {
+    const std::vector<Vec3> before = this->Trimmed.NodeMoves.Position;
+    std::vector<int> spoiled = this->FindSpoiled();
+    const std::vector<char> wasSpoiled = this->Flags(spoiled);
+    this->TakeToSkin();
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      spoiled = this->FindSpoiled();
+      for (const int e : spoiled)
+      {
+        changed |= !wasSpoiled[e] && this->GoBack(e, before);
+      }
+    }
+  }
+
+private:
+  void TakeToSkin()
+  {
+    const std::vector<int> users = CountUsers(this->Layered, this->Trimmed);
+    const std::vector<char> onCut = FindBoundaryNodes(this->Layered, this->Trimmed);
+    auto& moves = this->Trimmed.NodeMoves;
+    for (int n = 0; n < this->Layered.NumberOfNodes(); ++n)
+    {
+      const bool moved = users[n] > 0 && moves.Applied[n] != Correction::None;
+      Vec3 place;
+      if (moved && this->FindPlace(n, onCut[n] && !moves.Left[n], place))
+      {
+        moves.Position[n] = AsStored(this->Layered, place);
+      }
+    }
+  }
+
+  /// Where a node belongs on the skin; false if it is on none, or on a ridge.
+  bool FindPlace(int n, bool onCut, Vec3& place) const
+  {
+    const Band& band = *this->Layered.BeforeLayer;
+    const int origin = this->Layered.NodeOrigins[n].Index;
+    const auto faces = band.FacesOfNode(origin);
+    if (std::none_of(
+          faces.begin(), faces.end(), [&band](int f) { return band.Faces[f].Exterior; }))
+    {
+      return false;
+    }
+    NodeFreedom freedom;
+    freedom.Constraint =
+      ConstrainNode(band, this->TheColumns, this->AllKept, this->Kept, origin);
+    return freedom.Constraint.Kind == ConstraintKind::Faces &&
+      this->Mover.Constrained(origin, freedom, this->Trimmed.NodeMoves.Position[n], onCut, place);
+  }
+
+  std::vector<int> FindSpoiled() const
+  {
+    std::vector<int> spoiled;
+    for (int e = 0; e < this->Layered.NumberOfElements(); ++e)
+    {
+      if (!this->Trimmed.Kept[e])
+      {
+        continue;
+      }
+      const FinalElement final = FinalShape(this->Layered, this->Trimmed, e);
+      if (final.Touched &&
+        (this->Quality.Spoils(e, final.Points, final.Count) ||
+          this->Quality.FallsBelowFloor(e, final.Points, final.Count)))
+      {
+        spoiled.push_back(e);
+      }
+    }
+    return spoiled;
+  }
+
+  std::vector<char> Flags(const std::vector<int>& elements) const
+  {
+    std::vector<char> flags(this->Layered.NumberOfElements(), 0);
+    std::for_each(elements.begin(), elements.end(), [&flags](int e) { flags[e] = 1; });
+    return flags;
+  }
+
+  bool GoBack(int e, const std::vector<Vec3>& before)
+  {
+    bool changed = false;
+    const BandElement& element = this->Layered.Elements[e];
+    for (int i = 0; i < element.Count; ++i)
+    {
+      Vec3& position = this->Trimmed.NodeMoves.Position[element.Node[i]];
+      changed |= position != before[element.Node[i]];
+      position = before[element.Node[i]];
+    }
+    return changed;
+  }
+
+  const Band& Layered;
+  const Columns& TheColumns;
+  const NodeMover& Mover;
+  const std::vector<char>& Kept;
+  const BandQuality& Quality;
+  TrimmedBand& Trimmed;
+  std::vector<unsigned char> AllKept; ///< status of the nodes as if there were no cut
+};
+
+}
+
+void ReturnToSkin(const Band& layered, const Columns& columns, const NodeMover& mover,
+  const std::vector<char>& kept, const BandQuality& quality, TrimmedBand& trimmed)
+{
+  SkinReturn(layered, columns, mover, kept, quality, trimmed).Run();
+}
+
+}
