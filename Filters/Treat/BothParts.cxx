@@ -86,6 +86,7 @@ BothParts ClimbForBothParts(
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
   FailedReturns failures;
   demanding.Failures = &failures;
+  demanding.FindsCloser = false; // only of the last climb
   Demander demander(given, demanding.ForOffcut);
   BothParts parts;
   LadderPosition position;
@@ -106,6 +107,8 @@ BothParts ClimbForBothParts(
       break;
     }
   }
+  parts.Kept.Closer = FindCloser(given, demanding, Part(progress, done, 1.0), position, parts.Kept);
+  parts.Kept.Unpolished = nullptr;
   return parts;
 }
 

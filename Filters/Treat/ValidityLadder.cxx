@@ -60,13 +60,38 @@ public:
     LeaveBelowFloor(this->TheChoices, aborted, trimmed);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
-    const auto closer = this->ReturnToFloor(trimmed, Part(progress, Returned, Closer));
+    std::shared_ptr<const TrimmedBand> closer, unpolished;
+    if (this->TheChoices.Options.FindsCloser)
+    {
+      closer = this->ReturnToFloor(trimmed, Part(progress, Returned, Closer));
+    }
+    else if (this->TheChoices.CountLeft(trimmed) > 0)
+    {
+      unpolished = std::make_shared<TrimmedBand>(trimmed);
+    }
     progress(Closer);
     this->Finish(aborted, trimmed);
     trimmed.RescuedBy = this->TheChoices.At.Rungs;
     trimmed.AgainstVolume = this->FindAgainstVolume();
     trimmed.Closer = closer;
+    trimmed.Unpolished = unpolished;
     return trimmed;
+  }
+
+  /// See TrimmedBand::Closer.
+  std::shared_ptr<const TrimmedBand> ReturnToFloor(
+    const TrimmedBand& trimmed, const Progress& progress) const
+  {
+    const auto closer =
+      this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, progress, trimmed);
+    if (closer)
+    {
+      this->Finish([&progress] { return progress(-1.0); }, *closer);
+      closer->RescuedBy = this->TheChoices.At.Rungs;
+      closer->AgainstVolume = this->FindAgainstVolume();
+      this->TellReturned(*closer, closer->RescuedBy);
+    }
+    return closer;
   }
 
 private:
@@ -93,22 +118,6 @@ private:
     }
     this->TheChoices.Trial.ReturnLeft(this->TheChoices.At.Set, progress, trimmed);
     this->TellReturned(trimmed, this->TheChoices.At.Rungs);
-  }
-
-  /// See TrimmedBand::Closer.
-  std::shared_ptr<const TrimmedBand> ReturnToFloor(
-    const TrimmedBand& trimmed, const Progress& progress) const
-  {
-    const auto closer =
-      this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, progress, trimmed);
-    if (closer)
-    {
-      this->Finish([&progress] { return progress(-1.0); }, *closer);
-      closer->RescuedBy = this->TheChoices.At.Rungs;
-      closer->AgainstVolume = this->FindAgainstVolume();
-      this->TellReturned(*closer, closer->RescuedBy);
-    }
-    return closer;
   }
 
   /// By column.
@@ -358,6 +367,14 @@ TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
   const Progress& progress, LadderPosition& position)
 {
   return Ladder(given, options, position).Climb(progress);
+}
+
+std::shared_ptr<const TrimmedBand> FindCloser(const TrimCase& given, const LadderOptions& options,
+  const Progress& progress, LadderPosition& position, const TrimmedBand& trimmed)
+{
+  return trimmed.Unpolished
+    ? Ladder(given, options, position).ReturnToFloor(*trimmed.Unpolished, progress)
+    : nullptr;
 }
 
 }

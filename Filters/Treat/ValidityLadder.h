@@ -19,7 +19,7 @@
 #include "ColumnChoices.h"
 #include "Progress.h"
 
-#include <vector>
+#include <memory>
 
 namespace trim
 {
@@ -30,6 +30,14 @@ namespace trim
  */
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
   const Progress& progress, LadderPosition& position);
+
+/**
+ * TrimmedBand::Closer of a climb that has put it off.
+ *
+ * @param position where the climb ended.
+ */
+std::shared_ptr<const TrimmedBand> FindCloser(const TrimCase& given, const LadderOptions& options,
+  const Progress& progress, LadderPosition& position, const TrimmedBand& trimmed);
 
 }
 
