@@ -3,9 +3,9 @@
 #include "ElementTopology.h"
 #include "EndInside.h"
 #include "PieceSides.h"
-#include "PlaceText.h"
 #include "Runs.h"
 #include "SideSets.h"
+#include "SurfaceEnds.h"
 
 #include <vtkSMPTools.h>
 
@@ -146,16 +146,9 @@ std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const Surface
   ends = piece.All.Gather(ends);
   const auto nearest = std::min_element(ends.begin(), ends.end(),
     [](const SurfaceEnd& a, const SurfaceEnd& b) { return a.Distance < b.Distance; });
-  const std::string at = nurbs::PlaceText(ToVec3(nearest->At));
-  if (nearest->Distance >= std::numeric_limits<double>::max())
-  {
-    return "The trimming surface has its two sides mixed up near " + at +
-      ": where several bodies touch or cross each other, leave one of them; where open patches "
-      "beside each other face the same way, turn one round; where a body is turned inside out, "
-      "repair it in the CAD program.";
-  }
-  return "The trimming surface ends inside the grid, at " + at +
-    ", and so does not part it: extend the surface beyond the grid or close it.";
+  const Vec3 at = ToVec3(nearest->At);
+  return nearest->Distance >= std::numeric_limits<double>::max() ? SidesMixedUpText(at)
+                                                                  : EndsInsideText(at);
 }
 
 /// Side of a part that the surface does not meet, by the most decisive of its outermost nodes.

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace nurbs
 {
@@ -172,6 +173,36 @@ bool HasNumber(const std::vector<std::string>& values)
   return std::any_of(values.begin(), values.end(),
     [&number](const std::string& value) { return ReadNumber(value, number); });
 }
+
+/// Tells lists of points that blank lines part from one list with blank lines here and there, or after
+/// each point, as some programs write them.
+class Paragraphs
+{
+public:
+  void AddPoint() { ++this->Own; }
+  void End(size_t number)
+  {
+    if (this->Own > 0)
+    {
+      this->First = this->Count == 0 ? number : this->First;
+      this->Shortest = std::min(this->Shortest, this->Own);
+      ++this->Count;
+      this->Own = 0;
+    }
+  }
+  /// After the last point.
+  bool AreLines()
+  {
+    this->End(0);
+    return this->Count > 1 && this->Shortest >= 3;
+  }
+  /// The number of the first blank line behind a point.
+  size_t FirstEnd() const { return this->First; }
+
+private:
+  size_t Own = 0, Count = 0, First = 0;
+  size_t Shortest = std::numeric_limits<size_t>::max(); ///< points of a list
+};
 }
 
 //------------------------------------------------------------------------------
@@ -194,10 +225,16 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
   std::string line;
   Layout layout;
   bool headerMayCome = true;
+  Paragraphs paragraphs;
   for (size_t number = 1; std::getline(stream, line); ++number)
   {
     const std::vector<std::string> values = SplitLine(line, Any);
-    if (values.empty() || (!values[0].empty() && values[0][0] == '#'))
+    if (values.empty())
+    {
+      paragraphs.End(number);
+      continue;
+    }
+    if (!values[0].empty() && values[0][0] == '#')
     {
       continue;
     }
@@ -217,6 +254,14 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
       return false;
     }
     points.push_back(point);
+    paragraphs.AddPoint();
+  }
+  if (paragraphs.AreLines())
+  {
+    error = file + " has several lists of points, parted by blank lines as line " +
+      std::to_string(paragraphs.FirstEnd()) +
+      " is; a file holds one trim line: put each into a file of its own";
+    return false;
   }
   return true;
 }

@@ -9,6 +9,9 @@ namespace trim
 namespace
 {
 
+/// What is farther from the skin than this share of the longest edge is not off it for the layer.
+constexpr double LongestReturn = 0.1;
+
 class SkinReturn
 {
 public:
@@ -72,8 +75,21 @@ private:
     NodeFreedom freedom;
     freedom.Constraint =
       ConstrainNode(band, this->TheColumns, this->AllKept, this->Kept, origin);
+    const Vec3& from = this->Trimmed.NodeMoves.Position[n];
     return freedom.Constraint.Kind == ConstraintKind::Faces &&
-      this->Mover.Constrained(origin, freedom, this->Trimmed.NodeMoves.Position[n], onCut, place);
+      this->Mover.Constrained(origin, freedom, from, onCut, place) &&
+      (place - from).norm() <= LongestReturn * LongestEdge(band, origin);
+  }
+
+  static double LongestEdge(const Band& band, int node)
+  {
+    double longest = 0.0;
+    for (const int edge : band.EdgesOfNode(node))
+    {
+      longest =
+        std::max(longest, (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm());
+    }
+    return longest;
   }
 
   std::vector<int> FindSpoiled() const

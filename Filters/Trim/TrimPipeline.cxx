@@ -4,9 +4,9 @@
 #include "GatherBand.h"
 #include "InputScale.h"
 #include "Place.h"
-#include "PlaceText.h"
 #include "Shortfalls.h"
 #include "Status.h"
+#include "SurfaceEnds.h"
 #include "SurfaceGaps.h"
 #include "TrimWarnings.h"
 
@@ -336,16 +336,18 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
   return true;
 }
 
-/// Leaves an error if the surface ends in the band.
-void MeasureBand(TrimResult& result, const nurbs::TrimmingSurface& surface)
+/// Leaves an error if the surface ends in the band. Collective.
+void MeasureBand(const Piece& piece, const nurbs::TrimmingSurface& surface, TrimResult& result)
 {
   auto& near = *result.Near;
+  const auto& feet = result.Nodes.Near.Feet;
+  const bool ends = piece.All.Any(std::any_of(feet.begin(), feet.end(),
+    [](const nurbs::Foot& foot) { return foot.Kind == nurbs::FootKind::Border; }));
   std::array<int, 2> missed{ -1, -1 };
   if (!MeasureShares(near.Mesh, near.Structure, surface, WidestGapOf(surface), near.Shares, missed))
   {
     const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
-    result.Error = "The trimming surface ends inside the grid, near " + nurbs::PlaceText(place) +
-      ", and so does not part it: extend the surface beyond the grid or close it.";
+    result.Error = ends ? EndsInsideText(place) : SidesMixedUpText(place);
   }
 }
 
@@ -465,7 +467,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     {
       return result;
     }
-    MeasureBand(result, surface);
+    MeasureBand(piece, surface, result);
     result.Error = piece.All.FirstText(result.Error);
     if (!result.Error.empty() || aborted(0.4))
     {

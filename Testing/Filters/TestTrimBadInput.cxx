@@ -352,6 +352,16 @@ void TestMixedSides(const Mesh& mesh)
     both->SetBlock(reversed, MakeSurface("roundrect", mesh.Box, at).Data);
   }
   Judge("bodies of opposite sense", mesh.Grid, both, { "two sides mixed up near (", "inside out" });
+  // One within the other, a few elements between them, and both face outwards.
+  for (const bool inner : { false, true })
+  {
+    Placement at;
+    at.X = at.Y = 0;
+    at.Size = inner ? 0.3 : 0.5;
+    both->SetBlock(inner, MakeSurface("roundrect", mesh.Box, at).Data);
+  }
+  Judge("bodies within each other", mesh.Grid, both,
+    { "two sides mixed up near (", "closed lines within each other" });
 }
 
 // The message gives a point where the surface ends: both surfaces are upright and end at a line

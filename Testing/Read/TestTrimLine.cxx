@@ -411,7 +411,8 @@ void TestFile()
          ",x,y,z,\"note, if any\"\n0,0,0,0,first\n1,4,0,0.5,\n2,4,3,0,\"a, b\"\n3,-10,3,0,\n",
          "0,0;0,0;0,0\n4;0;0,5\n4,00;3;0\n-1,0e1;3;0\n",
          "Punkt Nr.;x;y;z\n1,5;0;0;0\n2;4;0;0,5\n3;4;3;0\n4;-10,0;3,0;0\n",
-         "0,0\t0,0\t0,0\r\n4,0\t0\t0,5\r\n4\t3\t0\r\n-10 3,0 0\r\n" })
+         "0,0\t0,0\t0,0\r\n4,0\t0\t0,5\r\n4\t3\t0\r\n-10 3,0 0\r\n",
+         "0,0,0\n\n4,0,0.5\n\n4,3,0\n\n-10,3,0\n\n" })
   {
     const std::string path = OutputPath("line.csv");
     WriteText(path, text);
@@ -442,6 +443,8 @@ void CheckFileError(const std::string& part, const std::string& text)
 
 void TestBadInput()
 {
+  CheckFileError("several lists of points, parted by blank lines as line 4 is",
+    "0,0,0\n1,0,0\n2,1,0\n\n5,0,0\n6,0,0\n7,1,0\n");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   CheckError("has 1 points", [](Source* s) { s->SetNumberOfPoints(1); });

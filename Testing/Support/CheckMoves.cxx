@@ -84,23 +84,27 @@ bool IsSkin(const Evidence& e, const Facet& facet)
   return thin < 2;
 }
 
-/// Points on those facets of the skin that pass a test.
+/// Points on those exterior facets that pass a test.
+template <typename Test>
+std::vector<char> ExteriorPoints(const Evidence& e, const Test& test)
+{
+  std::vector<char> points(e.In.Points.size(), 0);
+  for (const Facet& facet : e.Border.Facets().Exterior)
+  {
+    for (int i = 0; test(facet) && i < facet.Size(); ++i)
+    {
+      points[facet.Node[i]] = 1;
+    }
+  }
+  return points;
+}
+
+/// The same of the skin of a sheet.
 template <typename Test>
 std::vector<char> SkinPoints(const Evidence& e, const Test& test)
 {
-  std::vector<char> skin(e.In.Points.size(), 0);
-  for (const Facet& facet : e.Border.Facets().Exterior)
-  {
-    if (!e.Case.Input->Sheet || !test(facet) || !IsSkin(e, facet))
-    {
-      continue;
-    }
-    for (int i = 0; i < facet.Size(); ++i)
-    {
-      skin[facet.Node[i]] = 1;
-    }
-  }
-  return skin;
+  return ExteriorPoints(e,
+    [&](const Facet& facet) { return e.Case.Input->Sheet && test(facet) && IsSkin(e, facet); });
 }
 
 std::vector<char> SkinPoints(const Evidence& e)
@@ -224,11 +228,18 @@ void CheckPlaces(const Evidence& e, Report& report)
   // A layer divides the facets of the skin, which changes the shape of twisted ones.
   const double exact = e.Case.Options.InsertLayer ? std::max(e.Exact, 1e-4 * e.Diagonal) : e.Exact;
   const std::vector<char> ridges = RidgesOfKept(e, kept);
+  const std::vector<char> ofKept =
+    ExteriorPoints(e, [&kept](const Facet& facet) { return kept[facet.Owner] != 0; });
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];
     const auto place = e.Border.PlaceOf(o);
     if (!e.Moved(p) || place == Exterior::Place::Inside)
+    {
+      continue;
+    }
+    // Under a layer what is kept may touch the skin at a point that it has no facet of the skin at.
+    if (e.InsertedPoint[p] && !ofKept[o])
     {
       continue;
     }
