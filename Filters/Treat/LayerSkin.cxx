@@ -3,6 +3,7 @@
 #include "Status.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace trim
 {
@@ -11,6 +12,8 @@ namespace
 
 /// What is farther from the skin than this share of the longest edge is not off it for the layer.
 constexpr double LongestReturn = 0.1;
+/// What is nearer than this is on it.
+constexpr double OnSkin = 1e-3;
 
 class SkinReturn
 {
@@ -42,6 +45,7 @@ public:
         changed |= !wasSpoiled[e] && this->GoBack(e, before);
       }
     }
+    this->TellFaults();
   }
 
 private:
@@ -57,8 +61,34 @@ private:
       if (moved && this->FindPlace(n, onCut[n] && !moves.Left[n], place))
       {
         moves.Position[n] = AsStored(this->Layered, place);
+        this->Places.emplace_back(n, moves.Position[n]);
       }
     }
+  }
+
+  /// Elements below the floor, and those with a node that could not stay on the skin.
+  void TellFaults()
+  {
+    const Band& band = *this->Layered.BeforeLayer;
+    std::vector<int>& faults = this->Trimmed.BelowFloor;
+    faults = this->Quality.FindBelowFloor(this->Trimmed);
+    for (const auto& [n, place] : this->Places)
+    {
+      const double away = (this->Trimmed.NodeMoves.Position[n] - place).norm();
+      if (away <= OnSkin * LongestEdge(band, this->Layered.NodeOrigins[n].Index))
+      {
+        continue;
+      }
+      for (const int e : this->Layered.ElementsOfNode(n))
+      {
+        if (this->Trimmed.Kept[e])
+        {
+          faults.push_back(e);
+        }
+      }
+    }
+    std::sort(faults.begin(), faults.end());
+    faults.erase(std::unique(faults.begin(), faults.end()), faults.end());
   }
 
   /// Where a node belongs on the skin; false if it is on none, or on a ridge.
@@ -102,9 +132,7 @@ private:
         continue;
       }
       const FinalElement final = FinalShape(this->Layered, this->Trimmed, e);
-      if (final.Touched &&
-        (this->Quality.Spoils(e, final.Points, final.Count) ||
-          this->Quality.FallsBelowFloor(e, final.Points, final.Count)))
+      if (final.Touched && this->Quality.Spoils(e, final.Points, final.Count))
       {
         spoiled.push_back(e);
       }
@@ -139,6 +167,7 @@ private:
   const BandQuality& Quality;
   TrimmedBand& Trimmed;
   std::vector<unsigned char> AllKept; ///< status of the nodes as if there were no cut
+  std::vector<std::pair<int, Vec3>> Places; ///< of nodes on the skin
 };
 
 }
