@@ -148,7 +148,7 @@ std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const Surface
     [](const SurfaceEnd& a, const SurfaceEnd& b) { return a.Distance < b.Distance; });
   const Vec3 at = ToVec3(nearest->At);
   return nearest->Distance >= std::numeric_limits<double>::max() ? SidesMixedUpText(at)
-                                                                  : EndsInsideText(at);
+                                                                 : EndsInsideText(at);
 }
 
 /// Side of a part that the surface does not meet, by the most decisive of its outermost nodes.

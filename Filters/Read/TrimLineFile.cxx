@@ -174,8 +174,8 @@ bool HasNumber(const std::vector<std::string>& values)
     [&number](const std::string& value) { return ReadNumber(value, number); });
 }
 
-/// Tells lists of points that blank lines part from one list with blank lines here and there, or after
-/// each point, as some programs write them.
+/// Tells lists of points that blank lines part from one list with blank lines here and there, or
+/// after each point, as some programs write them.
 class Paragraphs
 {
 public:

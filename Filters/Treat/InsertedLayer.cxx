@@ -227,7 +227,8 @@ private:
     }
     // Where faces turn against each other the mean of what they ask for leads behind none.
     const Vec3 direction = DirectionBehindAll(faces).Direction;
-    const Eigen::ArrayXd ways = depths.head(cut).array() / (normals.topRows(cut) * direction).array();
+    const Eigen::ArrayXd ways =
+      depths.head(cut).array() / (normals.topRows(cut) * direction).array();
     return ways.minCoeff() * direction;
   }
 

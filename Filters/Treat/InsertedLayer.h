@@ -27,8 +27,8 @@ bool HasRoomForLayer(const Band& band, const std::vector<char>& kept, int node);
  * the model along it. The model has the shape that it had.
  *
  * @param mover of the band.
- * @param[out] cells made anew; status, rings and ids as in the band, of inserted nodes and cells their
- * Origin: the node whose place was taken, the kept element on whose face it stands.
+ * @param[out] cells made anew; status, rings and ids as in the band, of inserted nodes and cells
+ * their Origin: the node whose place was taken, the kept element on whose face it stands.
  * @return the nodes of the cut where there is no room for it; empty: it stands.
  */
 std::vector<int> InsertLayer(const Band& band, const Columns& columns, const NodeMover& mover,

@@ -78,8 +78,8 @@ bool TakePlaces(const Band& layered, const Moves& moves, BandCells& cells)
 
 }
 
-bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality, double goal,
-  BandCells& cells)
+bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality,
+  double goal, BandCells& cells)
 {
   std::vector<RelaxedElement> elements;
   std::vector<int> below;
@@ -87,13 +87,13 @@ bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& 
   {
     const BandElement& element = layered.Elements[e];
     elements.push_back({ element.Count, element.Node });
-    if (HasInserted(layered, element) &&
-      ScaledJacobian(PointsOf(layered, e), element.Count) < goal)
+    if (HasInserted(layered, element) && ScaledJacobian(PointsOf(layered, e), element.Count) < goal)
     {
       below.push_back(e);
     }
   }
-  // On the skin, which is divided by the layer, they would leave the facets that the mesh came with.
+  // On the skin, which is divided by the layer, they would leave the facets that the mesh came
+  // with.
   std::vector<char> fixed;
   for (int n = 0; n < layered.NumberOfNodes(); ++n)
   {

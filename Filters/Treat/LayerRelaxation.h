@@ -23,8 +23,8 @@ namespace trim
  * @param[in,out] cells what the band was made of; the inserted nodes get their places.
  * @return false if none moved.
  */
-bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality, double goal,
-  BandCells& cells);
+bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality,
+  double goal, BandCells& cells);
 
 }
 

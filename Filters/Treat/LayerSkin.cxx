@@ -97,14 +97,12 @@ private:
     const Band& band = *this->Layered.BeforeLayer;
     const int origin = this->Layered.NodeOrigins[n].Index;
     const auto faces = band.FacesOfNode(origin);
-    if (std::none_of(
-          faces.begin(), faces.end(), [&band](int f) { return band.Faces[f].Exterior; }))
+    if (std::none_of(faces.begin(), faces.end(), [&band](int f) { return band.Faces[f].Exterior; }))
     {
       return false;
     }
     NodeFreedom freedom;
-    freedom.Constraint =
-      ConstrainNode(band, this->TheColumns, this->AllKept, this->Kept, origin);
+    freedom.Constraint = ConstrainNode(band, this->TheColumns, this->AllKept, this->Kept, origin);
     const Vec3& from = this->Trimmed.NodeMoves.Position[n];
     return freedom.Constraint.Kind == ConstraintKind::Faces &&
       this->Mover.Constrained(origin, freedom, from, onCut, place) &&
@@ -166,7 +164,7 @@ private:
   const std::vector<char>& Kept;
   const BandQuality& Quality;
   TrimmedBand& Trimmed;
-  std::vector<unsigned char> AllKept; ///< status of the nodes as if there were no cut
+  std::vector<unsigned char> AllKept;       ///< status of the nodes as if there were no cut
   std::vector<std::pair<int, Vec3>> Places; ///< of nodes on the skin
 };
 

@@ -14,8 +14,8 @@ namespace trim
 /**
  * Takes nodes that moved along the skin of a layered band to the facets that there were without the
  * layer: it divides them, and pieces of a twisted facet are not that facet. A node stays where it
- * came to if an element would be spoiled: such elements, and those that fall below the floor, are told
- * in BelowFloor.
+ * came to if an element would be spoiled: such elements, and those that fall below the floor, are
+ * told in BelowFloor.
  *
  * @param layered its BeforeLayer is what the next three are of.
  * @param mover by the mesh without the layer.

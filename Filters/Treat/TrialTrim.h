@@ -42,7 +42,7 @@ struct LadderOptions
   /// not move.
   bool KeepsCorners = true;
   Demands ForOffcut;
-  bool FindsCloser = true; ///< false: TrimmedBand::Closer is found later, if at all
+  bool FindsCloser = true;           ///< false: TrimmedBand::Closer is found later, if at all
   FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others
 
   /// Scaled Jacobian that touched elements are to reach short of leaving nodes off; 0: none.

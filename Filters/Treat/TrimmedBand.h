@@ -44,7 +44,8 @@ struct TrimmedBand
   /// The same with more nodes on the surface, where elements are above the floor, but not above
   /// what is aimed at; none: no nodes were left for the sake of that.
   std::shared_ptr<const TrimmedBand> Closer;
-  std::shared_ptr<const TrimmedBand> Unpolished; ///< what it is to be found from later, see FindCloser
+  std::shared_ptr<const TrimmedBand>
+    Unpolished; ///< what it is to be found from later, see FindCloser
 };
 
 /// Nodes and positions of a band element as it is after the trim.

@@ -233,7 +233,7 @@ public:
     this->Tried = 1;
     this->First = this->Make(0, progress);
     return this->First && !(Shortcomings() < MeasureLeft(*this->First)) ? std::move(this->First)
-                                                                       : nullptr;
+                                                                        : nullptr;
   }
 
   /// The one that leaves least off the surface, if that is less than without; else null.

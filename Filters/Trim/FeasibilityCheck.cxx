@@ -457,9 +457,9 @@ private:
     const Vec3 b = this->Mesh.Point(edge[1]);
     auto hits = LiesBefore(a, b) ? this->Surface.Intersect(a, b) : this->Surface.Intersect(b, a);
     const Vec3 way = (b - a).normalized();
-    hits.erase(std::remove_if(hits.begin(), hits.end(),
-                 [&way](const nurbs::LineHit& hit)
-                 { return std::abs(hit.Normal.dot(way)) < AlongCosine; }),
+    hits.erase(
+      std::remove_if(hits.begin(), hits.end(),
+        [&way](const nurbs::LineHit& hit) { return std::abs(hit.Normal.dot(way)) < AlongCosine; }),
       hits.end());
     return hits;
   }

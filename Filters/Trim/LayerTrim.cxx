@@ -87,10 +87,9 @@ public:
   }
 
 private:
-  /// Elements at a node, one or two, whose columns may change their fates: of those that leave fewer
-  /// nodes without room, if there are any, the ones nearest to the surface; empty: none.
-  std::vector<int> FindBest(
-    int node, std::vector<char>& kept, const std::vector<Fate>& fates) const
+  /// Elements at a node, one or two, whose columns may change their fates: of those that leave
+  /// fewer nodes without room, if there are any, the ones nearest to the surface; empty: none.
+  std::vector<int> FindBest(int node, std::vector<char>& kept, const std::vector<Fate>& fates) const
   {
     const std::vector<int> free = this->FreeColumnsAt(node, fates);
     std::vector<int> best;
@@ -161,9 +160,8 @@ private:
             !HasRoomForLayer(this->TheBand, kept, node);
         });
     };
-    const auto turn = [&] {
-      std::for_each(turned.begin(), turned.end(), [&](int e) { this->Turn(e, kept); });
-    };
+    const auto turn = [&]
+    { std::for_each(turned.begin(), turned.end(), [&](int e) { this->Turn(e, kept); }); };
     const auto before = count();
     turn();
     const auto after = count();
@@ -347,9 +345,9 @@ std::vector<int> NodesWithoutLayer(const Band& layered, const std::vector<int>& 
   return nodes;
 }
 
-std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh,
-  const LayerSearch& search, bool isSheet, const nurbs::TrimmingSurface& surface,
-  double precision, const BandOptions& options, const Progress& progress)
+std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh, const LayerSearch& search,
+  bool isSheet, const nurbs::TrimmingSurface& surface, double precision, const BandOptions& options,
+  const Progress& progress)
 {
   auto layered = std::make_unique<TrimBand>(std::move(mesh));
   const Band& band = layered->Mesh;
@@ -386,10 +384,10 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
     {
       break;
     }
-    const Progress part = Part(
-      progress, static_cast<double>(climb) / MostClimbs, (climb + 1.0) / MostClimbs);
-    auto layered = ClimbWithLayer(
-      near, std::move(*mesh), search, isSheet, surface, precision, options, part);
+    const Progress part =
+      Part(progress, static_cast<double>(climb) / MostClimbs, (climb + 1.0) / MostClimbs);
+    auto layered =
+      ClimbWithLayer(near, std::move(*mesh), search, isSheet, surface, precision, options, part);
     const std::vector<int> faulty = FaultyElements(*layered);
     const std::vector<int> nodes = NodesWithoutLayer(layered->Mesh, faulty);
     if (!best || faulty.size() < fewest)

@@ -58,8 +58,7 @@ void WriteOutputs(const trim::TrimInputs& inputs, trim::TrimResult& result,
   const trim::Progress& progress, const std::array<vtkUnstructuredGrid*, 3>& outputs)
 {
   std::string renamed;
-  const auto own =
-    trim::ResolveNameClashes(inputs.Own().Grid, options.InsertLayer, renamed);
+  const auto own = trim::ResolveNameClashes(inputs.Own().Grid, options.InsertLayer, renamed);
   renamed = ranks.FirstText(renamed);
   if (!renamed.empty())
   {
@@ -229,8 +228,8 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const trim::TrimInputs& inputs = *this->Inputs;
-  trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(),
-    { ranks, inputs.Shared() }, inputs.Surface(), options, progress);
+  trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(), { ranks, inputs.Shared() },
+    inputs.Surface(), options, progress);
   if (!result.Error.empty())
   {
     return this->Refuse(ranks, result.Error);

@@ -15,9 +15,9 @@ namespace trim
 {
 
 /**
- * The grid whose arrays are to be taken along. What an earlier trim has written is left out, as this
- * one writes it anew; arrays of others with the names of the trim's own, a solver's Displacement
- * say, get "Input" before theirs. Neither the grid nor its arrays are changed.
+ * The grid whose arrays are to be taken along. What an earlier trim has written is left out, as
+ * this one writes it anew; arrays of others with the names of the trim's own, a solver's
+ * Displacement say, get "Input" before theirs. Neither the grid nor its arrays are changed.
  *
  * @param insertsLayer whether the arrays Inserted will be written.
  * @param[out] warning which arrays have another name now; empty: none.

@@ -85,10 +85,8 @@ bool IsFilled(vtkFieldData* data, const char* name, double value)
 void TestNameClashes(Mesh mesh, const Surface& surface)
 {
   vtkUnstructuredGrid* grid = mesh.Grid;
-  AddFilled<vtkFloatArray>(
-    grid->GetPointData(), "Displacement", grid->GetNumberOfPoints(), 3.5);
-  AddFilled<vtkFloatArray>(
-    grid->GetCellData(), "ScaledJacobian", grid->GetNumberOfCells(), 0.77);
+  AddFilled<vtkFloatArray>(grid->GetPointData(), "Displacement", grid->GetNumberOfPoints(), 3.5);
+  AddFilled<vtkFloatArray>(grid->GetCellData(), "ScaledJacobian", grid->GetNumberOfCells(), 0.77);
   AddFilled<vtkFloatArray>(grid->GetFieldData(), "Volume", 1, 12);
   grid->GetPointData()->SetActiveScalars("Displacement");
   TrimOptions options;
@@ -120,8 +118,7 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
   options.InsertLayer = true;
   Mesh next = mesh;
   next.Grid = RunTrim(mesh, surface, options).Case.Trimmed;
-  AddFilled<vtkFloatArray>(
-    next.Grid->GetCellData(), "Inserted", next.Grid->GetNumberOfCells(), 1);
+  AddFilled<vtkFloatArray>(next.Grid->GetCellData(), "Inserted", next.Grid->GetNumberOfCells(), 1);
   options.InsertLayer = false;
   Placement at;
   at.X = 0.31;

@@ -166,8 +166,8 @@ void TestInnerEdges()
   Expect(tally.LeftWithLayer < 0.15 * tally.Left, "too many nodes are left at inner edges");
 }
 
-/// A ball of bent elements, where faces of the cut are nearly of one direction, and a rod with a skin
-/// of plane facets: neither is a ridge.
+/// A ball of bent elements, where faces of the cut are nearly of one direction, and a rod with a
+/// skin of plane facets: neither is a ridge.
 void TestBent()
 {
   Tally tally;

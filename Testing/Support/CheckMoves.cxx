@@ -103,8 +103,8 @@ std::vector<char> ExteriorPoints(const Evidence& e, const Test& test)
 template <typename Test>
 std::vector<char> SkinPoints(const Evidence& e, const Test& test)
 {
-  return ExteriorPoints(e,
-    [&](const Facet& facet) { return e.Case.Input->Sheet && test(facet) && IsSkin(e, facet); });
+  return ExteriorPoints(
+    e, [&](const Facet& facet) { return e.Case.Input->Sheet && test(facet) && IsSkin(e, facet); });
 }
 
 std::vector<char> SkinPoints(const Evidence& e)
