@@ -132,6 +132,17 @@ void TestAslant()
   Expect(tally.LeftWithLayer < 0.06 * tally.Left, "too many nodes are left with a layer");
 }
 
+Placement At(double x, double y, double angle, double lean, double size)
+{
+  Placement place;
+  place.X = x;
+  place.Y = y;
+  place.Angle = angle;
+  place.Lean = lean;
+  place.Size = size;
+  return place;
+}
+
 /// Sections with inner edges, where a layer has room only if other elements stay beneath it.
 void TestInnerEdges()
 {
@@ -140,21 +151,11 @@ void TestInnerEdges()
     std::string Mesh, Kind;
     Placement At;
   };
-  const auto at = [](double x, double y, double angle, double lean, double size)
-  {
-    Placement place;
-    place.X = x;
-    place.Y = y;
-    place.Angle = angle;
-    place.Lean = lean;
-    place.Size = size;
-    return place;
-  };
   Tally tally;
   for (const Trial& trial :
-    std::initializer_list<Trial>{ { "angle", "slot", at(0.342, -0.324, 5.176, 0.59, 0.431) },
-      { "angle", "scurve", at(0.098, -0.213, 5.313, 0.463, 0.422) },
-      { "tee", "slot", at(-0.073, 0.391, 1.629, 0.716, 0.35) } })
+    std::initializer_list<Trial>{ { "angle", "slot", At(0.342, -0.324, 5.176, 0.59, 0.431) },
+      { "angle", "scurve", At(0.098, -0.213, 5.313, 0.463, 0.422) },
+      { "tee", "slot", At(-0.073, 0.391, 1.629, 0.716, 0.35) } })
   {
     const Mesh mesh = MakeMesh(trial.Mesh);
     Compare(trial.Mesh + " " + trial.Kind, mesh, MakeSurface(trial.Kind, mesh.Box, trial.At), 0.05,
@@ -171,21 +172,11 @@ void TestInnerEdges()
 void TestBent()
 {
   Tally tally;
-  Placement at;
-  at.X = -0.194;
-  at.Y = -0.181;
-  at.Angle = 1.505;
-  at.Lean = 0.52;
-  at.Size = 0.365;
   const Mesh ball = MakeMesh("ball");
-  Compare("ball rectangle", ball, MakeSurface("rectangle", ball.Box, at), 0.05, tally);
+  Compare("ball rectangle", ball,
+    MakeSurface("rectangle", ball.Box, At(-0.194, -0.181, 1.505, 0.52, 0.365)), 0.05, tally);
   Expect(tally.Taken == 1 && tally.LeftWithLayer == 0, "nodes left off in the ball");
-  at = Placement();
-  at.X = -0.458;
-  at.Y = -0.341;
-  at.Angle = 1.622;
-  at.Lean = 0.18;
-  at.Size = 0.622;
+  Placement at = At(-0.458, -0.341, 1.622, 0.18, 0.622);
   at.Seed = 916454;
   const Mesh bar = MakeMesh("bar");
   Compare("bar wavy", bar, MakeSurface("wavy", bar.Box, at), 0.05, tally);
