@@ -75,6 +75,7 @@ add_library(NURBSTrimStages STATIC
   Trim/BandTrim.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx
+  Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
   Trim/Shortfalls.cxx
   Trim/TrimPipeline.cxx

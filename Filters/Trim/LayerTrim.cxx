@@ -2,8 +2,8 @@
 
 #include "InsertedLayer.h"
 #include "LayerRelaxation.h"
+#include "LayerRoom.h"
 #include "LayerSkin.h"
-#include "Manifold.h"
 #include "Shortfalls.h"
 
 #include <algorithm>
@@ -16,8 +16,6 @@ namespace trim
 namespace
 {
 
-/// Elements from this ring on keep their fate: the layer and those behind it need room in the band.
-constexpr int FirstFixedRing = 2;
 /// How often the fates of elements are changed to give a layer room.
 constexpr int MostAttempts = 24;
 /// How often they are changed where elements of the layer are not good enough in the end.
@@ -49,147 +47,6 @@ VolumeShares LargestOfColumns(const VolumeShares& shares, const Columns& columns
   return reach;
 }
 
-/// Changes the fates of columns so that a layer finds room.
-class RoomMaker
-{
-public:
-  RoomMaker(const Band& band, const Columns& columns, const VolumeShares& reach)
-    : TheBand(band)
-    , TheColumns(columns)
-    , Reach(reach)
-    , ElementsOf(columns.Elements())
-  {
-  }
-
-  /// Where there is none at nodes, one of the columns at each goes or stays instead. False if none
-  /// may.
-  bool PartElsewhere(
-    const std::vector<char>& kept, const std::vector<int>& nodes, std::vector<Fate>& fates) const
-  {
-    bool any = false;
-    std::vector<char> now = kept;
-    for (const int node : nodes)
-    {
-      const auto elements = this->TheBand.ElementsOfNode(node);
-      const auto isChanged = [&](int e) { return now[e] != kept[e]; };
-      if (std::any_of(elements.begin(), elements.end(), isChanged))
-      {
-        continue; // for a node beside it
-      }
-      for (const int e : this->FindBest(node, now, fates))
-      {
-        fates[this->TheColumns.Column[e]] = kept[e] ? Fate::Eliminate : Fate::Keep;
-        this->Turn(e, now);
-        any = true;
-      }
-    }
-    return any;
-  }
-
-private:
-  /// Elements at a node, one or two, whose columns may change their fates: of those that leave
-  /// fewer nodes without room, if there are any, the ones nearest to the surface; empty: none.
-  std::vector<int> FindBest(int node, std::vector<char>& kept, const std::vector<Fate>& fates) const
-  {
-    const std::vector<int> free = this->FreeColumnsAt(node, fates);
-    std::vector<int> best;
-    std::pair<bool, double> least;
-    const auto offer = [&](const std::vector<int>& turned)
-    {
-      std::pair<bool, double> price(!this->GivesRoom(turned, kept), 0.0);
-      for (const int e : turned)
-      {
-        const double reach = this->Reach.Column[e];
-        price.second += kept[e] ? 1.0 - reach : reach;
-      }
-      if (best.empty() || price < least)
-      {
-        best = turned;
-        least = price;
-      }
-    };
-    for (std::size_t i = 0; i < free.size(); ++i)
-    {
-      offer({ free[i] });
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        offer({ free[j], free[i] });
-      }
-    }
-    return best;
-  }
-
-  /// An element of each column at a node that may change its fate.
-  std::vector<int> FreeColumnsAt(int node, const std::vector<Fate>& fates) const
-  {
-    std::vector<int> free;
-    std::vector<int> seen;
-    for (const int e : this->TheBand.ElementsOfNode(node))
-    {
-      const int column = this->TheColumns.Column[e];
-      if (fates[column] == Fate::ByVolume && this->TheBand.Elements[e].Ring < FirstFixedRing &&
-        std::find(seen.begin(), seen.end(), column) == seen.end())
-      {
-        seen.push_back(column);
-        free.push_back(e);
-      }
-    }
-    return free;
-  }
-
-  /// Whether fewer nodes have no room when the columns of elements are turned round.
-  bool GivesRoom(const std::vector<int>& turned, std::vector<char>& kept) const
-  {
-    std::vector<int> nodes;
-    for (const int e : turned)
-    {
-      for (const int member : this->Members(e))
-      {
-        const BandElement& element = this->TheBand.Elements[member];
-        nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
-      }
-    }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const auto count = [&]
-    {
-      return std::count_if(nodes.begin(), nodes.end(),
-        [&](int node)
-        {
-          return !IsManifoldAt(this->TheBand, kept, node) ||
-            !HasRoomForLayer(this->TheBand, kept, node);
-        });
-    };
-    const auto turn = [&]
-    { std::for_each(turned.begin(), turned.end(), [&](int e) { this->Turn(e, kept); }); };
-    const auto before = count();
-    turn();
-    const auto after = count();
-    turn();
-    return after < before;
-  }
-
-  Band::Range Members(int e) const
-  {
-    const int column = this->TheColumns.Column[e];
-    return { this->ElementsOf.begin(column), this->ElementsOf.end(column) };
-  }
-
-  /// Turns the column of an element round.
-  void Turn(int e, std::vector<char>& kept) const
-  {
-    for (const int member : this->Members(e))
-    {
-      kept[member] = !kept[member];
-    }
-  }
-
-  const Band& TheBand;
-  const Columns& TheColumns;
-  const VolumeShares& Reach;
-  Band::Lists ElementsOf; ///< by column
-};
-
 /// Looks for what is to be kept so that a layer on it has room.
 class LayerSearch
 {
@@ -207,10 +64,13 @@ public:
     , Reach(LargestOfColumns(near.Shares, this->TheColumns))
     , TheDecision(near.Mesh, this->TheColumns, this->Reach, surface, largestShare, false)
     , Mover(near.Mesh, this->TheColumns, surface, precision)
-    , MakesRoom(near.Mesh, this->TheColumns, this->Reach)
+    , Room(near.Mesh, this->TheColumns, this->Reach)
     , Fates(near.Mesh.NumberOfElements(), Fate::ByVolume)
   {
   }
+
+  LayerSearch(const LayerSearch&) = delete; // the members refer to each other
+  void operator=(const LayerSearch&) = delete;
 
   /// The band with a layer as good as it can be before any correction; none: there is no room.
   std::optional<Band> Find()
@@ -236,7 +96,7 @@ public:
   /// Other elements at some nodes are to be kept from now on; false if there is no other choice.
   bool PartElsewhere(const std::vector<int>& nodes)
   {
-    return this->MakesRoom.PartElsewhere(this->Kept, nodes, this->Fates);
+    return this->Room.PartElsewhere(this->Kept, nodes, this->Fates);
   }
 
   /// What Find has kept of the mesh.
@@ -278,7 +138,7 @@ private:
   VolumeShares Reach;
   Decision TheDecision;
   NodeMover Mover;
-  RoomMaker MakesRoom;
+  LayerRoom Room;
   std::vector<Fate> Fates;
   std::vector<char> Kept;
 };

@@ -1,0 +1,154 @@
+#include "LayerRoom.h"
+
+#include "InsertedLayer.h"
+#include "Manifold.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trim
+{
+namespace
+{
+
+/// Elements from this ring on keep their fate: the layer and those behind it need room in the band.
+constexpr int FirstFixedRing = 2;
+
+}
+
+LayerRoom::LayerRoom(const Band& band, const Columns& columns, const VolumeShares& reach)
+  : TheBand(band)
+  , TheColumns(columns)
+  , Reach(reach)
+  , ElementsOf(columns.Elements())
+{
+}
+
+bool LayerRoom::PartElsewhere(
+  const std::vector<char>& kept, const std::vector<int>& nodes, std::vector<Fate>& fates) const
+{
+  bool any = false;
+  std::vector<char> now = kept;
+  for (const int node : nodes)
+  {
+    const auto elements = this->TheBand.ElementsOfNode(node);
+    const auto isChanged = [&](int e) { return now[e] != kept[e]; };
+    if (std::any_of(elements.begin(), elements.end(), isChanged))
+    {
+      continue; // for a node beside it
+    }
+    for (const int e : this->FindBest(node, now, fates))
+    {
+      fates[this->TheColumns.Column[e]] = kept[e] ? Fate::Eliminate : Fate::Keep;
+      this->Turn(e, now);
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// Elements at a node, one or two, whose columns may change their fates: of those that leave
+/// fewer nodes without room, if there are any, the ones nearest to the surface; empty: none.
+std::vector<int> LayerRoom::FindBest(
+  int node, std::vector<char>& kept, const std::vector<Fate>& fates) const
+{
+  const std::vector<int> free = this->FreeColumnsAt(node, fates);
+  std::vector<int> best;
+  std::pair<bool, double> least;
+  const auto offer = [&](const std::vector<int>& turned)
+  {
+    std::pair<bool, double> price(!this->GivesRoom(turned, kept), 0.0);
+    for (const int e : turned)
+    {
+      const double reach = this->Reach.Column[e];
+      price.second += kept[e] ? 1.0 - reach : reach;
+    }
+    if (best.empty() || price < least)
+    {
+      best = turned;
+      least = price;
+    }
+  };
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    offer({ free[i] });
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      offer({ free[j], free[i] });
+    }
+  }
+  return best;
+}
+
+/// An element of each column at a node that may change its fate.
+std::vector<int> LayerRoom::FreeColumnsAt(int node, const std::vector<Fate>& fates) const
+{
+  std::vector<int> free;
+  std::vector<int> seen;
+  for (const int e : this->TheBand.ElementsOfNode(node))
+  {
+    const int column = this->TheColumns.Column[e];
+    if (fates[column] == Fate::ByVolume && this->TheBand.Elements[e].Ring < FirstFixedRing &&
+      std::find(seen.begin(), seen.end(), column) == seen.end())
+    {
+      seen.push_back(column);
+      free.push_back(e);
+    }
+  }
+  return free;
+}
+
+/// Whether fewer nodes have no room when the columns of elements are turned round.
+bool LayerRoom::GivesRoom(const std::vector<int>& turned, std::vector<char>& kept) const
+{
+  const std::vector<int> nodes = this->NodesOf(turned);
+  const auto count = [&]
+  {
+    return std::count_if(nodes.begin(), nodes.end(),
+      [&](int node)
+      {
+        return !IsManifoldAt(this->TheBand, kept, node) ||
+          !HasRoomForLayer(this->TheBand, kept, node);
+      });
+  };
+  const auto turn = [&]
+  { std::for_each(turned.begin(), turned.end(), [&](int e) { this->Turn(e, kept); }); };
+  const auto before = count();
+  turn();
+  const auto after = count();
+  turn();
+  return after < before;
+}
+
+std::vector<int> LayerRoom::NodesOf(const std::vector<int>& columns) const
+{
+  std::vector<int> nodes;
+  for (const int e : columns)
+  {
+    for (const int member : this->Members(e))
+    {
+      const BandElement& element = this->TheBand.Elements[member];
+      nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+Band::Range LayerRoom::Members(int e) const
+{
+  const int column = this->TheColumns.Column[e];
+  return { this->ElementsOf.begin(column), this->ElementsOf.end(column) };
+}
+
+/// Turns the column of an element round.
+void LayerRoom::Turn(int e, std::vector<char>& kept) const
+{
+  for (const int member : this->Members(e))
+  {
+    kept[member] = !kept[member];
+  }
+}
+
+}
