@@ -37,13 +37,8 @@ NodeMover::NodeMover(
 
 double NodeMover::Reach(int node) const
 {
-  double longest = 0.0;
-  for (const int edge : this->TheBand.EdgesOfNode(node))
-  {
-    longest = std::max(longest,
-      (this->TheBand.Point[node] - this->TheBand.Point[this->TheBand.OtherEnd(edge, node)]).norm());
-  }
-  return (this->TheColumns.ChosenByCut ? LongestMoveByCut : LongestMove) * longest;
+  return (this->TheColumns.ChosenByCut ? LongestMoveByCut : LongestMove) *
+    LongestEdgeAt(this->TheBand, node);
 }
 
 NodeFreedom NodeMover::FreedomOf(int node) const

@@ -13,6 +13,7 @@
 #include "ElementTopology.h"
 #include "Jacobian.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -146,6 +147,17 @@ inline ElementPoints PointsOf(const Band& band, int element)
     points[i] = band.Point[own.Node[i]];
   }
   return points;
+}
+
+/// Length of the longest edge at a node, where the mesh has it.
+inline double LongestEdgeAt(const Band& band, int node)
+{
+  double longest = 0.0;
+  for (const int edge : band.EdgesOfNode(node))
+  {
+    longest = std::max(longest, (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm());
+  }
+  return longest;
 }
 
 /// The band as the mesh has it, without an inserted layer.

@@ -21,13 +21,7 @@ struct Candidate
 
 double ReachOf(const Band& band, int node)
 {
-  double longest = 0.0;
-  for (const int edge : band.EdgesOfNode(node))
-  {
-    const int other = band.OtherEnd(edge, node);
-    longest = std::max(longest, (band.Point[other] - band.Point[node]).norm());
-  }
-  return SmallestDistanceShare * longest;
+  return SmallestDistanceShare * LongestEdgeAt(band, node);
 }
 
 /// Whether two nodes, one of which has moved, count as the same.

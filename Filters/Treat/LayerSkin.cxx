@@ -33,16 +33,15 @@ public:
   void Run()
   {
     const std::vector<Vec3> before = this->Trimmed.NodeMoves.Position;
-    std::vector<int> spoiled = this->FindSpoiled();
-    const std::vector<char> wasSpoiled = this->Flags(spoiled);
+    const std::vector<int> invalid = this->Quality.FindInvalid(this->Trimmed);
     this->TakeToSkin();
     for (bool changed = true; changed;)
     {
       changed = false;
-      spoiled = this->FindSpoiled();
-      for (const int e : spoiled)
+      for (const int e : this->Quality.FindInvalid(this->Trimmed))
       {
-        changed |= !wasSpoiled[e] && this->GoBack(e, before);
+        changed |=
+          !std::binary_search(invalid.begin(), invalid.end(), e) && this->GoBack(e, before);
       }
     }
     this->TellFaults();
@@ -75,7 +74,7 @@ private:
     for (const auto& [n, place] : this->Places)
     {
       const double away = (this->Trimmed.NodeMoves.Position[n] - place).norm();
-      if (away <= OnSkin * LongestEdge(band, this->Layered.NodeOrigins[n].Index))
+      if (away <= OnSkin * LongestEdgeAt(band, this->Layered.NodeOrigins[n].Index))
       {
         continue;
       }
@@ -106,43 +105,7 @@ private:
     const Vec3& from = this->Trimmed.NodeMoves.Position[n];
     return freedom.Constraint.Kind == ConstraintKind::Faces &&
       this->Mover.Constrained(origin, freedom, from, onCut, place) &&
-      (place - from).norm() <= LongestReturn * LongestEdge(band, origin);
-  }
-
-  static double LongestEdge(const Band& band, int node)
-  {
-    double longest = 0.0;
-    for (const int edge : band.EdgesOfNode(node))
-    {
-      longest =
-        std::max(longest, (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm());
-    }
-    return longest;
-  }
-
-  std::vector<int> FindSpoiled() const
-  {
-    std::vector<int> spoiled;
-    for (int e = 0; e < this->Layered.NumberOfElements(); ++e)
-    {
-      if (!this->Trimmed.Kept[e])
-      {
-        continue;
-      }
-      const FinalElement final = FinalShape(this->Layered, this->Trimmed, e);
-      if (final.Touched && this->Quality.Spoils(e, final.Points, final.Count))
-      {
-        spoiled.push_back(e);
-      }
-    }
-    return spoiled;
-  }
-
-  std::vector<char> Flags(const std::vector<int>& elements) const
-  {
-    std::vector<char> flags(this->Layered.NumberOfElements(), 0);
-    std::for_each(elements.begin(), elements.end(), [&flags](int e) { flags[e] = 1; });
-    return flags;
+      (place - from).norm() <= LongestReturn * LongestEdgeAt(band, origin);
   }
 
   bool GoBack(int e, const std::vector<Vec3>& before)

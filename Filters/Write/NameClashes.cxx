@@ -144,7 +144,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ResolveNameClashes(
   {
     Remove(grid->GetPointData(), ofPoints);
     Remove(grid->GetCellData(), ofCells);
-    Remove(grid->GetFieldData(), ofSummary);
+    Summary::RemoveFrom(grid->GetFieldData());
     return grid;
   }
   Rename(grid->GetPointData(), ofPoints, "points", warning);
