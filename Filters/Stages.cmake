@@ -47,6 +47,7 @@ add_library(NURBSTrimStages STATIC
   Treat/LayerRelaxation.cxx
   Treat/LayerSkin.cxx
   Treat/LeastSquaresStep.cxx
+  Treat/NodeGrid.cxx
   Treat/Offcut.cxx
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx

@@ -158,20 +158,31 @@ std::vector<char> FindCoincidentNodes(const Band& band, const TrimmedBand& trimm
   return CoincidenceSearch(band, trimmed).Find();
 }
 
-bool IsCoincident(const Band& band, const Moves& moves, const std::vector<int>& users, int node)
+NodeGrid MakeNodeGrid(const Band& band)
+{
+  double longest = 0.0, sum = 0.0;
+  for (const auto& edge : band.Edges)
+  {
+    const double length = (band.Point[edge.Second] - band.Point[edge.First]).norm();
+    longest = std::max(longest, length);
+    sum += length;
+  }
+  // A mean edge wide, but no narrower than any node's reach to either side.
+  const double mean = sum / static_cast<double>(std::max<std::size_t>(1, band.Edges.size()));
+  const double side = std::max(mean, 2.0 * SmallestDistanceShare * longest);
+  return NodeGrid(band.NumberOfNodes(), side > 0.0 ? side : 1.0);
+}
+
+bool IsCoincident(const Band& band, const Moves& moves, const NodeGrid& others, int node)
 {
   const double reach = ReachOf(band, node);
   const Vec3& place = moves.Position[node];
-  for (int other = 0; other < band.NumberOfNodes(); ++other)
-  {
-    if (other != node && users[other] > 0 &&
-      (moves.Position[other] - place).squaredNorm() < reach * reach &&
-      AreTooNear(band, moves, node, other, std::min(reach, ReachOf(band, other))))
+  return others.AnyNear(place, reach,
+    [&](int other)
     {
-      return true;
-    }
-  }
-  return false;
+      return other != node && (moves.Position[other] - place).squaredNorm() < reach * reach &&
+        AreTooNear(band, moves, node, other, std::min(reach, ReachOf(band, other)));
+    });
 }
 
 }

@@ -5,6 +5,7 @@
 #ifndef CoincidentNodes_h
 #define CoincidentNodes_h
 
+#include "NodeGrid.h"
 #include "TrimmedBand.h"
 
 #include <vector>
@@ -23,9 +24,12 @@ constexpr double SmallestDistanceShare = 1e-3;
  */
 std::vector<char> FindCoincidentNodes(const Band& band, const TrimmedBand& trimmed);
 
+/// A grid to find coincident nodes by; as yet there are none in it.
+NodeGrid MakeNodeGrid(const Band& band);
+
 /// Whether one node, which has moved, coincides with another.
-/// @param users see CountUsers.
-bool IsCoincident(const Band& band, const Moves& moves, const std::vector<int>& users, int node);
+/// @param others where they are; this one may be among them, anywhere.
+bool IsCoincident(const Band& band, const Moves& moves, const NodeGrid& others, int node);
 
 }
 

@@ -10,13 +10,13 @@ namespace trim
 GuardedMesh::GuardedMesh(const GuardedCase& given)
   : RelaxedMesh(given.ToRelax, given.NodeMoves)
   , Given(given)
-  , Users(given.ToRelax.TheBand.NumberOfNodes(), 0)
+  , Used(MakeNodeGrid(given.ToRelax.TheBand))
 {
   for (const auto& element : this->Elements)
   {
     for (int i = 0; i < element.Count; ++i)
     {
-      ++this->Users[element.Node[i]];
+      this->Used.Put(element.Node[i], this->TheMoves.Position[element.Node[i]]);
     }
   }
 }
@@ -52,7 +52,15 @@ double GuardedMesh::LowestOf(
 
 bool GuardedMesh::IsCoincident(int node) const
 {
-  return trim::IsCoincident(this->TheBand, this->TheMoves, this->Users, node);
+  return trim::IsCoincident(this->TheBand, this->TheMoves, this->Used, node);
+}
+
+void GuardedMesh::TellPlaced(const std::vector<int>& nodes)
+{
+  for (const int n : nodes)
+  {
+    this->Used.Move(n, this->TheMoves.Position[n]);
+  }
 }
 
 GuardedMesh::State GuardedMesh::StateOf(const std::vector<int>& nodes) const
@@ -68,14 +76,16 @@ GuardedMesh::State GuardedMesh::StateOf(const std::vector<int>& nodes) const
 void GuardedMesh::Restore(const State& state)
 {
   this->Place(state.Nodes, state.Position);
+  this->TellPlaced(state.Nodes);
   for (std::size_t i = 0; i < state.Nodes.size(); ++i)
   {
     this->TheMoves.Applied[state.Nodes[i]] = state.Applied[i];
   }
 }
 
-bool GuardedMesh::HasCoincident(const State& before) const
+bool GuardedMesh::HasCoincident(const State& before)
 {
+  this->TellPlaced(before.Nodes);
   for (std::size_t i = 0; i < before.Nodes.size(); ++i)
   {
     const int n = before.Nodes[i];

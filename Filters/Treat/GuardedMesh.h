@@ -8,6 +8,7 @@
 
 #include "BandQuality.h"
 #include "FailedReturns.h"
+#include "NodeGrid.h"
 #include "RelaxedMesh.h"
 
 #include <functional>
@@ -49,8 +50,12 @@ public:
   /// The lowest of elements, -1 if one is invalid or below its standard.
   double LowestOf(const std::vector<int>& elements, const std::vector<Standard>& standards) const;
 
-  /// Whether a node lies where another one is.
+  /// Whether a node lies where another one is. Those that were moved are found where they were
+  /// told of.
   bool IsCoincident(int node) const;
+
+  /// Tells that nodes stay where they are now.
+  void TellPlaced(const std::vector<int>& nodes);
 
   /// What a relaxation changes.
   struct State
@@ -63,14 +68,14 @@ public:
   State StateOf(const std::vector<int>& nodes) const;
   void Restore(const State& state);
 
-  /// Whether a node that moved coincides with another one.
-  bool HasCoincident(const State& before) const;
+  /// Whether a node that moved coincides with another one. Tells where they are.
+  bool HasCoincident(const State& before);
 
 protected:
   const GuardedCase& Given;
 
 private:
-  std::vector<int> Users; ///< how many elements use a node
+  NodeGrid Used; ///< the nodes of the elements
 };
 
 }

@@ -170,6 +170,7 @@ private:
     }
     this->TheMoves.Position[node] = best;
     this->TheMoves.Applied[node] = best != from ? Correction::Relax : this->TheMoves.Applied[node];
+    this->TellPlaced({ node });
     return best != from;
   }
 
@@ -238,6 +239,7 @@ private:
   void Put(int node, const Place& place)
   {
     this->TheMoves.Position[node] = place.At;
+    this->TellPlaced({ node });
     this->TheMoves.Applied[node] =
       place.At != this->TheBand.Point[node] ? place.By : Correction::None;
     this->TheMoves.Failed[node] = 0;
