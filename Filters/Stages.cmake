@@ -12,6 +12,7 @@ add_library(NURBSTrimStages STATIC
   Mesh/Jacobian.cxx
   Mesh/LocalThickness.cxx
   Mesh/MeshBlocks.cxx
+  Mesh/Wavefront.cxx
   Ranks/ControllerRanks.cxx
   Ranks/GatherBand.cxx
   Ranks/GhostCells.cxx

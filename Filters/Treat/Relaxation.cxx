@@ -1,8 +1,11 @@
 #include "Relaxation.h"
 
+#include "Wavefront.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <numeric>
 #include <unordered_map>
@@ -41,51 +44,92 @@ public:
   {
     const std::vector<int> nodes = this->NodesRound(active, RelaxedRings);
     const std::vector<std::vector<int>> parts = this->PartsOf(nodes);
-    // For a few nodes threads cost more than they save.
-    const Id grain = nodes.size() < LeastForThreads ? static_cast<Id>(parts.size()) : 1;
     this->Spread(parts);
-    std::vector<std::vector<Pillar>> pillars;
+    std::vector<Pillar> pillars;
     for (const auto& part : parts)
     {
-      pillars.push_back(this->PillarsOf(part));
+      this->AddPillars(part, pillars);
     }
-    std::vector<char> gained(parts.size());
-    for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
+    // For a few nodes threads cost more than they save.
+    if (nodes.size() < LeastForThreads || vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
     {
-      // Parts do not share elements, so none of them knows how far the others are.
-      vtkSMPTools::For(0, static_cast<Id>(parts.size()), grain,
-        [&](Id begin, Id end)
+      this->Sweep(active,
+        [&](const auto& improve)
         {
-          for (Id i = begin; i < end; ++i)
+          for (std::size_t i = 0; i < pillars.size(); ++i)
           {
-            gained[i] = this->Sweep(pillars[i]);
+            improve(pillars[i]);
           }
         });
-      if (std::count(gained.begin(), gained.end(), char(1)) == 0 || this->Reached(active))
+      return;
+    }
+    const Wavefront inTurn(this->MetBefore(pillars));
+    this->Sweep(
+      active, [&](const auto& improve) { inTurn.Run([&](int i) { improve(pillars[i]); }); });
+  }
+
+private:
+  using Pillar = std::vector<int>;
+
+  /// Improves pillars in turn, again and again.
+  /// @param forAll calls a function for each of them, as if in their order.
+  template <typename ForAll>
+  void Sweep(const std::vector<int>& active, const ForAll& forAll)
+  {
+    for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
+    {
+      std::atomic<bool> gained{ false };
+      forAll(
+        [&](const Pillar& pillar)
+        {
+          // What was tried in vain is not tried again before something moves round it.
+          char& worthIt = this->WorthTrying[this->Mover.PillarOf(pillar.front())];
+          if (worthIt)
+          {
+            worthIt = 0;
+            if (this->ImproveEach(pillar))
+            {
+              gained.store(true, std::memory_order_relaxed);
+            }
+          }
+        });
+      if (!gained || this->Reached(active))
       {
         return;
       }
     }
   }
 
-private:
-  using Pillar = std::vector<int>;
-
-  /// Improves the pillars of a part in turn; false if none was.
-  bool Sweep(const std::vector<Pillar>& pillars)
+  /// For each pillar those before it that share an element with it: one of them must not move
+  /// while the other looks.
+  Band::Lists MetBefore(const std::vector<Pillar>& pillars) const
   {
-    bool gained = false;
-    for (const auto& pillar : pillars)
+    const int count = static_cast<int>(pillars.size());
+    std::vector<int> slot(this->TheBand.NumberOfNodes(), count);
+    std::vector<int> last(count, -1); // by pillar: the last one that it was listed for
+    Band::Lists met{ { 0 }, {} };
+    for (int i = 0; i < count; ++i)
     {
-      // What was tried in vain is not tried again before something moves round it.
-      char& worthIt = this->WorthTrying[this->Mover.PillarOf(pillar.front())];
-      if (worthIt)
+      for (const int node : pillars[i])
       {
-        worthIt = 0;
-        gained |= this->ImproveEach(pillar);
+        slot[node] = i;
+        for (const int e : this->TheBand.ElementsOfNode(node))
+        {
+          const auto& element = this->TheBand.Elements[e];
+          for (int k = 0; k < element.Count; ++k)
+          {
+            const int other = slot[element.Node[k]];
+            if (other < i && last[other] != i)
+            {
+              last[other] = i;
+              met.Item.push_back(other);
+            }
+          }
+        }
       }
+      met.Offset.push_back(static_cast<int>(met.Item.size()));
     }
-    return gained;
+    return met;
   }
 
   /// An element is no better than its worse end: the whole pillar first, then its nodes.
@@ -211,10 +255,9 @@ private:
     return nodes;
   }
 
-  /// Nodes grouped by their pillars, in the order of the first of each.
-  std::vector<Pillar> PillarsOf(const std::vector<int>& nodes)
+  /// Adds nodes grouped by their pillars, in the order of the first of each.
+  void AddPillars(const std::vector<int>& nodes, std::vector<Pillar>& pillars)
   {
-    std::vector<Pillar> pillars;
     std::unordered_map<int, std::size_t> slots;
     for (const int node : nodes)
     {
@@ -227,7 +270,6 @@ private:
       pillars[slot.first->second].push_back(node);
       this->IsRelaxed[node] = 1;
     }
-    return pillars;
   }
 
   /// Pillars that share an element or an edge with a node are worth another try when it moves.

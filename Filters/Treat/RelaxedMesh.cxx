@@ -59,8 +59,11 @@ std::vector<int> RelaxedMesh::ElementsAt(const std::vector<int>& nodes) const
       }
     }
   }
-  std::sort(elements.begin(), elements.end());
-  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  if (nodes.size() > 1) // those of one are in order
+  {
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  }
   return elements;
 }
 

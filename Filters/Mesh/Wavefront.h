@@ -1,0 +1,77 @@
+/**
+ * @file Wavefront.h
+ * @brief Tasks that have to run as if one after the other, run by all threads.
+ *
+ * Level scheduling, as for sparse triangular systems (E. Anderson, Y. Saad, Solving Sparse
+ * Triangular Linear Systems on Parallel Computers, 1989): a task waits for those before it that it
+ * meets, and for no others, so that the outcome is that of the order itself.
+ */
+#ifndef Wavefront_h
+#define Wavefront_h
+
+#include "Band.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace trim
+{
+
+class Wavefront
+{
+public:
+  /// @param met by task: the tasks before it that touch what it touches.
+  explicit Wavefront(Band::Lists met);
+
+  /// Calls work(task) for all tasks.
+  template <typename Work>
+  void Run(const Work& work) const
+  {
+    const int count = static_cast<int>(this->Order.size());
+    std::vector<std::atomic<char>> done(count);
+    std::atomic<int> next{ 0 };
+    // Whoever runs begins where the last one did: also if one thread has to do all of it. Nobody
+    // waits for a task that nobody has begun, as those that it waits for come before it.
+    vtkSMPTools::For(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
+      [&](Id, Id)
+      {
+        for (int begin; (begin = next.fetch_add(AtOnce)) < count;)
+        {
+          for (int i = begin; i < std::min(count, begin + AtOnce); ++i)
+          {
+            const int task = this->Order[i];
+            this->WaitForMet(task, done);
+            work(task);
+            done[task].store(1, std::memory_order_release);
+          }
+        }
+      });
+  }
+
+private:
+  /// Tasks that a thread takes at once.
+  static constexpr int AtOnce = 8;
+
+  void WaitForMet(int task, const std::vector<std::atomic<char>>& done) const
+  {
+    for (const int* other = this->Met.begin(task); other != this->Met.end(task); ++other)
+    {
+      while (!done[*other].load(std::memory_order_acquire))
+      {
+        std::this_thread::yield();
+      }
+    }
+  }
+
+  Band::Lists Met;
+  std::vector<int> Order; ///< tasks that wait for nobody first, then those that wait for these
+};
+
+}
+
+#endif
