@@ -73,7 +73,7 @@ bool TakePoints(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
   {
     error = std::string("The points of the grid are of type ") +
       points->GetData()->GetDataTypeAsString() +
-      ", but must be float or double in one array: convert them, e.g. with a Calculator.";
+      ", but must be float or double: convert them, e.g. with a Calculator.";
     return false;
   }
   const Id bad = FirstFailure(mesh.NumberOfPoints,

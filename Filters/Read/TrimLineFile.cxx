@@ -256,6 +256,11 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     points.push_back(point);
     paragraphs.AddPoint();
   }
+  if (points.empty())
+  {
+    error = file + " holds no points; give a file with three numbers x, y, z a line";
+    return false;
+  }
   if (paragraphs.AreLines())
   {
     error = file + " has several lists of points, parted by blank lines as line " +

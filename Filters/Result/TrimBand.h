@@ -40,6 +40,7 @@ struct TrimBand : BandTrim
   /// far that the sheet is treated as a block.
   std::vector<signed char> SheetAxis;
   std::vector<std::pair<int, Shortfall>> Shortfalls; ///< by ascending element
+  std::vector<std::pair<int, float>> NodesBeside;    ///< see FindNodesBeside
 
   // What follows is empty unless the offcut is asked for.
   std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;

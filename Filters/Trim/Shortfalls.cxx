@@ -12,6 +12,9 @@ namespace trim
 namespace
 {
 
+/// A node farther off than this share of its longest edge makes a step in the new boundary.
+constexpr double BesideShare = 0.05;
+
 /// Distance up to which a node lies on the surface as exactly as the mesh can store it.
 double StoredPrecision(const Band& band, int node, double precision)
 {
@@ -89,6 +92,27 @@ std::vector<std::pair<int, float>> FindNodesLeft(
     }
   }
   return left;
+}
+
+std::vector<std::pair<int, float>> FindNodesBeside(
+  const TrimBand& near, const nurbs::TrimmingSurface& surface)
+{
+  std::vector<std::pair<int, float>> beside;
+  const std::vector<char> atCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
+  const auto& moves = near.Trimmed.NodeMoves;
+  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
+  {
+    if (!atCut[n] || near.Mesh.NodeStatus[n] != NodeOnSurface || moves.Left[n])
+    {
+      continue;
+    }
+    const auto foot = surface.ClosestPoint(moves.Position[n]);
+    if (foot.Distance > BesideShare * LongestEdgeAt(near.Mesh, n))
+    {
+      beside.emplace_back(n, static_cast<float>(foot.Distance));
+    }
+  }
+  return beside;
 }
 
 std::vector<std::pair<int, Shortfall>> FindShortfalls(

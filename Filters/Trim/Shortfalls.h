@@ -16,6 +16,13 @@ namespace trim
 std::vector<std::pair<int, float>> FindNodesLeft(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, double precision);
 
+/**
+ * Nodes of the new boundary that count as on the surface, for the tolerance asked for, though they
+ * lie a good part of an element beside it; with their distance, ascending.
+ */
+std::vector<std::pair<int, float>> FindNodesBeside(
+  const TrimBand& near, const nurbs::TrimmingSurface& surface);
+
 /// By ascending band element. @param left the nodes found before.
 std::vector<std::pair<int, Shortfall>> FindShortfalls(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left);

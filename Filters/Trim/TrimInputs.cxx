@@ -11,6 +11,7 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
 #include <utility>
@@ -57,6 +58,26 @@ vtkUnstructuredGrid* TakeOnlyGrid(
   return grid;
 }
 
+/// The grid itself, or, where its points are in another layout than one array, as numpy and
+/// simulations hand them over, one that is the same but for that.
+vtkSmartPointer<vtkUnstructuredGrid> WithPointsInOneArray(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* given = grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr;
+  if (!given || given->HasStandardMemoryLayout())
+  {
+    return grid;
+  }
+  auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(given->GetDataType()));
+  array->DeepCopy(given);
+  vtkNew<vtkPoints> points;
+  points->SetData(array);
+  auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  copy->ShallowCopy(grid);
+  copy->SetPoints(points);
+  return copy;
+}
+
 std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
 {
   nurbs::Box3 box;
@@ -88,11 +109,12 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   }
   this->Grid = nullptr;
   this->Joined = false;
-  if (!ViewGrid(grid, this->TheMesh, error))
+  const auto plain = WithPointsInOneArray(grid);
+  if (!ViewGrid(plain, this->TheMesh, error))
   {
     return false;
   }
-  this->TheOwn = TakeOwnCells(grid, this->TheMesh);
+  this->TheOwn = TakeOwnCells(plain, this->TheMesh);
   if (this->TheOwn.Selected && !ViewGrid(this->TheOwn.Grid, this->TheMesh, error))
   {
     return false;

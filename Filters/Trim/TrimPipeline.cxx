@@ -31,6 +31,8 @@ constexpr double PlacePrecision = 1e-9;
 /// Rounding of a distance, in units of the largest coordinate: what is nearer than that is on the
 /// surface, whatever tolerance is asked for.
 constexpr double DistanceRounding = 16.0 * std::numeric_limits<double>::epsilon();
+/// A smaller tolerance leaves no node where it can be seen.
+constexpr double FinestCoarseTolerance = 1e-6;
 /// A surface that shifts by more than this share of an element from skin to skin cannot be
 /// followed by whole columns: other columns are looked for, else every element is decided alone.
 constexpr double LargestColumnShift = 3.5;
@@ -401,7 +403,7 @@ std::vector<std::pair<Id, Value>> ById(
 }
 
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
-  const BandOptions& options, TrimResult& result)
+  const TrimOptions& options, TrimResult& result)
 {
   result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
   if (result.Near)
@@ -410,9 +412,13 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     near.Shortfalls = FindShortfalls(near, near.NodesLeft);
     result.Found.DistancesLeft =
       ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
+    if (options.Tolerance > FinestCoarseTolerance)
+    {
+      near.NodesBeside = FindNodesBeside(near, surface);
+    }
     result.Found.Shortfalls =
       ById(near.Shortfalls, [&near](int e) { return CellOf(near.Mesh, e); });
-    if (options.ProduceOffcut)
+    if (options.OfBand.ProduceOffcut)
     {
       near.ShortfallsOfRest = FindShortfallsOfOffcut(near, near.NodesLeft);
       near.CornersLost = FindCornersLost(near);
@@ -422,7 +428,7 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
         ById(near.CornersLost, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     }
   }
-  AddWarnings(mesh, piece, options, result);
+  AddWarnings(mesh, piece, options.OfBand, result);
 }
 
 }
@@ -478,7 +484,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     NumberInserted(mesh.NumberOfPoints, near.Mesh);
   }
   SetFates(mesh, result);
-  FindAndWarn(mesh, piece, surface, options.OfBand, result);
+  FindAndWarn(mesh, piece, surface, options, result);
   aborted(0.6);
   return result;
 }

@@ -132,6 +132,15 @@ void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Short
   }
 }
 
+/// Of nodes with their distances, which are not empty.
+std::string FarthestText(const Band& band, const std::vector<std::pair<int, float>>& nodes)
+{
+  const auto farthest = std::max_element(
+    nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return " The farthest, " + std::to_string(farthest->second) + " away, is at " +
+    nurbs::PlaceText(band.Point[farthest->first]) + ".";
+}
+
 void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
 {
   const auto& left = result.Near->NodesLeft;
@@ -139,8 +148,6 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
   {
     return;
   }
-  const auto farthest = std::max_element(
-    left.begin(), left.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const auto& axes = result.Near->SheetAxis;
   const bool inBlock = std::any_of(axes.begin(), axes.end(), [](int axis) { return axis < 0; });
   const bool mayInsert = inBlock && !options.InsertLayer && !options.ProduceOffcut;
@@ -150,8 +157,19 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
     (hasFloor ? " or short of MinimumScaledJacobian" : "") +
     " otherwise: " + (mayInsert ? "try InsertLayer, " : "") + "refine the mesh there" +
     (hasFloor ? ", move the surface or ask for less." : " or move the surface.") +
-    " The farthest, " + std::to_string(farthest->second) + " away, is at " +
-    nurbs::PlaceText(result.Near->Mesh.Point[farthest->first]) + ".");
+    FarthestText(result.Near->Mesh, left));
+}
+
+void WarnOfNodesBeside(TrimResult& result)
+{
+  const auto& beside = result.Near->NodesBeside;
+  if (!beside.empty())
+  {
+    result.Warnings.push_back(std::to_string(beside.size()) +
+      " nodes of the new boundary stay beside the surface, as Tolerance takes them for on it: ask "
+      "for less." +
+      FarthestText(result.Near->Mesh, beside));
+  }
 }
 
 void WarnOfCornersLost(TrimResult& result)
@@ -215,6 +233,7 @@ void AddWarnings(
     WarnOfShortfalls(piece, result.Near->ShortfallsOfRest, OffcutTexts, result);
     WarnOfCornersLost(result);
     WarnOfNodesLeft(options, result);
+    WarnOfNodesBeside(result);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkSOADataArrayTemplate.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cstdio>
@@ -129,6 +130,42 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
     "names: an earlier trim's displacement stays");
 }
 
+// Points and data that come as an array for each component are taken as they are.
+template <typename Value>
+void TestOtherLayout(const std::string& name)
+{
+  const Mesh mesh = MakeMesh(name);
+  const Surface surface = MakeSurface("contour", mesh.Box, Placement());
+  const Outcome expected = RunTrim(mesh, surface, TrimOptions());
+  const auto layOut = [](vtkDataArray* given)
+  {
+    vtkNew<vtkSOADataArrayTemplate<Value>> array;
+    array->SetNumberOfComponents(given->GetNumberOfComponents());
+    array->DeepCopy(given);
+    return vtkSmartPointer<vtkDataArray>(array);
+  };
+  Mesh other = mesh;
+  other.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  other.Grid->ShallowCopy(mesh.Grid);
+  vtkNew<vtkPoints> points;
+  points->SetData(layOut(mesh.Grid->GetPoints()->GetData()));
+  other.Grid->SetPoints(points);
+  const auto tuples = layOut(mesh.Grid->GetPoints()->GetData());
+  tuples->SetName("ByComponent");
+  other.Grid->GetPointData()->AddArray(tuples);
+  Outcome outcome = RunTrim(other, surface, TrimOptions());
+  Expect(outcome.Clean(), name + ": points by component are refused");
+  auto* taken = outcome.Case.Trimmed->GetPointData()->GetArray("ByComponent");
+  Expect(taken && taken->GetNumberOfTuples() == outcome.Case.Trimmed->GetNumberOfPoints(),
+    name + ": data by component are lost");
+  for (vtkUnstructuredGrid* grid : { outcome.Case.Trimmed.Get(), outcome.Case.Whole.Get() })
+  {
+    grid->GetPointData()->RemoveArray("ByComponent");
+  }
+  const std::string difference = FirstDifference(expected.Case.Trimmed, outcome.Case.Trimmed);
+  Expect(difference.empty(), name + ": points by component: " + difference);
+}
+
 // Tuples follow their elements whatever the numbering: with and without renumbering.
 void TestNumberings(const Mesh& mesh, const Surface& surface)
 {
@@ -153,6 +190,8 @@ int main()
     TestNumberings(mesh, surface);
   }
   const Mesh mesh = MakeMesh("sheet2");
+  TestOtherLayout<double>("sheet2");
+  TestOtherLayout<float>("float");
   TestUnusual(mesh, MakeSurface("scurve", mesh.Box, Placement()));
   TestNameClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNamesOfEarlierTrim(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));

@@ -36,6 +36,7 @@ const char* const FeasibilityPhrases[] = { "", "bends with a radius", "less than
 const char* const ShortfallPhrases[] = { "", "below MinimumScaledJacobian", "",
   "distorted beyond repair", "elements at the cut were inside out" };
 const char* const LeftPhrase = "left off the surface";
+const char* const TolerancePhrase = "Tolerance takes them for on it";
 const char* const CornerPhrase = "moved for the trimmed grid alone";
 
 std::map<int, int> CountValues(vtkDataArray* array)
@@ -360,6 +361,29 @@ void TestLeft()
   }
 }
 
+// A tolerance of a quarter of an element lets nodes stay that make steps in the new boundary.
+void TestCoarseTolerance()
+{
+  const Mesh sheet = Sheet(30, 20, 2, Vec3(1, 1, 0.4));
+  const Surface surface = PlaneThrough(Vec3(15.1, 10.2, 0), Vec3(1, 0.2, 0), 200);
+  TrimOptions options;
+  Expect(CountWarned(RunTrim(sheet, surface, options), TolerancePhrase) == 0,
+    "tolerance: an alarm for the default");
+  options.Tolerance = 0.25 / std::sqrt(30.0 * 30 + 20 * 20 + 0.8 * 0.8);
+  const Outcome outcome = RunTrim(sheet, surface, options);
+  vtkUnstructuredGrid* grid = outcome.Case.Trimmed;
+  vtkDataArray* status = grid->GetPointData()->GetArray("NodeStatus");
+  int beside = 0;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const double away = std::abs(surface.Signed(Vec3(grid->GetPoint(i))));
+    beside += status->GetComponent(i, 0) == 2 && away > 0.05;
+  }
+  Expect(beside > 5 && CountWarned(outcome, TolerancePhrase) == beside,
+    "tolerance: " + std::to_string(beside) + " nodes beside the surface, warned of " +
+      std::to_string(CountWarned(outcome, TolerancePhrase)));
+}
+
 // Less than an element is cut off a corner: the corner's nodes move, and no element is there to
 // take what they leave behind.
 void TestCornerLost()
@@ -406,6 +430,7 @@ int main()
   TestMirrored();
   TestLeft();
   TestCornerLost();
+  TestCoarseTolerance();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

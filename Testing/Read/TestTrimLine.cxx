@@ -443,6 +443,8 @@ void CheckFileError(const std::string& part, const std::string& text)
 
 void TestBadInput()
 {
+  CheckFileError("bad-line.csv\" holds no points", "");
+  CheckFileError("bad-line.csv\" holds no points", "x,y,z\n# none\n");
   CheckFileError("several lists of points, parted by blank lines as line 4 is",
     "0,0,0\n1,0,0\n2,1,0\n\n5,0,0\n6,0,0\n7,1,0\n");
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -522,7 +524,6 @@ void TestBadInput()
   CheckFileError("line 2", "0,0,0\nx,y,z\n");
   CheckFileError("line 1", "0,0,nan\n1,2,3\n");
   CheckFileError("line 2", "0,0,0\n1,2,3mm\n");
-  CheckFileError("has 0 points; give x, y, z of at least 2", "");
   CheckFileError("line 2 is \"1,5;2\"; expected three", "0,5;2;1\n1,5;2\n");
   CheckFileError("line 1", "1.000,5;2;1\n");
 }
