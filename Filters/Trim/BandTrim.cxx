@@ -26,6 +26,12 @@ constexpr double HighestFloor = 0.5;
 /// there is for the layer to fill, which the border of the model may not let it.
 constexpr std::array<double, 3> LayerShares = { 0.25, 0.5, 0.1 };
 
+/// So many elements that no place of their nodes makes valid are worth to begin with a layer.
+constexpr std::size_t ManyAslant = 100;
+/// What one of them costs at least without a layer, as the square of a distance in edges: in blocks
+/// cut by planes and waves, and in an O-grid, it was 0.027 to 0.24.
+constexpr double SquaresAslant = 0.02;
+
 /// What a trim could not do.
 struct Shortcomings
 {
@@ -227,47 +233,31 @@ public:
   {
   }
 
-  /// The first of them, if it leaves nothing off: else null.
-  std::unique_ptr<TrimBand> FindPerfect(const Progress& progress)
+  /// The one that leaves least off the surface, if that is less than a limit; else null, and it may
+  /// be asked for again.
+  std::unique_ptr<TrimBand> FindBest(const Shortcomings& limit, const Progress& progress)
   {
-    this->Tried = 1;
-    this->First = this->Make(0, progress);
-    return this->First && !(Shortcomings() < MeasureLeft(*this->First)) ? std::move(this->First)
-                                                                        : nullptr;
-  }
-
-  /// The one that leaves least off the surface, if that is less than without; else null.
-  std::unique_ptr<TrimBand> FindBest(const Progress& progress)
-  {
-    Shortcomings least = MeasureLeft(this->Near);
-    std::unique_ptr<TrimBand> best;
-    const auto offer = [&](std::unique_ptr<TrimBand> layered)
+    while (this->Tried < LayerShares.size() && !(this->Best && this->Best->NodesLeft.empty()) &&
+      !progress(static_cast<double>(this->Tried) / LayerShares.size()))
     {
-      const Shortcomings now = layered ? MeasureLeft(*layered) : least;
-      if (now < least)
-      {
-        least = now;
-        best = std::move(layered);
-      }
-    };
-    offer(std::move(this->First));
-    for (std::size_t i = this->Tried; i < LayerShares.size(); ++i)
-    {
-      const double done = static_cast<double>(i) / LayerShares.size();
-      if (progress(done) || (best && best->NodesLeft.empty()))
-      {
-        break;
-      }
-      offer(this->Make(i, Part(progress, done, done + 1.0 / LayerShares.size())));
+      this->TryNext(progress);
     }
-    return best;
+    return this->Best && this->Least < limit ? std::move(this->Best) : nullptr;
   }
 
 private:
-  std::unique_ptr<TrimBand> Make(std::size_t i, const Progress& progress) const
+  void TryNext(const Progress& progress)
   {
-    return TrimWithLayer(this->Near, this->Before, LayerShares[i], this->Surface, this->Precision,
-      this->Options, progress);
+    const double done = static_cast<double>(this->Tried) / LayerShares.size();
+    auto layered =
+      TrimWithLayer(this->Near, this->Before, LayerShares[this->Tried++], this->Surface,
+        this->Precision, this->Options, Part(progress, done, done + 1.0 / LayerShares.size()));
+    const Shortcomings now = layered ? MeasureLeft(*layered) : Shortcomings();
+    if (layered && (!this->Best || now < this->Least))
+    {
+      this->Least = now;
+      this->Best = std::move(layered);
+    }
   }
 
   const TrimBand& Near;
@@ -275,23 +265,24 @@ private:
   double Precision;
   const BandOptions& Options;
   std::shared_ptr<const Band> Before;
-  std::size_t Tried = 0;
-  std::unique_ptr<TrimBand> First; ///< tried already
+  std::size_t Tried = 0;          ///< of LayerShares
+  std::unique_ptr<TrimBand> Best; ///< of those tried
+  Shortcomings Least;             ///< those of the best
 };
 
-/// Whether elements are invalid with all nodes on the surface, as they have faces of the cut on all
+/// Elements that are invalid with all nodes on the surface, as they have faces of the cut on all
 /// sides of a corner: where a block is cut aslant to all its elements.
-bool IsCutAslant(const TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options)
+std::size_t CountCutAslant(const TrimBand& near, const nurbs::TrimmingSurface& surface,
+  double precision, const BandOptions& options)
 {
   if (near.Structure.HasColumns())
   {
-    return false;
+    return 0;
   }
   const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
   LadderPosition foot;
   ColumnChoices choices(given, options.Ladder, foot);
-  return !choices.Quality.FindInvalid(choices.Trial.Make(choices.At.Set, choices.Quality)).empty();
+  return choices.Quality.FindInvalid(choices.Trial.Make(choices.At.Set, choices.Quality)).size();
 }
 
 }
@@ -352,17 +343,20 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   LayerTrims layers(near, surface, precision, options);
   std::unique_ptr<TrimBand> layered;
   // There the ladder without a layer is long, and in vain.
-  if (IsCutAslant(near, surface, precision, options))
+  const std::size_t aslant = CountCutAslant(near, surface, precision, options);
+  if (aslant >= ManyAslant)
   {
-    layered = layers.FindPerfect(Part(progress, 0.0, 0.3));
+    Shortcomings without;
+    without.Squares = SquaresAslant * static_cast<double>(aslant);
+    layered = layers.FindBest(without, Part(progress, 0.0, 0.5));
   }
   if (!layered)
   {
-    DecideWithMesh(near, surface, precision, options, Part(progress, 0.3, 0.5));
+    DecideWithMesh(near, surface, precision, options, Part(progress, 0.5, 0.8));
     TakeCloser(near, surface, precision, options);
-    if (!progress(0.5) && !near.NodesLeft.empty())
+    if (!progress(0.8) && !near.NodesLeft.empty())
     {
-      layered = layers.FindBest(Part(progress, 0.5, 1.0));
+      layered = layers.FindBest(MeasureLeft(near), Part(progress, 0.8, 1.0));
     }
   }
   if (layered)
