@@ -36,7 +36,7 @@ public:
     , Goal(GoalMargin * goal.Quality)
     , Effort(goal.Effort)
     , IsRelaxed(given.TheBand.NumberOfNodes(), 0)
-    , WorthTrying(given.TheBand.NumberOfNodes(), 0)
+    , WorthTrying(given.TheBand.NumberOfNodes())
   {
   }
 
@@ -83,14 +83,10 @@ private:
         [&](const Pillar& pillar)
         {
           // What was tried in vain is not tried again before something moves round it.
-          char& worthIt = this->WorthTrying[this->Mover.PillarOf(pillar.front())];
-          if (worthIt)
+          auto& worthIt = this->WorthTrying[this->Mover.PillarOf(pillar.front())];
+          if (worthIt.exchange(0, std::memory_order_relaxed) && this->ImproveEach(pillar))
           {
-            worthIt = 0;
-            if (this->ImproveEach(pillar))
-            {
-              gained.store(true, std::memory_order_relaxed);
-            }
+            gained.store(true, std::memory_order_relaxed);
           }
         });
       if (!gained || this->Reached(active))
@@ -265,7 +261,7 @@ private:
       if (slot.second)
       {
         pillars.emplace_back();
-        this->WorthTrying[slot.first->first] = 1;
+        this->WorthTrying[slot.first->first].store(1, std::memory_order_relaxed);
       }
       pillars[slot.first->second].push_back(node);
       this->IsRelaxed[node] = 1;
@@ -279,7 +275,7 @@ private:
     {
       if (this->IsRelaxed[other])
       {
-        this->WorthTrying[this->Mover.PillarOf(other)] = 1;
+        this->WorthTrying[this->Mover.PillarOf(other)].store(1, std::memory_order_relaxed);
       }
     };
     for (const int e : this->TheBand.ElementsOfNode(node))
@@ -503,8 +499,9 @@ private:
   double Floor;
   double Goal;
   RelaxationEffort Effort;
-  std::vector<char> IsRelaxed;   ///< by node
-  std::vector<char> WorthTrying; ///< by pillar
+  std::vector<char> IsRelaxed; ///< by node
+  /// By pillar. Two that do not meet may both tell one between them.
+  std::vector<std::atomic<char>> WorthTrying;
 };
 
 }

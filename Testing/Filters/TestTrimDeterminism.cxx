@@ -166,6 +166,23 @@ void TestLarge()
       MakeSurface("wavy", mesh.Box, Placement()), options, { 2, 5 });
   }
 }
+
+// Cut aslant to all its elements: hundreds of nodes are relaxed at once, in the order of one
+// thread.
+void TestAslant()
+{
+  const Mesh mesh = Block(16, 16, 16);
+  Placement at;
+  at.Angle = 0.5;
+  at.Lean = 0.35;
+  for (const bool layer : { false, true })
+  {
+    TrimOptions options;
+    options.InsertLayer = layer;
+    CompareThreads(layer ? "aslant, with a layer" : "aslant", mesh,
+      MakeSurface("plane", mesh.Box, at), options, { 2, 5 });
+  }
+}
 }
 
 int main(int argc, char* argv[])
@@ -179,6 +196,7 @@ int main(int argc, char* argv[])
   if (part != "small")
   {
     TestLarge();
+    TestAslant();
   }
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
