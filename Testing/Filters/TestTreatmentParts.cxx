@@ -2,7 +2,7 @@
  * @file TestTreatmentParts.cxx
  * @brief What the ladder relies on, by itself: a decision that is taken again, the bound of the
  * scaled Jacobian, the step of least squares, the worth of an element, the way to a sharp edge, the
- * way behind several planes.
+ * way behind several planes, nodes that lie near each other, tasks in turn.
  */
 #include "Decision.h"
 #include "DirectionBehind.h"
@@ -10,9 +10,11 @@
 #include "Expect.h"
 #include "Jacobian.h"
 #include "LeastSquaresStep.h"
+#include "NodeGrid.h"
 #include "NodeMover.h"
 #include "SampleSurfaces.h"
 #include "Status.h"
+#include "Wavefront.h"
 
 #include <Eigen/LU>
 
@@ -349,10 +351,103 @@ void CheckDirectionBehind()
   Expect(found > 100, "there mostly is a way: " + std::to_string(found));
 }
 
+// Nodes that move, some of them far and to where the indices of cells are negative, are found by
+// the places where they are, by as many as looking at each of them finds.
+void CheckNodeGrid()
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-3.0, 3.0);
+  std::vector<Vec3> at(200);
+  NodeGrid grid(static_cast<int>(at.size()), 0.7);
+  int found = 0;
+  for (int step = 0; step < 4000; ++step)
+  {
+    const int moved = step % static_cast<int>(at.size());
+    at[moved] = Vec3(any(random), any(random), any(random));
+    grid.Put(moved, at[moved]);
+    const Vec3 place(any(random), any(random), any(random));
+    const double reach = 0.4;
+    std::vector<int> seen;
+    grid.AnyNear(place, reach,
+      [&](int node)
+      {
+        if ((at[node] - place).norm() < reach)
+        {
+          seen.push_back(node);
+        }
+        return false;
+      });
+    std::sort(seen.begin(), seen.end());
+    std::vector<int> expected;
+    for (int node = 0; node < std::min<int>(step + 1, static_cast<int>(at.size())); ++node)
+    {
+      if ((at[node] - place).norm() < reach)
+      {
+        expected.push_back(node);
+      }
+    }
+    Expect(seen == expected, "nodes near a place, step " + std::to_string(step));
+    found += !expected.empty();
+  }
+  Expect(found > 500, "places with nodes near them: " + std::to_string(found));
+  const Vec3 nowhere(50.0, 0.0, 0.0);
+  grid.Put(3, nowhere);
+  const auto isThere = [](int node) { return node == 3; };
+  Expect(grid.AnyNear(nowhere, 0.1, isThere), "a node where it went");
+  Expect(!grid.AnyNear(at[3], 0.1, isThere), "a node where it was");
+}
+
+// Each task adds up what those that it meets have, and would have something else in another order.
+void CheckWavefront()
+{
+  constexpr int count = 2000;
+  const Band::Lists met = BuildLists(count,
+    [&](auto&& add)
+    {
+      std::mt19937 same(5);
+      for (int task = 1; task < count; ++task)
+      {
+        for (int k = 0; k < 4; ++k)
+        {
+          add(task, std::max(0, task - 1 - static_cast<int>(same() % 60)));
+        }
+      }
+    });
+  const auto add = [&met](std::vector<double>& sums, int task)
+  {
+    sums[task] = 1.0 + 1e-3 * task;
+    for (const int* other = met.begin(task); other != met.end(task); ++other)
+    {
+      sums[task] += 0.3 * sums[*other];
+    }
+  };
+  std::vector<double> expected(count, 0.0);
+  for (int task = 0; task < count; ++task)
+  {
+    add(expected, task);
+  }
+  const Wavefront wavefront(met);
+  for (const char* backend : { "Sequential", "STDThread" })
+  {
+    vtkSMPTools::SetBackend(backend);
+    for (const int threads : { 1, 2, 5 })
+    {
+      vtkSMPTools::Initialize(threads);
+      std::vector<double> sums(count, 0.0);
+      wavefront.Run([&](int task) { add(sums, task); });
+      Expect(sums == expected,
+        std::string("tasks in turn: ") + backend + ", " + std::to_string(threads) + " threads");
+    }
+  }
+  vtkSMPTools::SetBackend("Sequential");
+}
+
 }
 
 int main()
 {
+  CheckNodeGrid();
+  CheckWavefront();
   CheckDirectionBehind();
   CheckDecisionAgain();
   CheckBound();
