@@ -377,7 +377,9 @@ void CheckNodeGrid()
         }
         return false;
       });
+    // Cells may share a bucket: then its nodes are tested for each of them.
     std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     std::vector<int> expected;
     for (int node = 0; node < std::min<int>(step + 1, static_cast<int>(at.size())); ++node)
     {
