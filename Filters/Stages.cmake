@@ -79,7 +79,9 @@ add_library(NURBSTrimStages STATIC
   Trim/InputScale.cxx
   Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
+  Trim/OpenSeams.cxx
   Trim/Shortfalls.cxx
+  Trim/ShownSurface.cxx
   Trim/TrimPipeline.cxx
   Trim/TrimWarnings.cxx)
 foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Result Renumber Write Trim)

@@ -189,9 +189,11 @@ std::string Describe(CellDefect defect, Id c, int type)
     case CellDefect::Type:
     {
       const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
+      const bool isHexahedral = type == VTK_VOXEL || (name && !vtkCellTypes::IsLinear(type));
       return cell + "is a " + (name ? name : "cell of unknown type") +
-        ", but only hexahedra and wedges can be trimmed: remove the other cells first, "
-        "e.g. with Extract Cells By Type.";
+        ", but only hexahedra and wedges can be trimmed: " +
+        (isHexahedral ? "write the mesh with cells of these types, hexahedra of eight nodes."
+                      : "remove the other cells first, e.g. with Extract Cells By Type.");
     }
     case CellDefect::Size:
       return cell + "has not the number of nodes of its type: the grid is corrupt, rewrite it.";

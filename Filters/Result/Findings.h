@@ -23,10 +23,12 @@ enum class Feasibility : unsigned char
   Inclined = 2,     ///< the surface and the skin meet under less than 45 degrees
   Narrow = 3,       ///< a hole or slot narrower than three elements
   CrossedTwice = 4, ///< the surface crosses an edge of the element more than once
-  NotOpened = 5     ///< a cut-out that is too small to be opened: the element stays whole
+  NotOpened = 5,    ///< a cut-out that is too small to be opened: the element stays whole
+  OpenSeam = 6      ///< a face of the element lies on another without common nodes
 };
 
-/// The values of the cell array Shortfall: the gravest for each kept element.
+/// The values of the cell array Shortfall: the gravest for each kept element; of the first two the
+/// first, as nodes left off are told of in DistanceLeft too.
 enum class Shortfall : unsigned char
 {
   None = 0,

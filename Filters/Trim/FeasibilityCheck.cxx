@@ -1,6 +1,7 @@
 #include "FeasibilityCheck.h"
 
 #include "ElementTopology.h"
+#include "OpenSeams.h"
 #include "Runs.h"
 #include "Status.h"
 
@@ -513,10 +514,45 @@ private:
 
 }
 
+namespace
+{
+
+/// Elements at an open seam take the place of what else was found of them.
+std::vector<std::pair<Id, Feasibility>> WithOpenSeams(
+  const TrimBand& near, std::vector<std::pair<Id, Feasibility>> found)
+{
+  std::vector<std::pair<Id, Feasibility>> seams;
+  for (const int e : FindOpenSeams(near))
+  {
+    const Id cell = near.Mesh.Elements[e].Global;
+    if (cell >= 0)
+    {
+      seams.emplace_back(cell, Feasibility::OpenSeam);
+    }
+  }
+  if (seams.empty())
+  {
+    return found;
+  }
+  const auto isAtSeam = [&seams](const auto& item)
+  {
+    return std::binary_search(seams.begin(), seams.end(), item,
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+  };
+  std::sort(seams.begin(), seams.end());
+  found.erase(std::remove_if(found.begin(), found.end(), isAtSeam), found.end());
+  found.insert(found.end(), seams.begin(), seams.end());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}
+
 std::vector<std::pair<Id, Feasibility>> CheckFeasibility(
   const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const TrimResult& result)
 {
-  return Checker(mesh, surface, result).Run();
+  auto found = Checker(mesh, surface, result).Run();
+  return result.Near ? WithOpenSeams(*result.Near, std::move(found)) : found;
 }
 
 }

@@ -5,6 +5,13 @@
 
 namespace trim
 {
+namespace
+{
+
+/// An inch in millimetres, or nearly: units that are mistaken for each other differ by more.
+constexpr double InchInMillimetres = 25.0;
+
+}
 
 double LargestCoordinateOf(const nurbs::Box3& bounds)
 {
@@ -38,6 +45,20 @@ std::string FindSurfaceScaleDefect(const nurbs::Box3& grid, const nurbs::Box3& s
     text << "The trimming surface measures " << size << " from corner to corner of its box, more "
          << "than " << LargestSurface << " times the grid: correct the control point that is far "
          << "off, or the length unit.";
+  }
+  return text.str();
+}
+
+std::string UnitsHint(const nurbs::Box3& grid, const nurbs::Box3& surface)
+{
+  std::ostringstream text;
+  const double ofGrid = grid.diagonal().norm();
+  const double ofSurface = surface.diagonal().norm();
+  if (std::max(ofGrid, ofSurface) > InchInMillimetres * std::min(ofGrid, ofSurface))
+  {
+    text << " The grid measures " << ofGrid << " from corner to corner and the surface "
+         << ofSurface << ": if they are in different units, set LengthUnit where the surface is "
+         << "read, or scale the grid.";
   }
   return text.str();
 }

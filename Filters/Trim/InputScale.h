@@ -25,6 +25,10 @@ std::string FindGridScaleDefect(const nurbs::Box3& bounds);
 
 /// What is wrong with the extent of the surface beside that of the grid; empty: nothing.
 std::string FindSurfaceScaleDefect(const nurbs::Box3& grid, const nurbs::Box3& surface);
+
+/// What to look at where sizes are so different that the units may be; empty: they are not.
+std::string UnitsHint(const nurbs::Box3& grid, const nurbs::Box3& surface);
+
 }
 
 #endif

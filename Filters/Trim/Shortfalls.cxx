@@ -38,16 +38,17 @@ std::vector<std::pair<int, Shortfall>> Gather(const TrimBand& near, const Faulty
   const std::vector<std::pair<int, float>>& left, const IsIn& isIn)
 {
   std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
-  for (const int e : faulty.BelowFloor)
-  {
-    values[e] = Shortfall::BelowFloor;
-  }
   for (const auto& node : left)
   {
     for (const int e : near.Mesh.ElementsOfNode(node.first))
     {
       values[e] = isIn(e) ? Shortfall::LeftOff : values[e];
     }
+  }
+  // The nodes left are told of by their distances; nothing else tells of these.
+  for (const int e : faulty.BelowFloor)
+  {
+    values[e] = Shortfall::BelowFloor;
   }
   for (const int e : faulty.Invalid)
   {

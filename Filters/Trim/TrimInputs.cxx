@@ -5,6 +5,7 @@
 #include "NURBSFieldData.h"
 #include "SharedBounds.h"
 #include "SharedSurface.h"
+#include "ShownSurface.h"
 #include "SurfaceGaps.h"
 
 #include <vtkCompositeDataIterator.h>
@@ -167,6 +168,7 @@ bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
     error = "The trimming surface is not valid: " + error + ".";
     return false;
   }
+  this->Shown = SamplePolygons(data);
   this->SurfaceData = data;
   this->SurfaceTime = nurbs::ChangeTime(data);
   return true;
@@ -187,6 +189,7 @@ bool TrimInputs::JoinSurface(const Ranks& ranks, std::string& error)
     return false;
   }
   this->TheSurface = MakeSurface(std::move(faces));
+  this->TheSurfaceRemark = ranks.FirstText(FindShift(this->Shown, *this->TheSurface));
   return true;
 }
 

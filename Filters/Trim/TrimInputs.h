@@ -46,6 +46,8 @@ public:
   const MeshBlocks& Blocks() const { return this->TheBlocks; }
   const SharedNodes& Shared() const { return this->TheShared; }
   nurbs::TrimmingSurface& Surface() const { return *this->TheSurface; }
+  /// What is to be said of the surface; empty: nothing. The same on all ranks.
+  const std::string& SurfaceRemark() const { return this->TheSurfaceRemark; }
 
 private:
   bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error);
@@ -66,7 +68,9 @@ private:
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;
-  std::vector<nurbs::NurbsSurface> OwnFaces;          ///< those that this rank was given
+  std::vector<nurbs::NurbsSurface> OwnFaces; ///< those that this rank was given
+  std::vector<Vec3> Shown;                   ///< see SamplePolygons
+  std::string TheSurfaceRemark;
   std::unique_ptr<nurbs::TrimmingSurface> TheSurface; ///< of all ranks' faces; null: not made yet
 };
 

@@ -403,7 +403,7 @@ std::vector<std::pair<Id, Value>> ById(
 }
 
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
-  const TrimOptions& options, TrimResult& result)
+  const TrimOptions& options, const std::string& unitsHint, TrimResult& result)
 {
   result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
   if (result.Near)
@@ -428,7 +428,7 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
         ById(near.CornersLost, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     }
   }
-  AddWarnings(mesh, piece, options.OfBand, result);
+  AddWarnings(mesh, piece, options.OfBand, unitsHint, result);
 }
 
 }
@@ -484,7 +484,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     NumberInserted(mesh.NumberOfPoints, near.Mesh);
   }
   SetFates(mesh, result);
-  FindAndWarn(mesh, piece, surface, options, result);
+  FindAndWarn(mesh, piece, surface, options, UnitsHint(blocks.Bounds, surface.Bounds()), result);
   aborted(0.6);
   return result;
 }

@@ -19,6 +19,9 @@ struct Text
 };
 
 constexpr Text FeasibilityTexts[] = {
+  { Feasibility::OpenSeam,
+    " elements have a face that lies on another without common nodes: there the mesh is open, and "
+    "what was one may come apart. Merge the nodes by Clean to Grid, unless it is a slit." },
   { Feasibility::NotOpened,
     " elements hold a cut-out, or a part of one, that is smaller than an element and is not "
     "opened: refine the mesh there." },
@@ -150,12 +153,14 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
   }
   const auto& axes = result.Near->SheetAxis;
   const bool inBlock = std::any_of(axes.begin(), axes.end(), [](int axis) { return axis < 0; });
-  const bool mayInsert = inBlock && !options.InsertLayer && !options.ProduceOffcut;
+  const bool mayInsert = inBlock && !options.MayInsert();
+  const char* const insert =
+    options.ProduceOffcut ? "try InsertLayer without ProduceOffcut, " : "try InsertLayer, ";
   const bool hasFloor = options.Ladder.QualityFloor > 0;
   result.Warnings.push_back(std::to_string(left.size()) +
     " nodes of the new boundary were left off the surface, as elements would be invalid" +
     (hasFloor ? " or short of MinimumScaledJacobian" : "") +
-    " otherwise: " + (mayInsert ? "try InsertLayer, " : "") + "refine the mesh there" +
+    " otherwise: " + (mayInsert ? insert : "") + "refine the mesh there" +
     (hasFloor ? ", move the surface or ask for less." : " or move the surface.") +
     FarthestText(result.Near->Mesh, left));
 }
@@ -186,7 +191,7 @@ void WarnOfCornersLost(TrimResult& result)
 
 /// A surface that parts no element, and is not hidden within one either.
 /// @return whether it was warned of.
-bool WarnIfMissed(const Piece& piece, TrimResult& result)
+bool WarnIfMissed(const Piece& piece, const std::string& unitsHint, TrimResult& result)
 {
   std::array<bool, 3> own{};
   for (const unsigned char status : result.ElementStatus)
@@ -201,9 +206,9 @@ bool WarnIfMissed(const Piece& piece, TrimResult& result)
   }
   result.Warnings.push_back("The trimming surface " +
     std::string(
-      result.Near ? "touches the grid, but does not part it: it" : "misses the grid, which") +
+      result.Near ? "touches the grid, but does not part it: the grid" : "misses the grid, which") +
     " is " + (has[ElementKeep] ? "kept" : "eliminated") +
-    " whole: move the surface, or turn the side with InvertSide.");
+    " whole: move the surface, or turn the side with InvertSide." + unitsHint);
   return true;
 }
 
@@ -219,10 +224,10 @@ void WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
 
 }
 
-void AddWarnings(
-  const HexMesh& mesh, const Piece& piece, const BandOptions& options, TrimResult& result)
+void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& options,
+  const std::string& unitsHint, TrimResult& result)
 {
-  if (!WarnIfMissed(piece, result))
+  if (!WarnIfMissed(piece, unitsHint, result))
   {
     WarnIfNothingIsLeft(piece, result);
   }

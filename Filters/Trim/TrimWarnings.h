@@ -13,8 +13,9 @@ namespace trim
 {
 
 /// Appends to result.Warnings what the findings of all ranks call for; collective.
-void AddWarnings(
-  const HexMesh& mesh, const Piece& piece, const BandOptions& options, TrimResult& result);
+/// @param unitsHint see UnitsHint.
+void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& options,
+  const std::string& unitsHint, TrimResult& result);
 
 }
 

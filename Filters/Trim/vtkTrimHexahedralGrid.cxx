@@ -232,11 +232,16 @@ int vtkTrimHexahedralGrid::Trim(
     inputs.Surface(), options, progress);
   if (!result.Error.empty())
   {
-    return this->Refuse(ranks, result.Error);
+    return this->Refuse(
+      ranks, result.Error + trim::UnitsHint(inputs.Blocks().Bounds, inputs.Surface().Bounds()));
   }
   if (result.Aborted)
   {
     return 1;
+  }
+  if (!inputs.SurfaceRemark().empty())
+  {
+    result.Warnings.insert(result.Warnings.begin(), inputs.SurfaceRemark());
   }
   const bool renumber = this->RenumberNodes && trim::CanOrderNodes(inputs.Mesh().NumberOfCells);
   WriteOutputs(inputs, result, ranks,

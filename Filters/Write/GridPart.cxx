@@ -298,6 +298,11 @@ void ColourByStatus(vtkUnstructuredGrid* grid)
   }
 }
 
+void ForgetGlobalIds(vtkDataSetAttributes* data)
+{
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+}
+
 void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructuredGrid* output)
 {
   auto* distances = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("SignedDistance"));
@@ -326,6 +331,11 @@ void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructured
     "Inserted", part.Points.size(), 1, points, set, output->GetPointData());
   AddSparseArray<vtkUnsignedCharArray>(
     "Inserted", part.Cells.size(), 1, cells, set, output->GetCellData());
+  if (result.Near && result.Near->Mesh.BeforeLayer)
+  {
+    ForgetGlobalIds(output->GetPointData());
+    ForgetGlobalIds(output->GetCellData());
+  }
 }
 
 void AddStatusesAndFindings(const TrimResult& result, const GridPart& part, const MovedNodes& moved,

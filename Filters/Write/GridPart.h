@@ -29,6 +29,7 @@
 #include <type_traits>
 #include <vector>
 
+class vtkDataSetAttributes;
 class vtkUnstructuredGrid;
 
 namespace trim
@@ -227,6 +228,9 @@ Id WriteElements(
 
 /// What ParaView colours by at first, unless the input has active scalars of its own.
 void ColourByStatus(vtkUnstructuredGrid* grid);
+
+/// Global ids are an array like others from now on: several points or cells of one origin have one.
+void ForgetGlobalIds(vtkDataSetAttributes* data);
 
 /// The arrays Inserted of points and cells, and the signed distance of inserted points: that of
 /// those in whose places they are.

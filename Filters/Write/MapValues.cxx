@@ -130,16 +130,18 @@ void Map(vtkDataSetAttributes* input, const Ranks& ranks, const Mapping& mapping
   const std::vector<int> sources = FindSources(mapping);
   for (const std::string& name : NamesToMap(input, ranks))
   {
-    vtkDataArray* from = input->GetArray(name.c_str());
-    vtkDataArray* to = output->GetArray(name.c_str());
+    int index = -1;
+    const bool has = input->GetAbstractArray(name.c_str(), index) != nullptr;
+    vtkDataArray* from = has && IsMapped(input, index) ? input->GetArray(index) : nullptr;
+    vtkDataArray* to = from ? output->GetArray(name.c_str()) : nullptr;
     const int components = ranks.Largest(from ? from->GetNumberOfComponents() : 0);
-    const bool fits = (!from || from->GetNumberOfComponents() == components) && (!from || to);
+    const bool fits = to ? from->GetNumberOfComponents() == components : !has;
     if (ranks.Any(!fits))
     {
       continue;
     }
     const std::vector<double> values = ValuesInBand(from, components, mapping, sources, ranks);
-    for (std::size_t i = 0; i < mapping.Rows.size(); ++i)
+    for (std::size_t i = 0; to && i < mapping.Rows.size(); ++i)
     {
       for (int c = 0; c < components && mapping.Output[i] >= 0; ++c)
       {

@@ -20,10 +20,13 @@ namespace
 
 using Names = std::vector<std::string>;
 
+/// VTK's own names, which many filters leave behind: not worth a warning.
+constexpr const char* OriginalPoints = "vtkOriginalPointIds";
+constexpr const char* OriginalCells = "vtkOriginalCellIds";
 const Names OfPoints{ "NodeStatus", "SignedDistance", "Displacement", "CorrectionApplied",
-  "DistanceLeft", "CornerLost" };
+  "DistanceLeft", "CornerLost", OriginalPoints };
 const Names OfCells{ "ElementStatus", "EliminatedFraction", "ScaledJacobian", "Rescue",
-  "Feasibility", "Shortfall" };
+  "Feasibility", "Shortfall", OriginalCells };
 constexpr const char* Inserted = "Inserted";
 
 Names EntriesOfSummary()
@@ -107,7 +110,10 @@ void Rename(vtkFieldData* data, const Names& names, const char* what, std::strin
     }
     data->RemoveArray(name.c_str());
     AddInRole(data, Renamed(array, other), role);
-    told += (told.empty() ? "" : ", ") + name + " (" + what + ")";
+    if (name != OriginalPoints && name != OriginalCells)
+    {
+      told += (told.empty() ? "" : ", ") + name + " (" + what + ")";
+    }
   }
 }
 
@@ -150,9 +156,12 @@ vtkSmartPointer<vtkUnstructuredGrid> ResolveNameClashes(
   Rename(grid->GetPointData(), ofPoints, "points", warning);
   Rename(grid->GetCellData(), ofCells, "cells", warning);
   Rename(grid->GetFieldData(), ofSummary, "field data", warning);
-  warning = "Arrays of the input have names of the trim's own, and \"Input\" before them in the "
-            "outputs: " +
-    warning + ".";
+  if (!warning.empty())
+  {
+    warning = "Arrays of the input have names of the trim's own, and \"Input\" before them in the "
+              "outputs: " +
+      warning + ".";
+  }
   return grid;
 }
 

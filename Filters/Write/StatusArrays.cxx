@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace trim
 {
@@ -156,15 +157,43 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
   cellData->AddArray(fraction);
 }
 
+namespace
+{
+
+/// Elements of the band; for an inserted one that on whose face it stands.
+std::vector<int> ElementsBeneath(const Band& band)
+{
+  std::vector<int> beneath(band.NumberOfElements());
+  std::iota(beneath.begin(), beneath.end(), 0);
+  if (!band.BeforeLayer)
+  {
+    return beneath;
+  }
+  std::vector<int> ofOrigin(band.BeforeLayer->NumberOfElements(), -1);
+  for (const int e : beneath)
+  {
+    int& own = ofOrigin[band.ElementOrigins[e].Index];
+    own = band.IsInserted(e) ? own : e;
+  }
+  for (int& e : beneath)
+  {
+    e = ofOrigin[band.ElementOrigins[e].Index];
+  }
+  return beneath;
+}
+
+}
+
 void AddRescues(
   const TrimResult& result, Id cells, const std::vector<Id>& placeOf, vtkCellData* cellData)
 {
   static_assert(static_cast<unsigned char>(Rescue::None) == 0, "most of the array is not written");
   std::vector<Id> places;
   std::vector<Rescue> rescues;
+  const auto beneath = result.Near ? ElementsBeneath(result.Near->Mesh) : std::vector<int>();
   for (std::size_t e = 0; e < placeOf.size(); ++e)
   {
-    const Rescue rescue = RescueOf(*result.Near, static_cast<int>(e));
+    const Rescue rescue = RescueOf(*result.Near, beneath[e]);
     if (placeOf[e] >= 0 && rescue != Rescue::None)
     {
       places.push_back(placeOf[e]);

@@ -22,7 +22,8 @@ def arguments():
     parser.add_argument("--type", type=int, choices=(1, 2, 3), default=2, help="correction type")
     parser.add_argument("--keep", type=float, nargs=3, metavar=("X", "Y", "Z"),
                         help="a point on the side that stays (default: the surface's normal says)")
-    parser.add_argument("--unit", default="Millimetre", help="unit of the mesh: Metre, Inch, ...")
+    parser.add_argument("--unit", default="Millimetre", help="unit of the mesh",
+                        choices=["Millimetre", "Centimetre", "Metre", "Inch", "Foot", "Micrometre"])
     return parser.parse_args()
 
 

@@ -8,6 +8,7 @@
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
@@ -89,6 +90,8 @@ void TestNameClashes(Mesh mesh, const Surface& surface)
   AddFilled<vtkFloatArray>(grid->GetPointData(), "Displacement", grid->GetNumberOfPoints(), 3.5);
   AddFilled<vtkFloatArray>(grid->GetCellData(), "ScaledJacobian", grid->GetNumberOfCells(), 0.77);
   AddFilled<vtkFloatArray>(grid->GetFieldData(), "Volume", 1, 12);
+  AddFilled<vtkIdTypeArray>(
+    grid->GetCellData(), "vtkOriginalCellIds", grid->GetNumberOfCells(), 630);
   grid->GetPointData()->SetActiveScalars("Displacement");
   TrimOptions options;
   options.MapValues = true;
@@ -102,6 +105,7 @@ void TestNameClashes(Mesh mesh, const Surface& surface)
     Expect(IsFilled(output->GetPointData(), "InputDisplacement", 3.5), "names: of points");
     Expect(IsFilled(output->GetCellData(), "InputScaledJacobian", 0.77f), "names: of cells");
     Expect(IsFilled(output->GetFieldData(), "InputVolume", 12), "names: of the field data");
+    Expect(IsFilled(output->GetCellData(), "InputvtkOriginalCellIds", 630), "names: ids");
     vtkDataArray* scalars = output->GetPointData()->GetScalars();
     Expect(scalars && std::string(scalars->GetName()) == "InputDisplacement",
       "names: other scalars are active");

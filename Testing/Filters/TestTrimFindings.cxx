@@ -32,7 +32,7 @@ enum Feasibility
 
 // A phrase of each warning, by value.
 const char* const FeasibilityPhrases[] = { "", "bends with a radius", "less than 45 degrees",
-  "narrower than three", "crosses more than once", "not opened" };
+  "narrower than three", "crosses more than once", "not opened", "without common nodes" };
 const char* const ShortfallPhrases[] = { "", "below MinimumScaledJacobian", "",
   "distorted beyond repair", "elements at the cut were inside out" };
 const char* const LeftPhrase = "left off the surface";
@@ -87,7 +87,7 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
   vtkCellData* cells = outcome.Case.Whole->GetCellData();
   auto feasibility = CountValues(cells->GetArray("Feasibility"));
   auto shortfall = CountValues(cells->GetArray("Shortfall"));
-  for (int value = 1; value <= 5; ++value)
+  for (int value = 1; value <= 6; ++value)
   {
     const int warned = CountWarned(outcome, FeasibilityPhrases[value]);
     Expect(warned == feasibility[value],
@@ -109,7 +109,7 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
   Expect((left > 0) == (shortfall[2] > 0), name + ": elements with nodes left");
   auto corners = CountValues(outcome.Case.Whole->GetPointData()->GetArray("CornerLost"));
   Expect(CountWarned(outcome, CornerPhrase) == corners[1], name + ": corners lost");
-  for (int value = 1; value <= 5; ++value)
+  for (int value = 1; value <= 6; ++value)
   {
     if (feasibility[value] == 0)
     {

@@ -5,7 +5,7 @@ import os
 import sys
 
 from paraview import smstate, smtrace
-from paraview.simple import (Delete, FindSource, LoadState, ResetSession, SaveState,
+from paraview.simple import (Delete, FindSource, LoadState, ReloadFiles, ResetSession, SaveState,
                              Transform, TrimLineSource)
 
 from Checks import (COUNTS, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, fetch, sheet,
@@ -64,6 +64,16 @@ def check_file():
     found = summary(trim(sheet(), TrimLineSource(FileName=path, Closed=1, Length=2)))
     drawn = summary(trim(sheet(), TrimLineSource(Points=flat(circle()), Closed=1, Length=2)))
     check_equal(repr(found), repr(drawn), "summary of the line from a file")
+    # Written anew, with a mistake at first, it is read again on demand.
+    line = TrimLineSource(FileName=path, Closed=1, Length=2)
+    filtered = trim(sheet(), line)
+    for factor in (0.5, 1):
+        with open(path, "w") as file:
+            for x, y, z in circle():
+                file.write("%r,%r,%r\n" % (5 + factor * (x - 5), 5 + factor * (y - 5), z))
+        check(ReloadFiles(line), "the file of a trim line is not reloaded")
+        again = summary(filtered)
+        check((repr(again) == repr(drawn)) == (factor == 1), "the file is not read again")
 
 
 def check_polyline():

@@ -269,6 +269,41 @@ void TestAborts()
   }
 }
 
+/// An array that one rank's piece does not have, or has as another type, is no matter for the rest.
+void TestPartialArrays()
+{
+  for (const bool asIds : { false, true })
+  {
+    const auto pieces = Pieces();
+    vtkPointData* data = pieces[0]->GetPointData();
+    std::string name;
+    for (int i = 0; i < data->GetNumberOfArrays() && name.empty(); ++i)
+    {
+      if (data->GetArray(i) && data->GetArray(i)->GetDataType() == VTK_DOUBLE)
+      {
+        name = data->GetArrayName(i);
+      }
+    }
+    Check(!name.empty(), "no array to take away");
+    data->RemoveArray(name.c_str());
+    if (asIds)
+    {
+      vtkNew<vtkIdTypeArray> ids;
+      ids->SetName(name.c_str());
+      ids->SetNumberOfValues(pieces[0]->GetNumberOfPoints());
+      ids->FillValue(3);
+      data->AddArray(ids);
+    }
+    TrimOptions options;
+    options.MapValues = true;
+    const PiecesOutcome outcome = TrimPieces(pieces, Planes(), options);
+    Check(outcome.Errors.empty(), "an array on two ranks of three: errors");
+    Check((outcome.Trimmed[0]->GetPointData()->GetArray(name.c_str()) != nullptr) == asIds &&
+        outcome.Trimmed[2]->GetPointData()->GetArray(name.c_str()) != nullptr,
+      "an array on two ranks of three: not where it was");
+  }
+}
+
 /// Kept from run to run, and made anew on all ranks when one rank's piece changes.
 void TestRerun()
 {
@@ -306,6 +341,7 @@ int main()
   TestMissingSurface();
   TestAborts();
   TestRerun();
+  TestPartialArrays();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

@@ -1,0 +1,22 @@
+/**
+ * @file OpenSeams.h
+ * @brief Where the mesh at the cut is open along a seam: faces that lie on each other without
+ * common nodes, as when the pieces of a mesh were put together and not merged.
+ */
+#ifndef OpenSeams_h
+#define OpenSeams_h
+
+#include "TrimBand.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/// Elements that the surface meets and that have such a face, ascending. Not of the skins of
+/// sheets, which may lie on each other.
+std::vector<int> FindOpenSeams(const TrimBand& near);
+
+}
+
+#endif

@@ -1,0 +1,237 @@
+/**
+ * @file TestTrimMistakes.cxx
+ * @brief What a user may take for granted and is not so is told of: surfaces that were moved by
+ * filters, other units, pieces of a mesh that were not merged; and what the arrays say there.
+ */
+#include "Expect.h"
+#include "RunTrim.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace judge;
+
+namespace
+{
+const char* const MovedPhrase = "The polygons of the trimming surface do not lie on it";
+const char* const SeamPhrase = "without common nodes";
+constexpr double OpenSeam = 6;
+
+bool Says(const std::vector<std::string>& texts, const std::string& phrase)
+{
+  for (const std::string& text : texts)
+  {
+    if (text.find(phrase) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+vtkSmartPointer<vtkPolyData> Shifted(vtkDataObject* surface, double x)
+{
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->DeepCopy(vtkPolyData::SafeDownCast(surface));
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    moved->GetPoint(i, p);
+    moved->GetPoints()->SetPoint(i, p[0] + x, p[1], p[2]);
+  }
+  return moved;
+}
+
+// Transform and its like move the polygons, and the surface stays.
+void TestMovedSurface()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  const Outcome expected = RunTrim(mesh, surface, TrimOptions());
+  Expect(!Says(expected.Warnings, MovedPhrase), "moved: an alarm for a surface as it was made");
+  const auto expectAlarm = [&](const std::string& what, vtkDataObject* data, bool alarm)
+  {
+    Surface given = surface;
+    given.Data = data;
+    const Outcome outcome = RunTrim(mesh, given, TrimOptions());
+    Expect(outcome.Clean() && Says(outcome.Warnings, MovedPhrase) == alarm,
+      "moved: " + what + (alarm ? ": no word of it" : ": an alarm"));
+    Expect(FirstDifference(expected.Case.Trimmed, outcome.Case.Trimmed).empty(),
+      "moved: " + what + ": another result");
+  };
+  expectAlarm("by an element", Shifted(surface.Data, mesh.Box.ElementSize), true);
+  expectAlarm("by a thousandth of one", Shifted(surface.Data, 1e-3 * mesh.Box.ElementSize), false);
+  const auto bare = Shifted(surface.Data, mesh.Box.ElementSize);
+  bare->SetPolys(nullptr);
+  expectAlarm("no polygons", bare, false);
+  vtkNew<vtkMultiBlockDataSet> group;
+  group->SetBlock(0, Shifted(surface.Data, 100));
+  expectAlarm("in a group", group, true);
+  // As Append Geometry leaves two surfaces: the polygons of both, and the definition of one.
+  const auto both = Shifted(surface.Data, 0);
+  const vtkIdType count = both->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double p[3];
+    both->GetPoint(i, p);
+    both->GetPoints()->InsertNextPoint(p[0] + 5 * mesh.Box.ElementSize, p[1], p[2]);
+  }
+  expectAlarm("appended", both, true);
+}
+
+// A mesh in metres and a surface in millimetres.
+void TestUnits()
+{
+  const char* const units = "set LengthUnit";
+  MeshOptions inMetres;
+  inMetres.Scale = 1e-3;
+  const Mesh small = Sheet(20, 16, 2, Vec3(1, 1, 0.4), inMetres);
+  const Outcome missed = RunTrim(small, PlaneThrough(Vec3(7, 5, 0), Vec3::UnitX(), 30), {});
+  Expect(missed.Clean() && Says(missed.Warnings, "misses the grid") && Says(missed.Warnings, units),
+    "units: a surface in millimetres misses a mesh in metres, and nothing is said of units");
+  const Mesh large = Sheet(20, 16, 2, Vec3(1, 1, 0.4));
+  const Outcome ends = RunTrim(large, PlaneThrough(Vec3(7.2, 5, 0), Vec3::UnitX(), 0.05), {});
+  Expect(Says(ends.Errors, "ends inside the grid") && Says(ends.Errors, units),
+    "units: a surface in metres ends in a mesh in millimetres, and nothing is said of units");
+  const Outcome same = RunTrim(large, PlaneThrough(Vec3(-3, 8, 0), Vec3::UnitX(), 100), {});
+  Expect(Says(same.Warnings, "misses the grid") && !Says(same.Warnings, units),
+    "units: an alarm where they are the same");
+}
+
+/// Two sheets of 15 x 20 x 2 elements, the second one shifted.
+Mesh TwoSheets(const Vec3& shift)
+{
+  RawMesh raw;
+  for (int part = 0; part < 2; ++part)
+  {
+    const Id first = static_cast<Id>(raw.Points.size());
+    const auto id = [first](int i, int j, int k) { return first + i + 16 * (j + 21 * k); };
+    for (int k = 0; k <= 2; ++k)
+    {
+      for (int j = 0; j <= 20; ++j)
+      {
+        for (int i = 0; i <= 15; ++i)
+        {
+          raw.Points.emplace_back(Vec3(i, j, 0.5 * k) + part * shift);
+        }
+      }
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      for (int j = 0; j < 20; ++j)
+      {
+        for (int i = 0; i < 15; ++i)
+        {
+          raw.Add(8,
+            { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
+              id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1) });
+        }
+      }
+    }
+  }
+  MeshOptions plain;
+  plain.Data = false;
+  return Finish("two sheets", raw, BoxOf(raw, 1), plain);
+}
+
+// Pieces beside each other whose nodes were not merged; on each other they are two sheets.
+void TestSeam()
+{
+  const Surface across = PlaneThrough(Vec3(15, 10.3, 0.5), Vec3(0.1, 1, 0), 100);
+  const Outcome seam = RunTrim(TwoSheets(Vec3(15, 0, 0)), across, TrimOptions());
+  vtkUnstructuredGrid* grid = seam.Case.Whole;
+  vtkDataArray* feasibility = grid->GetCellData()->GetArray("Feasibility");
+  int found = 0;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    double box[6];
+    grid->GetCellBounds(c, box);
+    const bool atSeam = box[0] == 15 || box[1] == 15;
+    Expect(feasibility->GetComponent(c, 0) != OpenSeam || atSeam, "seam: a cell elsewhere");
+    found += feasibility->GetComponent(c, 0) == OpenSeam;
+  }
+  Expect(found >= 4 && CountWarned(seam, SeamPhrase) == found,
+    "seam: " + std::to_string(found) + " cells, warned of " +
+      std::to_string(CountWarned(seam, SeamPhrase)));
+  for (const Vec3& apart : { Vec3(0, 0, 1), Vec3(15.5, 0, 0) })
+  {
+    const Outcome none = RunTrim(TwoSheets(apart), across, TrimOptions());
+    Expect(
+      none.Clean() && CountWarned(none, SeamPhrase) == 0, "seam: an alarm where there is none");
+  }
+}
+
+// Inserted elements have the arrays of those on which they stand, but no two cells one global id.
+void TestInserted()
+{
+  const Mesh mesh = MakeMesh("block");
+  Placement at;
+  at.Angle = 0.7;
+  at.Lean = 0.6;
+  const Surface plane = MakeSurface("plane", mesh.Box, at);
+  for (const bool layer : { false, true })
+  {
+    TrimOptions options;
+    options.InsertLayer = layer;
+    const Outcome outcome = RunTrim(mesh, plane, options);
+    vtkUnstructuredGrid* grid = outcome.Case.Trimmed;
+    const std::string name = layer ? "inserted: " : "nothing inserted: ";
+    Expect((grid->GetCellData()->GetGlobalIds() == nullptr) == layer, name + "global cell ids");
+    Expect((grid->GetPointData()->GetGlobalIds() == nullptr) == layer, name + "global point ids");
+    const char* const ids = mesh.Grid->GetCellData()->GetGlobalIds()->GetName();
+    Expect(grid->GetCellData()->GetArray(ids) != nullptr, name + "the array of ids is lost");
+    vtkDataArray* own = grid->GetCellData()->GetArray("Rescue");
+    vtkDataArray* whole = outcome.Case.Whole->GetCellData()->GetArray("Rescue");
+    vtkDataArray* origin = grid->GetCellData()->GetArray("vtkOriginalCellIds");
+    for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+    {
+      Expect(own->GetComponent(c, 0) ==
+          whole->GetComponent(static_cast<vtkIdType>(origin->GetComponent(c, 0)), 0),
+        name + "another Rescue on port 0");
+    }
+  }
+}
+
+// What is below the floor is told of, also where a node was left off the surface.
+void TestShortfallOfOffcut()
+{
+  const Mesh mesh = Block(12, 12, 12);
+  Placement at;
+  at.Angle = 0.7;
+  at.Lean = 0.6;
+  TrimOptions options;
+  options.ProduceOffcut = true;
+  const Outcome outcome = RunTrim(mesh, MakeSurface("plane", mesh.Box, at), options);
+  vtkDataArray* quality = outcome.Offcut->GetCellData()->GetArray("ScaledJacobian");
+  vtkDataArray* shortfall = outcome.Offcut->GetCellData()->GetArray("Shortfall");
+  int below = 0;
+  for (vtkIdType c = 0; c < quality->GetNumberOfTuples(); ++c)
+  {
+    const bool isBelow = quality->GetComponent(c, 0) < options.MinimumScaledJacobian;
+    below += isBelow;
+    const double told = shortfall->GetComponent(c, 0);
+    Expect(!isBelow || (told != 0 && told != 2), "offcut: an element below the floor");
+  }
+  std::printf("elements of the offcut below the floor: %d\n", below);
+  Expect(below > 0, "offcut: no element is below the floor");
+}
+}
+
+int main()
+{
+  TestMovedSurface();
+  TestUnits();
+  TestSeam();
+  TestInserted();
+  TestShortfallOfOffcut();
+  std::printf("%d wrong\n", Wrong);
+  return Wrong > 0;
+}
