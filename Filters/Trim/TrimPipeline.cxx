@@ -312,6 +312,24 @@ void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurf
   }
 }
 
+/// What is wrong where two elements have the same nodes; empty: there are none.
+std::string FindRepeatedElement(const Band& band)
+{
+  // Elements are in the order of their nodes.
+  for (int e = 1; e < band.NumberOfElements(); ++e)
+  {
+    const BandElement& one = band.Elements[e - 1];
+    const BandElement& other = band.Elements[e];
+    if (one.Count == other.Count &&
+      std::is_permutation(one.Node.begin(), one.Node.begin() + one.Count, other.Node.begin()))
+    {
+      return "Cells " + std::to_string(one.Global) + " and " + std::to_string(other.Global) +
+        " of the grid have the same nodes: remove one of them.";
+    }
+  }
+  return "";
+}
+
 /// The same band on all ranks; false with an error if there can be none.
 bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   const nurbs::TrimmingSurface& surface, const std::vector<Id>& seeds, TrimResult& result)
@@ -327,6 +345,11 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
       return false;
     }
     near = std::make_unique<TrimBand>(Band(std::move(cells), rings, singlePrecision));
+    result.Error = FindRepeatedElement(near->Mesh);
+    if (!result.Error.empty())
+    {
+      return false;
+    }
     near->Structure = FindColumns(near->Mesh);
     if (!piece.All.Any(!near->Structure.HasThickness() || !near->Structure.Complete(near->Mesh, 2)))
     {

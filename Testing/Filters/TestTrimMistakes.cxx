@@ -8,6 +8,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -169,6 +170,25 @@ void TestSeam()
   }
 }
 
+// An element that is in the mesh twice.
+void TestRepeated()
+{
+  Mesh mesh = Sheet(20, 16, 2, Vec3(1, 1, 0.4));
+  const Surface plane = PlaneThrough(Vec3(7.2, 5, 0), Vec3::UnitX(), 100);
+  const vtkIdType cell = 7; // at the cut
+  vtkNew<vtkIdList> nodes;
+  mesh.Grid->GetCellPoints(cell, nodes);
+  vtkNew<vtkUnstructuredGrid> twice;
+  twice->DeepCopy(mesh.Grid);
+  twice->GetCellData()->Initialize();
+  twice->InsertNextCell(VTK_HEXAHEDRON, nodes);
+  mesh.Grid = twice;
+  const Outcome outcome = RunTrim(mesh, plane, TrimOptions());
+  Expect(outcome.Errors.size() == 1 && Says(outcome.Errors, "have the same nodes") &&
+      outcome.Case.Trimmed->GetNumberOfCells() == 0,
+    "repeated: not one error: " + (outcome.Errors.empty() ? "none" : outcome.Errors[0]));
+}
+
 // Inserted elements have the arrays of those on which they stand, but no two cells one global id.
 void TestInserted()
 {
@@ -230,6 +250,7 @@ int main()
   TestMovedSurface();
   TestUnits();
   TestSeam();
+  TestRepeated();
   TestInserted();
   TestShortfallOfOffcut();
   std::printf("%d wrong\n", Wrong);
