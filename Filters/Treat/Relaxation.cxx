@@ -54,13 +54,7 @@ public:
     if (nodes.size() < LeastForThreads || vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
     {
       this->Sweep(active,
-        [&](const auto& improve)
-        {
-          for (std::size_t i = 0; i < pillars.size(); ++i)
-          {
-            improve(pillars[i]);
-          }
-        });
+        [&](const auto& improve) { std::for_each(pillars.begin(), pillars.end(), improve); });
       return;
     }
     const Wavefront inTurn(this->MetBefore(pillars));
