@@ -3,8 +3,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCommunicator.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataSetRange.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMultiProcessController.h"
@@ -293,11 +293,9 @@ bool BuildSheetSkin(vtkDataObject* data, SheetSkin& skin, std::string& error)
   bool complete = true;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
-    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (it->InitTraversal(); complete && !it->IsDoneWithTraversal(); it->GoToNextItem())
+    for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
     {
-      complete =
-        AddGrid(vtkUnstructuredGrid::SafeDownCast(it->GetCurrentDataObject()), skin, error);
+      complete = complete && AddGrid(vtkUnstructuredGrid::SafeDownCast(leaf), skin, error);
     }
   }
   else

@@ -99,6 +99,7 @@ public:
   {
     const auto& cells = this->Result.Nodes.CandidateCells;
     this->FindCrossedTwice();
+    this->FindCellsAtSeams();
     std::vector<Feasibility> values(cells.size(), Feasibility::Fine);
     vtkSMPTools::For(0, static_cast<Id>(cells.size()), 64,
       [&](Id begin, Id end)
@@ -164,6 +165,10 @@ private:
 
   Feasibility Check(Id cell) const
   {
+    if (std::binary_search(this->CellsAtSeams.begin(), this->CellsAtSeams.end(), cell))
+    {
+      return Feasibility::OpenSeam;
+    }
     Probe probe;
     if (!this->MakeProbe(cell, probe))
     {
@@ -490,6 +495,17 @@ private:
     }
   }
 
+  void FindCellsAtSeams()
+  {
+    const std::vector<int> seams =
+      this->Result.Near ? FindOpenSeams(*this->Result.Near) : std::vector<int>();
+    for (const int e : seams)
+    {
+      this->CellsAtSeams.push_back(this->Result.Near->Mesh.Elements[e].Global);
+    }
+    std::sort(this->CellsAtSeams.begin(), this->CellsAtSeams.end());
+  }
+
   bool IsCrossedTwice(const Probe& probe) const
   {
     const auto& topology = TopologyOf(probe.Count);
@@ -510,49 +526,15 @@ private:
   const nurbs::TrimmingSurface& Surface;
   const TrimResult& Result;
   std::vector<Edge> CrossedTwice; ///< ascending
+  std::vector<Id> CellsAtSeams;   ///< ascending
 };
-
-}
-
-namespace
-{
-
-/// Elements at an open seam take the place of what else was found of them.
-std::vector<std::pair<Id, Feasibility>> WithOpenSeams(
-  const TrimBand& near, std::vector<std::pair<Id, Feasibility>> found)
-{
-  std::vector<std::pair<Id, Feasibility>> seams;
-  for (const int e : FindOpenSeams(near))
-  {
-    const Id cell = near.Mesh.Elements[e].Global;
-    if (cell >= 0)
-    {
-      seams.emplace_back(cell, Feasibility::OpenSeam);
-    }
-  }
-  if (seams.empty())
-  {
-    return found;
-  }
-  const auto isAtSeam = [&seams](const auto& item)
-  {
-    return std::binary_search(seams.begin(), seams.end(), item,
-      [](const auto& a, const auto& b) { return a.first < b.first; });
-  };
-  std::sort(seams.begin(), seams.end());
-  found.erase(std::remove_if(found.begin(), found.end(), isAtSeam), found.end());
-  found.insert(found.end(), seams.begin(), seams.end());
-  std::sort(found.begin(), found.end());
-  return found;
-}
 
 }
 
 std::vector<std::pair<Id, Feasibility>> CheckFeasibility(
   const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const TrimResult& result)
 {
-  auto found = Checker(mesh, surface, result).Run();
-  return result.Near ? WithOpenSeams(*result.Near, std::move(found)) : found;
+  return Checker(mesh, surface, result).Run();
 }
 
 }

@@ -2,10 +2,9 @@
 
 #include "PlaceText.h"
 
-#include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkCompositeDataSetRange.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 #include <sstream>
 
@@ -37,10 +36,9 @@ std::vector<vtkPolyData*> PolygonsOf(vtkDataObject* data)
     add(data);
     return list;
   }
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
   {
-    add(it->GetCurrentDataObject());
+    add(leaf);
   }
   return list;
 }

@@ -8,8 +8,8 @@
 #include "ShownSurface.h"
 #include "SurfaceGaps.h"
 
-#include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkCompositeDataSetRange.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -34,10 +34,8 @@ vtkUnstructuredGrid* TakeOnlyGrid(
   }
   vtkDataObject* only = none;
   int count = 0;
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
   {
-    vtkDataObject* leaf = it->GetCurrentDataObject();
     if (leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
     {
       ++count;

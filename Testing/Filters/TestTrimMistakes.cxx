@@ -107,47 +107,11 @@ void TestUnits()
     "units: an alarm where they are the same");
 }
 
-/// Two sheets of 15 x 20 x 2 elements, the second one shifted.
-Mesh TwoSheets(const Vec3& shift)
-{
-  RawMesh raw;
-  for (int part = 0; part < 2; ++part)
-  {
-    const Id first = static_cast<Id>(raw.Points.size());
-    const auto id = [first](int i, int j, int k) { return first + i + 16 * (j + 21 * k); };
-    for (int k = 0; k <= 2; ++k)
-    {
-      for (int j = 0; j <= 20; ++j)
-      {
-        for (int i = 0; i <= 15; ++i)
-        {
-          raw.Points.emplace_back(Vec3(i, j, 0.5 * k) + part * shift);
-        }
-      }
-    }
-    for (int k = 0; k < 2; ++k)
-    {
-      for (int j = 0; j < 20; ++j)
-      {
-        for (int i = 0; i < 15; ++i)
-        {
-          raw.Add(8,
-            { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
-              id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1) });
-        }
-      }
-    }
-  }
-  MeshOptions plain;
-  plain.Data = false;
-  return Finish("two sheets", raw, BoxOf(raw, 1), plain);
-}
-
 // Pieces beside each other whose nodes were not merged; on each other they are two sheets.
 void TestSeam()
 {
   const Surface across = PlaneThrough(Vec3(15, 10.3, 0.5), Vec3(0.1, 1, 0), 100);
-  const Outcome seam = RunTrim(TwoSheets(Vec3(15, 0, 0)), across, TrimOptions());
+  const Outcome seam = RunTrim(TwoSheets(15, 20, 2, 0.5, Vec3(15, 0, 0)), across, TrimOptions());
   vtkUnstructuredGrid* grid = seam.Case.Whole;
   vtkDataArray* feasibility = grid->GetCellData()->GetArray("Feasibility");
   int found = 0;
@@ -164,7 +128,7 @@ void TestSeam()
       std::to_string(CountWarned(seam, SeamPhrase)));
   for (const Vec3& apart : { Vec3(0, 0, 1), Vec3(15.5, 0, 0) })
   {
-    const Outcome none = RunTrim(TwoSheets(apart), across, TrimOptions());
+    const Outcome none = RunTrim(TwoSheets(15, 20, 2, 0.5, apart), across, TrimOptions());
     Expect(
       none.Clean() && CountWarned(none, SeamPhrase) == 0, "seam: an alarm where there is none");
   }

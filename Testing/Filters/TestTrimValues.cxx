@@ -314,41 +314,8 @@ void TestNotANumber()
 /// Two sheets that lie on each other without common nodes keep what is theirs.
 void TestContact()
 {
-  MeshOptions plain;
-  plain.Data = false;
-  RawMesh raw;
-  constexpr int n = 14, layers = 2;
-  for (int sheet = 0; sheet < 2; ++sheet)
-  {
-    const Id first = static_cast<Id>(raw.Points.size());
-    for (int k = 0; k <= layers; ++k)
-    {
-      for (int j = 0; j <= n; ++j)
-      {
-        for (int i = 0; i <= n; ++i)
-        {
-          // The second one goes the other way from the same plane, or lies in the first.
-          raw.Points.emplace_back(i, j, 0.4 * k + (sheet == 0 ? 0 : 0.4));
-        }
-      }
-    }
-    const auto id = [&](int i, int j, int k) { return first + i + (n + 1) * (j + (n + 1) * k); };
-    for (int k = 0; k < layers; ++k)
-    {
-      for (int j = 0; j < n; ++j)
-      {
-        for (int i = 0; i < n; ++i)
-        {
-          raw.Add(8,
-            { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
-              id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1) });
-        }
-      }
-    }
-  }
-  Frame frame = BoxOf(raw, 1);
-  frame.LayerThickness = 0.4;
-  Mesh mesh = Finish("contact", raw, frame, plain);
+  // They lie in one another, by one of two layers.
+  const Mesh mesh = TwoSheets(14, 14, 2, 0.4, Vec3(0, 0, 0.4));
   const vtkIdType half = mesh.Grid->GetNumberOfCells() / 2;
   vtkNew<vtkFloatArray> cells, nodes;
   cells->SetName("Sheet");

@@ -160,6 +160,29 @@ Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& optio
   return mesh;
 }
 
+Mesh TwoSheets(int nx, int ny, int nz, double layer, const Vec3& shift)
+{
+  RawMesh raw = Extrude(GridPlan(nx, ny, 1, 1), nz, nz * layer, Flat());
+  const RawMesh one = raw;
+  for (const Vec3& point : one.Points)
+  {
+    raw.Points.push_back(point + shift);
+  }
+  for (Element element : one.Elements)
+  {
+    for (Id& node : element.Node)
+    {
+      node += static_cast<Id>(one.Points.size());
+    }
+    raw.Elements.push_back(element);
+  }
+  Frame frame = BoxOf(raw, 1);
+  frame.LayerThickness = layer;
+  MeshOptions plain;
+  plain.Data = false;
+  return Finish("two sheets", raw, frame, plain);
+}
+
 Mesh Block(int nx, int ny, int nz, const MeshOptions& options)
 {
   Mesh mesh = FromPlan("block", GridPlan(nx, ny, 1, 1), nz, nz, Flat(), options);
