@@ -229,7 +229,8 @@ Id WriteElements(
 /// What ParaView colours by at first, unless the input has active scalars of its own.
 void ColourByStatus(vtkUnstructuredGrid* grid);
 
-/// Global ids are an array like others from now on: several points or cells of one origin have one.
+/// Global ids are an array like others from now on, as several points or cells of one origin have
+/// the same id.
 void ForgetGlobalIds(vtkDataSetAttributes* data);
 
 /// The arrays Inserted of points and cells, and the signed distance of inserted points: that of

@@ -4,6 +4,7 @@
 #include "MapValues.h"
 #include "PartQuality.h"
 
+#include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
@@ -79,6 +80,16 @@ int NodesOf(
   return element.Count;
 }
 
+/// True if an element is there in several parts, on any rank: all of them know the whole band.
+bool IsDivided(const TrimResult& result)
+{
+  const auto sameElement = [](const OffcutElement& a, const OffcutElement& b)
+  { return a.Element == b.Element; };
+  return result.Near &&
+    std::adjacent_find(result.Near->Rest.Elements.begin(), result.Near->Rest.Elements.end(),
+      sameElement) != result.Near->Rest.Elements.end();
+}
+
 void AddFieldData(const Summary& summary, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkFieldData> all;
@@ -120,6 +131,10 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   Findings found = result.Found;
   found.Shortfalls = result.Found.ShortfallsOfOffcut;
   AddStatusesAndFindings(result, part, moved, found, output);
+  if (IsDivided(result))
+  {
+    ForgetGlobalIds(output->GetCellData());
+  }
   AddScaledJacobians(mesh, part, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, part, shapes, ranks);
   SummariseTouched(shapes, summary);
