@@ -43,6 +43,50 @@ std::vector<vtkPolyData*> PolygonsOf(vtkDataObject* data)
   return list;
 }
 
+struct Stray
+{
+  double Distance = 0.0;
+  Vec3 Place = Vec3::Zero();
+};
+
+Stray FindFarthest(const std::vector<Vec3>& points, const nurbs::TrimmingSurface& surface)
+{
+  Stray farthest;
+  for (const Vec3& point : points)
+  {
+    const double distance = surface.ClosestPoint(point).Distance;
+    if (distance > farthest.Distance)
+    {
+      farthest = { distance, point };
+    }
+  }
+  return farthest;
+}
+
+bool HasTrimLoops(const nurbs::TrimmingSurface& surface)
+{
+  for (int f = 0; f < surface.NumberOfFaces(); ++f)
+  {
+    if (!surface.Face(f).TrimLoops.empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The whole faces: polygons may show more of them than the loops leave.
+nurbs::TrimmingSurface WithoutTrimLoops(const nurbs::TrimmingSurface& surface)
+{
+  std::vector<nurbs::NurbsSurface> faces;
+  for (int f = 0; f < surface.NumberOfFaces(); ++f)
+  {
+    faces.push_back(surface.Face(f));
+    faces.back().TrimLoops.clear();
+  }
+  return nurbs::TrimmingSurface(std::move(faces), 0.0);
+}
+
 }
 
 std::vector<Vec3> SamplePolygons(vtkDataObject* data)
@@ -70,25 +114,20 @@ std::vector<Vec3> SamplePolygons(vtkDataObject* data)
 
 std::string FindShift(const std::vector<Vec3>& shown, const nurbs::TrimmingSurface& surface)
 {
-  double farthest = 0.0;
-  Vec3 place = Vec3::Zero();
-  for (const Vec3& point : shown)
+  const double allowed = LargestShift * surface.Bounds().diagonal().norm();
+  Stray stray = FindFarthest(shown, surface);
+  if (stray.Distance > allowed && HasTrimLoops(surface))
   {
-    const double distance = surface.ClosestPoint(point).Distance;
-    if (distance > farthest)
-    {
-      farthest = distance;
-      place = point;
-    }
+    stray = FindFarthest(shown, WithoutTrimLoops(surface));
   }
-  if (!(farthest > LargestShift * surface.Bounds().diagonal().norm()))
+  if (!(stray.Distance > allowed))
   {
     return "";
   }
   std::ostringstream text;
   text
-    << "The polygons of the trimming surface do not lie on it: one at " << nurbs::PlaceText(place)
-    << " is " << farthest
+    << "The polygons of the trimming surface do not lie on it: one at "
+    << nurbs::PlaceText(stray.Place) << " is " << stray.Distance
     << " away. Filters like Transform, Calculator and Append Geometry change the polygons alone, "
        "and the trim is along the surface as its source has made it: change it there, move the "
        "grid instead, or put several surfaces together by Group Datasets.";

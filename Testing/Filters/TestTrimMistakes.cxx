@@ -55,6 +55,13 @@ vtkSmartPointer<vtkPolyData> Shifted(vtkDataObject* surface, double x)
 void TestMovedSurface()
 {
   const Mesh mesh = MakeMesh("sheet2");
+  // The polygons of a face with trim loops may show the whole of it.
+  Surface face = MakeSurface("trimmedface", mesh.Box, Placement());
+  Expect(!Says(RunTrim(mesh, face, TrimOptions()).Warnings, MovedPhrase),
+    "moved: an alarm for a trimmed face as it was made");
+  face.Data = Shifted(face.Data, 1000);
+  Expect(Says(RunTrim(mesh, face, TrimOptions()).Warnings, MovedPhrase),
+    "moved: a trimmed face: no word of it");
   const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
   const Outcome expected = RunTrim(mesh, surface, TrimOptions());
   Expect(!Says(expected.Warnings, MovedPhrase), "moved: an alarm for a surface as it was made");
