@@ -19,8 +19,21 @@ namespace
 /// Steps to a sharp edge of the surface, and how much nearer to it each looks for its sides.
 constexpr int MostCreaseSteps = 8;
 constexpr double CreaseApproach = 0.1;
-/// Sine up to which a border counts as straight or level.
-constexpr double StraightSine = 1e-9;
+/// Sine up to which a border counts as straight or level, where places are known as exactly: files
+/// have places to six or seven digits, and a node that slides takes less from its edges than this.
+constexpr double StraightSine = 1e-4;
+
+/// Sine that the directions of the edges of a face, or their normals, are known to.
+double SineRounding(const Band& band, int node)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const int edge : band.EdgesOfNode(node))
+  {
+    shortest =
+      std::min(shortest, (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm());
+  }
+  return 8.0 * SpacingAt(band, node) / shortest;
+}
 
 }
 
@@ -42,6 +55,7 @@ bool NodeMover::MayRelax(int node, bool onCut) const
 /// Whether the ridge of a node does not turn there, or its faces lie in one plane.
 bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
 {
+  const double straight = std::max(StraightSine, SineRounding(this->TheBand, node));
   if (constraint.Kind == ConstraintKind::Ridge)
   {
     const auto& ridges = constraint.RidgeEdges;
@@ -51,7 +65,7 @@ bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
         this->TheBand.Point[this->TheBand.OtherEnd(edge, node)] - this->TheBand.Point[node])
         .normalized();
     };
-    return ridges.size() == 2 && way(ridges[0]).cross(way(ridges[1])).norm() < StraightSine &&
+    return ridges.size() == 2 && way(ridges[0]).cross(way(ridges[1])).norm() < straight &&
       way(ridges[0]).dot(way(ridges[1])) < 0.0;
   }
   const Vec3 normal =
@@ -62,7 +76,7 @@ bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
       const auto& face = this->TheBand.Faces[f];
       for (int i = 0; i < face.Count; ++i)
       {
-        if (Facet(this->TheBand, face).NormalAt(i).cross(normal).norm() > StraightSine)
+        if (Facet(this->TheBand, face).NormalAt(i).cross(normal).norm() > straight)
         {
           return false;
         }

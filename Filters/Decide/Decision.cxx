@@ -20,8 +20,8 @@ namespace
 
 /// An element whose nodes all go to the surface collapses when less than this is left of it.
 constexpr double CollapsedShare = 0.2;
-/// Shares are known to this.
-constexpr double ShareRounding = 1e-9;
+/// Shares are known to this where places are, and at least to the coarser one.
+constexpr double ShareRounding = 1e-9, CoarsestRounding = 1e-2;
 /// Sweeps of mending; in the later half elements are only eliminated, so that it ends.
 constexpr int MendingSweeps = 20;
 
@@ -47,15 +47,11 @@ Decision::Decision(const Band& band, const Columns& columns, const VolumeShares&
 
 std::vector<char> Decision::Take(const std::vector<Fate>& fate)
 {
-  // Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep), but none
-  // of a column that lies beyond as a whole.
-  const double most = std::min(this->Threshold, 1.0 - 2.0 * ShareRounding) + ShareRounding;
   std::vector<char> kept(this->TheBand.NumberOfElements());
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {
     const int column = this->TheColumns.Column[e];
-    kept[e] =
-      fate[column] == Fate::ByVolume ? this->Shares.Column[e] <= most : fate[column] == Fate::Keep;
+    kept[e] = fate[column] == Fate::ByVolume ? this->StaysByVolume(e) : fate[column] == Fate::Keep;
   }
   if (this->MovesNodes)
   {
@@ -75,6 +71,38 @@ std::vector<char> Decision::Take(const std::vector<Fate>& fate)
 }
 
 /// Nodes near the cut whose elements are all in the band.
+/// Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep), but none
+/// of a column that lies beyond as a whole.
+bool Decision::StaysByVolume(int e) const
+{
+  const double share = this->Shares.Column[e];
+  if (std::abs(share - this->Threshold) > 3.0 * CoarsestRounding)
+  {
+    return share < this->Threshold;
+  }
+  const double rounding = this->RoundingOf(this->TheColumns.Column[e]);
+  return share <= std::min(this->Threshold, 1.0 - 2.0 * rounding) + rounding;
+}
+
+/// What the shares of a column are known to: floats, and places far from the origin, tell less.
+double Decision::RoundingOf(int column) const
+{
+  double rounding = ShareRounding;
+  for (const int e : this->ElementsOf(column))
+  {
+    const auto& element = this->TheBand.Elements[e];
+    const auto& topology = TopologyOf(element.Count);
+    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    {
+      const int a = element.Node[topology.Edges[i].First];
+      const int b = element.Node[topology.Edges[i].Second];
+      const double length = (this->TheBand.Point[b] - this->TheBand.Point[a]).norm();
+      rounding = std::max(rounding, 4.0 * SpacingAt(this->TheBand, a) / length);
+    }
+  }
+  return std::min(rounding, CoarsestRounding);
+}
+
 void Decision::FindInnerNodes()
 {
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)

@@ -75,6 +75,8 @@ public:
   }
 
 private:
+  bool StaysByVolume(int e) const;
+  double RoundingOf(int column) const;
   void FindInnerNodes();
   void SetColumn(int column, char to, std::vector<char>& kept) const;
   void EliminateLostBorders(const std::vector<Fate>& fate, std::vector<char>& kept) const;

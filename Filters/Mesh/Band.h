@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -158,6 +159,15 @@ inline double LongestEdgeAt(const Band& band, int node)
     longest = std::max(longest, (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm());
   }
   return longest;
+}
+
+/// Distance between neighbouring values of the largest coordinate of a node, as the mesh stores it:
+/// its place is known to this.
+inline double SpacingAt(const Band& band, int node)
+{
+  return band.Point[node].cwiseAbs().maxCoeff() *
+    (band.SinglePrecision ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                          : std::numeric_limits<double>::epsilon());
 }
 
 /// The band as the mesh has it, without an inserted layer.

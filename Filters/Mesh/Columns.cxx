@@ -21,7 +21,7 @@ namespace
 constexpr double SmallestSheet = 0.1;
 /// A part is made of sheets if at least this share of its elements has a thickness.
 constexpr double SheetShare = 0.7;
-/// How many elements of a part are sampled to measure the chains.
+/// How many elements of a part are sampled at most to measure the chains.
 constexpr int Samples = 200;
 /// Shifts that differ by less, in elements, are the same: rounding must not decide.
 constexpr double ShiftRounding = 1e-6;
@@ -64,13 +64,33 @@ struct Candidate
   double ClosedShare = 0;
 };
 
+/// Some elements of a part near the cut, where the rings see whole columns; the halo may not.
+std::vector<char> ChooseSamples(const Band& band, const std::vector<int>& part)
+{
+  std::vector<std::size_t> near; // places in the part
+  for (std::size_t i = 0; i < part.size(); ++i)
+  {
+    if (band.Elements[part[i]].Ring <= 1)
+    {
+      near.push_back(i);
+    }
+  }
+  std::vector<char> sampled(part.size(), 0);
+  const std::size_t stride = (near.size() + Samples - 1) / Samples;
+  for (std::size_t i = 0; i < near.size(); i += stride)
+  {
+    sampled[near[i]] = 1;
+  }
+  return sampled;
+}
+
 /// @param shift may be empty.
 std::vector<Candidate> MeasureCandidates(
   const Band& band, const std::vector<int>& part, const AxisShift& shift, ConcurrentSets<int>& axes)
 {
   std::map<int, Candidate> candidates;
   std::map<int, int> measured;
-  const int stride = std::max<int>(1, static_cast<int>(part.size()) / Samples);
+  const std::vector<char> sampled = ChooseSamples(band, part);
   for (std::size_t i = 0; i < part.size(); ++i)
   {
     const int e = part[i];
@@ -86,8 +106,7 @@ std::vector<Candidate> MeasureCandidates(
       candidate.Root = roots[axis];
       const bool twice = std::count(roots.begin(), roots.end(), roots[axis]) > 1;
       ++(twice ? candidate.Twice : candidate.Covered);
-      // The rings near the cut see whole columns; the halo may not.
-      if (i % stride == 0 && band.Elements[e].Ring <= 1)
+      if (sampled[i])
       {
         const Chain chain = MeasureChain(band, e, axis);
         ++measured[roots[axis]];

@@ -5,7 +5,6 @@
 #include "Status.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace trim
 {
@@ -18,10 +17,7 @@ constexpr double BesideShare = 0.05;
 /// Distance up to which a node lies on the surface as exactly as the mesh can store it.
 double StoredPrecision(const Band& band, int node, double precision)
 {
-  const double spacing = band.Point[node].cwiseAbs().maxCoeff() *
-    (band.SinglePrecision ? std::numeric_limits<float>::epsilon()
-                          : std::numeric_limits<double>::epsilon());
-  return std::max(precision, 2.0 * spacing);
+  return std::max(precision, 2.0 * SpacingAt(band, node));
 }
 
 /// Elements of one part of the mesh that are not as asked.

@@ -26,8 +26,10 @@ namespace
 constexpr int BandRings = 4;
 /// Rings where columns reach farther, in a sheet of many layers under an inclined surface.
 constexpr int DeepBandRings = 12;
-/// Nodes are placed on the surface to this share of the diagonal of the grid's box.
+/// Nodes are placed on the surface to this share of the diagonal of the grid's box, or where the
+/// grid is far from the origin to this share of the largest coordinate.
 constexpr double PlacePrecision = 1e-9;
+constexpr double FarPlacePrecision = 64.0 * std::numeric_limits<double>::epsilon();
 /// Rounding of a distance, in units of the largest coordinate: what is nearer than that is on the
 /// surface, whatever tolerance is asked for.
 constexpr double DistanceRounding = 16.0 * std::numeric_limits<double>::epsilon();
@@ -464,9 +466,9 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const auto aborted = [&](double done) { return result.Aborted = piece.All.Any(progress(done)); };
   const auto stopped = [&progress] { return progress(-1.0); };
   const double diagonal = blocks.Bounds.diagonal().norm();
-  const double precision = PlacePrecision * diagonal;
-  const double tolerance =
-    std::max(options.Tolerance * diagonal, DistanceRounding * LargestCoordinateOf(blocks.Bounds));
+  const double largest = LargestCoordinateOf(blocks.Bounds);
+  const double precision = std::max(PlacePrecision * diagonal, FarPlacePrecision * largest);
+  const double tolerance = std::max(options.Tolerance * diagonal, DistanceRounding * largest);
 
   // Classify.
   const bool classified =
