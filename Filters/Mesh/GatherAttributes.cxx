@@ -63,11 +63,14 @@ void GatherAttributes(
 {
   for (int i = 0; i < source->GetNumberOfArrays(); ++i)
   {
-    const int index = target->AddArray(Gather(source->GetAbstractArray(i), ids, count));
-    const int role = source->IsArrayAnAttribute(i);
-    if (role >= 0)
+    vtkAbstractArray* array = source->GetAbstractArray(i);
+    const int index = target->AddArray(Gather(array, ids, count));
+    for (int role = 0; role < vtkDataSetAttributes::NUM_ATTRIBUTES; ++role)
     {
-      target->SetActiveAttribute(index, role);
+      if (source->GetAbstractAttribute(role) == array)
+      {
+        target->SetActiveAttribute(index, role);
+      }
     }
   }
 }

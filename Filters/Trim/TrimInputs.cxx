@@ -77,6 +77,23 @@ vtkSmartPointer<vtkUnstructuredGrid> WithPointsInOneArray(vtkUnstructuredGrid* g
   return copy;
 }
 
+/// The global ids as VTK's own type of ids; null if there are none that are whole numbers.
+vtkSmartPointer<vtkIdTypeArray> GlobalIdsOf(vtkPointData* data)
+{
+  vtkDataArray* given = data->GetGlobalIds();
+  if (!given || given->GetDataType() == VTK_FLOAT || given->GetDataType() == VTK_DOUBLE)
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkIdTypeArray> ids = vtkIdTypeArray::SafeDownCast(given);
+  if (!ids)
+  {
+    ids = vtkSmartPointer<vtkIdTypeArray>::New();
+    ids->DeepCopy(given);
+  }
+  return ids;
+}
+
 std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
 {
   nurbs::Box3 box;
@@ -135,9 +152,14 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
     error = "The input grid has no cells: connect a grid of hexahedra.";
     return false;
   }
-  auto* ids = vtkIdTypeArray::SafeDownCast(this->TheOwn.Grid->GetPointData()->GetGlobalIds());
-  const bool lacksIds = this->TheMesh.NumberOfPoints > 0 && !ids;
-  const bool useIds = !ranks.Any(lacksIds) && ids;
+  const bool alone = ranks.Alone();
+  const auto ids = alone ? nullptr : GlobalIdsOf(this->TheOwn.Grid->GetPointData());
+  const bool lacksIds = ranks.Any(this->TheMesh.NumberOfPoints > 0 && !ids);
+  const bool useIds = !lacksIds && ids;
+  this->TheGridRemark = lacksIds && ranks.Any(ids != nullptr)
+    ? "Some pieces of the grid have global ids of their points and others have none, so nodes of "
+      "several pieces are known by their places: make new ones, e.g. with Generate Global Ids."
+    : "";
   this->TheBlocks = BuildMeshBlocks(this->TheMesh);
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))

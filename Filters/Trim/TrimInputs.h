@@ -46,7 +46,9 @@ public:
   const MeshBlocks& Blocks() const { return this->TheBlocks; }
   const SharedNodes& Shared() const { return this->TheShared; }
   nurbs::TrimmingSurface& Surface() const { return *this->TheSurface; }
-  /// What is to be said of the surface; empty: nothing. The same on all ranks.
+  /// What is to be said of the pieces of the grid, and of the surface; empty: nothing. The same on
+  /// all ranks.
+  const std::string& GridRemark() const { return this->TheGridRemark; }
   const std::string& SurfaceRemark() const { return this->TheSurfaceRemark; }
 
 private:
@@ -65,6 +67,7 @@ private:
   MeshBlocks TheBlocks;
   bool Joined = false; ///< TheBlocks and TheShared know of the other ranks' pieces
   SharedNodes TheShared;
+  std::string TheGridRemark;
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;

@@ -155,8 +155,28 @@ ElementStatus StatusOfCell(const HexMesh& mesh, const TrimResult& result, Id cel
   return StatusOfElement(status.data(), count);
 }
 
+/// Whether a cell whose nodes all are on the surface lies beyond it: in a slot of one element.
+bool LiesBetween(const HexMesh& mesh, const TrimResult& result,
+  const nurbs::TrimmingSurface& surface, double tolerance, Id cell)
+{
+  std::array<Id, 8> nodes;
+  const int count = mesh.Cell(cell, nodes);
+  Vec3 middle = Vec3::Zero();
+  for (int i = 0; i < count; ++i)
+  {
+    if (result.Nodes.Status[nodes[i]] != NodeOnSurface)
+    {
+      return false;
+    }
+    middle += mesh.Point(nodes[i]) / count;
+  }
+  const auto foot = surface.ClosestPoint(middle);
+  return foot.Kind == nurbs::FootKind::Interior && foot.SignedDistance > tolerance;
+}
+
 /// A cell that the surface does not meet lies on the side of any of its nodes.
-void ClassifyElements(const HexMesh& mesh, TrimResult& result)
+void ClassifyElements(
+  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, double tolerance, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
   vtkSMPTools::For(0, static_cast<Id>(result.Nodes.ClusterSide.size()), 3000,
@@ -188,7 +208,9 @@ void ClassifyElements(const HexMesh& mesh, TrimResult& result)
     });
   for (const Id c : result.Nodes.CandidateCells)
   {
-    result.ElementStatus[c] = StatusOfCell(mesh, result, c);
+    result.ElementStatus[c] = LiesBetween(mesh, result, surface, tolerance, c)
+      ? ElementEliminate
+      : StatusOfCell(mesh, result, c);
   }
 }
 
@@ -488,7 +510,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   {
     TurnStatuses(result.Nodes);
   }
-  ClassifyElements(mesh, result);
+  ClassifyElements(mesh, surface, tolerance, result);
 
   // Decide, correct and treat, near the cut.
   const auto seeds = FindSeeds(mesh, result);

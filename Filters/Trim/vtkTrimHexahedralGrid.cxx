@@ -239,9 +239,12 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return 1;
   }
-  if (!inputs.SurfaceRemark().empty())
+  for (const std::string& remark : { inputs.SurfaceRemark(), inputs.GridRemark() })
   {
-    result.Warnings.insert(result.Warnings.begin(), inputs.SurfaceRemark());
+    if (!remark.empty())
+    {
+      result.Warnings.insert(result.Warnings.begin(), remark);
+    }
   }
   const bool renumber = this->RenumberNodes && trim::CanOrderNodes(inputs.Mesh().NumberOfCells);
   WriteOutputs(inputs, result, ranks,
