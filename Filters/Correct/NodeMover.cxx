@@ -166,17 +166,21 @@ NodeMove NodeMover::EndAtCorner(int node) const
     move.Target = this->TheBand.Point[node];
     return move;
   }
+  double nearest = std::numeric_limits<double>::infinity();
   for (const int first : constraint.RidgeEdges)
   {
     this->WalkRidge(node, first,
       [&](int, int to, double)
       {
-        if (isCorner(to, this->FreedomOf(to).Constraint))
+        const Vec3& corner = this->TheBand.Point[to];
+        const double away = (corner - this->TheBand.Point[node]).norm();
+        if (away < nearest && isCorner(to, this->FreedomOf(to).Constraint))
         {
+          nearest = away;
           move.Found = true;
-          move.Target = this->TheBand.Point[to];
+          move.Target = corner;
         }
-        return move.Found;
+        return away >= nearest;
       });
   }
   return move;

@@ -72,7 +72,7 @@ int SkinRing::NearestFace(const Vec3& x, const std::vector<int>& without, Vec3& 
       likely = i;
     }
   }
-  Vec3 onLikely;
+  Vec3 onLikely = x;
   const bool holds =
     likely < this->Faces.size() && this->Facets[likely].FindInside(x, InsideSlack, onLikely);
   const double atMost = holds ? (onLikely - x).norm() : std::numeric_limits<double>::infinity();

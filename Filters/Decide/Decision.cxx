@@ -135,7 +135,7 @@ void Decision::SetColumn(int column, char to, std::vector<char>& kept) const
 /// the surface only by leaving the border.
 void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<char>& kept) const
 {
-  // By column and the two pillars (in a block: nodes) that bound the side.
+  // By column and the two pillars that bound the side; in a block by element and face.
   std::map<std::array<int, 3>, bool> lostSides;
   for (std::size_t f = 0; f < this->TheBand.Faces.size(); ++f)
   {
@@ -146,14 +146,19 @@ void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<c
     {
       continue;
     }
-    std::array<int, 3> side{ this->TheColumns.Column[e], std::numeric_limits<int>::max(), -1 };
+    const bool ofColumn = this->TheColumns.HasThickness(e);
+    std::array<int, 3> side{ this->TheColumns.Column[e],
+      ofColumn ? std::numeric_limits<int>::max() : static_cast<int>(f), -1 };
     bool keeps = false;
     bool eliminates = false;
     for (int i = 0; i < face.Count; ++i)
     {
-      const int pillar = this->TheColumns.Pillar[face.Node[i]];
-      side[1] = std::min(side[1], pillar);
-      side[2] = std::max(side[2], pillar);
+      if (ofColumn)
+      {
+        const int pillar = this->TheColumns.Pillar[face.Node[i]];
+        side[1] = std::min(side[1], pillar);
+        side[2] = std::max(side[2], pillar);
+      }
       keeps |= this->TheBand.NodeStatus[face.Node[i]] == NodeKeep;
       eliminates |= this->TheBand.NodeStatus[face.Node[i]] == NodeEliminate;
     }

@@ -81,11 +81,11 @@ std::string FindRepeatedCell(const BandCells& band)
   }
   std::sort(keys.begin(), keys.end());
   const auto repeated = std::adjacent_find(keys.begin(), keys.end());
-  return repeated == keys.end()
-    ? std::string()
-    : "Several ranks have the same cell, at " + nurbs::PlaceText(ToVec3(repeated->front())) +
+  return repeated == keys.end() ? std::string()
+                                : "Several ranks have the same cell, or one has it twice, at " +
+      nurbs::PlaceText(ToVec3(repeated->front())) +
       ": distribute the grid, e.g. with Redistribute DataSet, and mark copies of other ranks' "
-      "cells as ghosts.";
+      "cells as ghosts, or remove one of two cells that are the same.";
 }
 
 }
