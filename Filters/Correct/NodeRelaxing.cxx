@@ -4,6 +4,7 @@
 #include "NodeMover.h"
 
 #include "Status.h"
+#include "SurfaceGaps.h"
 
 #include <Eigen/LU>
 
@@ -205,10 +206,14 @@ bool NodeMover::MeetCrease(
   double moved = std::numeric_limits<double>::infinity();
   for (int i = 0; i < MostCreaseSteps && moved > 0.1 * this->Precision; ++i)
   {
-    // Where the surface bends without an edge the normals come together.
+    // Where the surface bends without an edge the normals come together, and at a gap that counts
+    // as closed.
     Vec3 on = x, normal = a.Normal.cross(b.Normal).normalized();
-    if (a.Normal.dot(b.Normal) > CreaseCosine ||
-      (kind == ConstraintKind::Faces && !this->NearestFacet(freedom, x, on, &normal)))
+    if (a.Normal.dot(b.Normal) > CreaseCosine)
+    {
+      break;
+    }
+    if (kind == ConstraintKind::Faces && !this->NearestFacet(freedom, x, on, &normal))
     {
       return false;
     }
@@ -228,9 +233,22 @@ bool NodeMover::MeetCrease(
     a = this->Surface.ClosestPoint(x + CreaseApproach * (a.Point - x));
     b = this->Surface.ClosestPoint(x + CreaseApproach * (b.Point - x));
   }
-  return moved <= 0.1 * this->Precision &&
-    this->Surface.ClosestPoint(x).Distance <= 0.1 * this->Precision &&
-    (x - this->TheBand.Point[node]).norm() <= this->Reach(node);
+  if (moved > nurbs::WidestGapOf(this->Surface))
+  {
+    return false;
+  }
+  const nurbs::Foot foot = this->Surface.ClosestPoint(x);
+  if (moved > 0.1 * this->Precision || foot.Distance > 0.1 * this->Precision)
+  {
+    Vec3 on = x = foot.Point;
+    if (foot.Distance > nurbs::WidestGapOf(this->Surface) ||
+      (kind == ConstraintKind::Faces &&
+        !(this->NearestFacet(freedom, x, on, nullptr) && (on - x).norm() <= this->Precision)))
+    {
+      return false;
+    }
+  }
+  return (x - this->TheBand.Point[node]).norm() <= this->Reach(node);
 }
 
 /// The nearest place on the faces that a node may come to lie on, and, if asked for, their normal

@@ -106,7 +106,7 @@ std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurf
   }
   const double size = box.diagonal().norm();
   return std::make_unique<nurbs::TrimmingSurface>(
-    std::move(faces), GapShare * size, WidestGapShare * size);
+    std::move(faces), nurbs::GapShare * size, nurbs::WidestGapShare * size);
 }
 
 }

@@ -393,7 +393,7 @@ void MeasureBand(const Piece& piece, const nurbs::TrimmingSurface& surface, Trim
   const bool ends = piece.All.Any(std::any_of(feet.begin(), feet.end(),
     [](const nurbs::Foot& foot) { return foot.Kind == nurbs::FootKind::Border; }));
   std::array<int, 2> missed{ -1, -1 };
-  if (!MeasureShares(near.Mesh, near.Structure, surface, WidestGapOf(surface), near.Shares, missed))
+  if (!MeasureShares(near.Mesh, near.Structure, surface, nurbs::WidestGapOf(surface), near.Shares, missed))
   {
     const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
     result.Error = ends ? EndsInsideText(place) : SidesMixedUpText(place);

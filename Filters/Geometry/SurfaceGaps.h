@@ -7,7 +7,7 @@
 
 #include "TrimmingSurface.h"
 
-namespace trim
+namespace nurbs
 {
 
 /// Borders of faces that lie nearer than this share of the surface's diagonal are one edge.
@@ -18,7 +18,7 @@ constexpr double GapShare = 1e-5;
 constexpr double WidestGapShare = 4e-4;
 
 /// The same as a length.
-inline double WidestGapOf(const nurbs::TrimmingSurface& surface)
+inline double WidestGapOf(const TrimmingSurface& surface)
 {
   return WidestGapShare * surface.Bounds().diagonal().norm();
 }
