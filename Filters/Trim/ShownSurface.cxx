@@ -6,6 +6,8 @@
 #include <vtkCompositeDataSetRange.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace trim
@@ -15,9 +17,11 @@ namespace
 
 using nurbs::Vec3;
 
+/// Of all polygons together; one more of each poly data.
 constexpr vtkIdType Samples = 16;
-/// How far polygons may lie beside the surface, in diagonals of its box, and still show it.
-constexpr double LargestShift = 0.01;
+/// How far polygons may lie beside the surface, in diagonals of its box, and still show it, where
+/// their places are known as exactly.
+constexpr double LargestShift = 1e-5;
 
 std::vector<vtkPolyData*> PolygonsOf(vtkDataObject* data)
 {
@@ -92,29 +96,30 @@ nurbs::TrimmingSurface WithoutTrimLoops(const nurbs::TrimmingSurface& surface)
 std::vector<Vec3> SamplePolygons(vtkDataObject* data)
 {
   const auto polygons = PolygonsOf(data);
-  vtkIdType count = 0;
+  vtkIdType all = 0;
   for (vtkPolyData* leaf : polygons)
   {
-    count += leaf->GetNumberOfPoints();
+    all += leaf->GetNumberOfPoints();
   }
   std::vector<Vec3> points;
-  vtkIdType before = 0; // points of the leaves before
   for (vtkPolyData* leaf : polygons)
   {
-    const vtkIdType end = before + leaf->GetNumberOfPoints();
-    for (auto next = static_cast<vtkIdType>(points.size());
-         next < Samples && (next * count) / Samples < end; ++next)
+    const vtkIdType own = leaf->GetNumberOfPoints();
+    const vtkIdType samples = 1 + Samples * own / all;
+    for (vtkIdType i = 0; i < samples; ++i)
     {
-      points.emplace_back(leaf->GetPoint((next * count) / Samples - before));
+      points.emplace_back(leaf->GetPoint(i * own / samples));
     }
-    before = end;
   }
   return points;
 }
 
 std::string FindShift(const std::vector<Vec3>& shown, const nurbs::TrimmingSurface& surface)
 {
-  const double allowed = LargestShift * surface.Bounds().diagonal().norm();
+  const nurbs::Box3& box = surface.Bounds();
+  const double largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const double allowed = std::max(LargestShift * box.diagonal().norm(),
+    4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * largest);
   Stray stray = FindFarthest(shown, surface);
   if (stray.Distance > allowed && HasTrimLoops(surface))
   {

@@ -16,7 +16,7 @@ class vtkDataObject;
 namespace trim
 {
 
-/// A few points of the polygons of poly data, or of all poly data of a composite.
+/// A few points of the polygons of poly data, or of each poly data of a composite.
 std::vector<nurbs::Vec3> SamplePolygons(vtkDataObject* data);
 
 /// What is wrong if points do not lie on the surface; empty: nothing.

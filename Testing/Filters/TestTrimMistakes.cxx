@@ -76,13 +76,25 @@ void TestMovedSurface()
       "moved: " + what + ": another result");
   };
   expectAlarm("by an element", Shifted(surface.Data, mesh.Box.ElementSize), true);
-  expectAlarm("by a thousandth of one", Shifted(surface.Data, 1e-3 * mesh.Box.ElementSize), false);
+  expectAlarm("by a hundredth of one", Shifted(surface.Data, 1e-2 * mesh.Box.ElementSize), true);
+  expectAlarm("by rounding", Shifted(surface.Data, 1e-6 * mesh.Box.ElementSize), false);
   const auto bare = Shifted(surface.Data, mesh.Box.ElementSize);
   bare->SetPolys(nullptr);
   expectAlarm("no polygons", bare, false);
   vtkNew<vtkMultiBlockDataSet> group;
   group->SetBlock(0, Shifted(surface.Data, 100));
   expectAlarm("in a group", group, true);
+  // One small face among others that are where they were.
+  const Surface shell = MakeSurface("roundrect", mesh.Box, Placement());
+  vtkNew<vtkMultiBlockDataSet> faces;
+  faces->ShallowCopy(shell.Data);
+  Surface given = shell;
+  given.Data = faces;
+  Expect(!Says(RunTrim(mesh, given, TrimOptions()).Warnings, MovedPhrase),
+    "moved: an alarm for a shell as it was made");
+  faces->SetBlock(3, Shifted(faces->GetBlock(3), 1.0));
+  Expect(Says(RunTrim(mesh, given, TrimOptions()).Warnings, MovedPhrase),
+    "moved: one face of a shell: no word of it");
   // As Append Geometry leaves two surfaces: the polygons of both, and the definition of one.
   const auto both = Shifted(surface.Data, 0);
   const vtkIdType count = both->GetNumberOfPoints();
