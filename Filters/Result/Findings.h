@@ -38,12 +38,16 @@ enum class Shortfall : unsigned char
   CameInvalid = 4 ///< inside out or without volume, as it was before the trim
 };
 
+inline bool IsGraver(Shortfall a, Shortfall b)
+{
+  constexpr int gravity[] = { 0, 2, 1, 3, 4 };
+  return gravity[static_cast<int>(a)] > gravity[static_cast<int>(b)];
+}
+
 /// Lists by ascending id in the input; whoever is not listed has the value zero.
 struct Findings
 {
   std::vector<std::pair<Id, Feasibility>> Feasibilities;
-  std::vector<std::pair<Id, Shortfall>> Shortfalls;
-  std::vector<std::pair<Id, Shortfall>> ShortfallsOfOffcut; ///< by element of the input
   /// Distance to the surface of the nodes that should lie on it and were left off.
   std::vector<std::pair<Id, float>> DistancesLeft;
   /// Nodes at which kept part and offcut do not add up, see FindCornersLost; none if no offcut is

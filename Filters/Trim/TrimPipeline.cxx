@@ -393,7 +393,8 @@ void MeasureBand(const Piece& piece, const nurbs::TrimmingSurface& surface, Trim
   const bool ends = piece.All.Any(std::any_of(feet.begin(), feet.end(),
     [](const nurbs::Foot& foot) { return foot.Kind == nurbs::FootKind::Border; }));
   std::array<int, 2> missed{ -1, -1 };
-  if (!MeasureShares(near.Mesh, near.Structure, surface, nurbs::WidestGapOf(surface), near.Shares, missed))
+  if (!MeasureShares(
+        near.Mesh, near.Structure, surface, nurbs::WidestGapOf(surface), near.Shares, missed))
   {
     const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
     result.Error = ends ? EndsInsideText(place) : SidesMixedUpText(place);
@@ -463,14 +464,10 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     {
       near.NodesBeside = FindNodesBeside(near, surface);
     }
-    result.Found.Shortfalls =
-      ById(near.Shortfalls, [&near](int e) { return CellOf(near.Mesh, e); });
     if (options.OfBand.ProduceOffcut)
     {
       near.ShortfallsOfRest = FindShortfallsOfOffcut(near, near.NodesLeft);
       near.CornersLost = FindCornersLost(near);
-      result.Found.ShortfallsOfOffcut =
-        ById(near.ShortfallsOfRest, [&near](int e) { return near.Mesh.Elements[e].Global; });
       result.Found.CornersLost =
         ById(near.CornersLost, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     }

@@ -7,6 +7,8 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+
 namespace trim
 {
 namespace
@@ -44,7 +46,28 @@ void AddPointFindings(const Findings& findings, const Selection& ids, vtkPointDa
 void AddCellFindings(const Findings& findings, const Selection& ids, vtkCellData* cellData)
 {
   AddListed<vtkUnsignedCharArray>("Feasibility", findings.Feasibilities, ids, cellData);
-  AddListed<vtkUnsignedCharArray>("Shortfall", findings.Shortfalls, ids, cellData);
+}
+
+void AddShortfalls(std::vector<std::pair<Id, Shortfall>> found, Id cells, vtkCellData* cellData)
+{
+  // The gravest of each place first.
+  const auto isBefore = [](const auto& a, const auto& b)
+  { return a.first != b.first ? a.first < b.first : IsGraver(a.second, b.second); };
+  const auto atOnePlace = [](const auto& a, const auto& b) { return a.first == b.first; };
+  std::sort(found.begin(), found.end(), isBefore);
+  found.erase(std::unique(found.begin(), found.end(), atOnePlace), found.end());
+  std::vector<Id> places;
+  std::vector<unsigned char> values;
+  for (const auto& item : found)
+  {
+    if (item.first >= 0)
+    {
+      places.push_back(item.first);
+      values.push_back(static_cast<unsigned char>(item.second));
+    }
+  }
+  const auto set = [&values](Id i, unsigned char* value) { *value = values[i]; };
+  AddSparseArray<vtkUnsignedCharArray>("Shortfall", cells, 1, places, set, cellData);
 }
 
 }

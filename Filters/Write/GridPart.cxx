@@ -339,12 +339,12 @@ void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructured
 }
 
 void AddStatusesAndFindings(const TrimResult& result, const GridPart& part, const MovedNodes& moved,
-  const Findings& findings, vtkUnstructuredGrid* output)
+  vtkUnstructuredGrid* output)
 {
   AddPointStatuses(result, moved, part.PointIds(), output->GetPointData());
   AddCellStatuses(result, part.CellIds(), output->GetCellData());
-  AddPointFindings(findings, part.PointIds(), output->GetPointData());
-  AddCellFindings(findings, part.CellIds(), output->GetCellData());
+  AddPointFindings(result.Found, part.PointIds(), output->GetPointData());
+  AddCellFindings(result.Found, part.CellIds(), output->GetCellData());
   ColourByStatus(output);
 }
 

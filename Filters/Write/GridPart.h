@@ -239,7 +239,7 @@ void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructured
 
 /// The statuses and findings of the part's points and cells.
 void AddStatusesAndFindings(const TrimResult& result, const GridPart& part, const MovedNodes& moved,
-  const Findings& findings, vtkUnstructuredGrid* output);
+  vtkUnstructuredGrid* output);
 
 }
 

@@ -1,5 +1,6 @@
 #include "OffcutGrid.h"
 
+#include "FindingArrays.h"
 #include "GridPart.h"
 #include "MapValues.h"
 #include "PartQuality.h"
@@ -90,6 +91,27 @@ bool IsDivided(const TrimResult& result)
       sameElement) != result.Near->Rest.Elements.end();
 }
 
+/// By place in the offcut.
+std::vector<std::pair<Id, Shortfall>> ShortfallsAt(const TrimResult& result, const GridPart& part)
+{
+  std::vector<std::pair<Id, Shortfall>> found;
+  for (Id i = 0; i < part.Cells.size(); ++i)
+  {
+    if (part.InBand[i] >= 0)
+    {
+      const auto& list = result.Near->ShortfallsOfRest;
+      const int element = result.Near->Rest.Elements[part.InBand[i]].Element;
+      const auto at = std::lower_bound(
+        list.begin(), list.end(), element, [](const auto& item, int e) { return item.first < e; });
+      if (at != list.end() && at->first == element)
+      {
+        found.emplace_back(i, at->second);
+      }
+    }
+  }
+  return found;
+}
+
 void AddFieldData(const Summary& summary, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkFieldData> all;
@@ -128,9 +150,8 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   {
     MapValues(input, ranks, part, moved, shapes, output);
   }
-  Findings found = result.Found;
-  found.Shortfalls = result.Found.ShortfallsOfOffcut;
-  AddStatusesAndFindings(result, part, moved, found, output);
+  AddStatusesAndFindings(result, part, moved, output);
+  AddShortfalls(ShortfallsAt(result, part), part.Cells.size(), output->GetCellData());
   if (IsDivided(result))
   {
     ForgetGlobalIds(output->GetCellData());

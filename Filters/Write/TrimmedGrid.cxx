@@ -200,6 +200,21 @@ std::vector<Id> CellsOfBand(const TrimResult& result)
   return cells;
 }
 
+/// Of the elements of the band, by place in an output.
+template <typename ToPlace>
+std::vector<std::pair<Id, Shortfall>> ShortfallsAt(const TrimResult& result, const ToPlace& toPlace)
+{
+  std::vector<std::pair<Id, Shortfall>> found;
+  if (result.Near)
+  {
+    for (const auto& item : result.Near->Shortfalls)
+    {
+      found.emplace_back(toPlace(item.first), item.second);
+    }
+  }
+  return found;
+}
+
 }
 
 void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
@@ -232,12 +247,15 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   {
     MapValues(input, ranks, kept, moved, shapes, output);
   }
-  AddStatusesAndFindings(result, kept, moved, result.Found, output);
+  AddStatusesAndFindings(result, kept, moved, output);
   if (options.InsertLayer)
   {
     AddInserted(result, kept, output);
   }
-  AddRescues(result, kept.Cells.size(), PlacesInBand(kept, shapes.Count), output->GetCellData());
+  const auto placeOf = PlacesInBand(kept, shapes.Count);
+  AddRescues(result, kept.Cells.size(), placeOf, output->GetCellData());
+  AddShortfalls(ShortfallsAt(result, [&placeOf](int e) { return placeOf[e]; }), kept.Cells.size(),
+    output->GetCellData());
   AddScaledJacobians(mesh, kept, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, kept, shapes, ranks);
   SummariseTouched(shapes, summary);
@@ -258,6 +276,8 @@ void WriteStatusGrid(
   AddCellStatuses(result, cells, output->GetCellData());
   AddRescues(result, cells.size(), CellsOfBand(result), output->GetCellData());
   AddCellFindings(result.Found, cells, output->GetCellData());
+  AddShortfalls(ShortfallsAt(result, [&result](int e) { return CellOf(result.Near->Mesh, e); }),
+    cells.size(), output->GetCellData());
   ColourByStatus(output);
 }
 

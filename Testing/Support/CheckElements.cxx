@@ -276,6 +276,24 @@ void CheckFloor(const Evidence& e, Report& report)
   }
 }
 
+void CheckShortfalls(const Evidence& e, Report& report)
+{
+  vtkDataArray* shortfall = e.Case.Trimmed->GetCellData()->GetArray("Shortfall");
+  vtkDataArray* left = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
+  constexpr int leftOff = 2;
+  for (Id c = 0; shortfall && left && c < static_cast<Id>(e.Out.Elements.size()); ++c)
+  {
+    const auto& element = e.Out.Elements[c];
+    const bool hasLeft = std::any_of(element.Node.begin(), element.Node.begin() + element.Size,
+      [left](Id p) { return left->GetComponent(p, 0) > 0; });
+    const double value = shortfall->GetComponent(c, 0);
+    if (hasLeft ? value == 0 : value == leftOff)
+    {
+      report.Fail("Shortfall", Cell(c), value, hasLeft ? leftOff : 0);
+    }
+  }
+}
+
 void CheckSummary(const Evidence& e, Report& report)
 {
   const auto inserted =

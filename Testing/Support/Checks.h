@@ -138,6 +138,8 @@ void CheckBoundary(const Evidence& evidence, Report& report);
 /// The quality floor: every touched element that had it before has it, but for the straight
 /// corners of elements that are not made wedges.
 void CheckFloor(const Evidence& evidence, Report& report);
+/// Shortfall of port 0 tells of the elements at nodes left off, and of no others.
+void CheckShortfalls(const Evidence& evidence, Report& report);
 /// Jacobians, collapse, coincident nodes.
 void CheckElements(const Evidence& evidence, Report& report);
 /// All arrays of the input, by original ids, with attributes and names, on both ports.

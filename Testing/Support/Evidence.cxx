@@ -281,6 +281,7 @@ void JudgeAll(const Evidence& evidence, Report& report)
   CheckBoundary(evidence, report);
   CheckElements(evidence, report);
   CheckFloor(evidence, report);
+  CheckShortfalls(evidence, report);
   CheckCarriedArrays(evidence, report);
   CheckSummary(evidence, report);
   CheckNumbering(evidence, report);

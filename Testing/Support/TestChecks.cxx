@@ -130,6 +130,9 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
     grid->GetPointData(), "vtkOriginalPointIds", 1, n, [&](vtkIdType i, int) { return points[i]; });
   Fill<vtkIdTypeArray>(
     grid->GetCellData(), "vtkOriginalCellIds", 1, m, [&](vtkIdType c, int) { return cells[c]; });
+  const auto zero = [](vtkIdType, int) { return 0; };
+  Fill<vtkFloatArray>(grid->GetPointData(), "DistanceLeft", 1, n, zero);
+  Fill<vtkUnsignedCharArray>(grid->GetCellData(), "Shortfall", 1, m, zero);
   Fill<vtkFloatArray>(grid->GetCellData(), "ScaledJacobian", 1, m,
     [&](vtkIdType c, int) {
       return cells[c] % 6 == 2 ? vtkMeshQuality::HexScaledJacobian(grid->GetCell(c)) : std::nan("");
@@ -219,6 +222,10 @@ std::vector<Fault> StatusFaults()
       [](Grid*, Grid* w) { SetValue(w->GetCellData(), "Rescue", 4, 1); } },
     { "Rescue", "a rung that the summary does not have",
       [](Grid*, Grid* w) { SetValue(w->GetCellData(), "Rescue", 5, 4); } },
+    { "Shortfall", "a node left off that is not",
+      [](Grid* t, Grid*) { SetValue(t->GetCellData(), "Shortfall", 2, 2); } },
+    { "Shortfall", "nothing told of a node left off",
+      [](Grid* t, Grid*) { SetValue(t->GetPointData(), "DistanceLeft", 0, 0.1); } },
     { "SignedDistance", "wrong by a hundredth",
       [](Grid*, Grid* w) { SetValue(w->GetPointData(), "SignedDistance", 3, -0.41); } },
     { "SignedDistance", "missing at a cut element",
