@@ -58,6 +58,19 @@ vtkSmartPointer<vtkAbstractArray> Gather(
 
 }
 
+std::vector<int> RolesOf(vtkDataSetAttributes* data, vtkAbstractArray* array)
+{
+  std::vector<int> roles;
+  for (int role = 0; role < vtkDataSetAttributes::NUM_ATTRIBUTES; ++role)
+  {
+    if (data->GetAbstractAttribute(role) == array)
+    {
+      roles.push_back(role);
+    }
+  }
+  return roles;
+}
+
 void GatherAttributes(
   vtkDataSetAttributes* source, const vtkIdType* ids, vtkIdType count, vtkDataSetAttributes* target)
 {
@@ -65,12 +78,9 @@ void GatherAttributes(
   {
     vtkAbstractArray* array = source->GetAbstractArray(i);
     const int index = target->AddArray(Gather(array, ids, count));
-    for (int role = 0; role < vtkDataSetAttributes::NUM_ATTRIBUTES; ++role)
+    for (const int role : RolesOf(source, array))
     {
-      if (source->GetAbstractAttribute(role) == array)
-      {
-        target->SetActiveAttribute(index, role);
-      }
+      target->SetActiveAttribute(index, role);
     }
   }
 }

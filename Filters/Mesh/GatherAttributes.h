@@ -8,10 +8,17 @@
 
 #include <vtkType.h>
 
+#include <vector>
+
+class vtkAbstractArray;
 class vtkDataSetAttributes;
 
 namespace trim
 {
+
+/// What an array is to its data set: active scalars, global ids...; VTK's own IsArrayAnAttribute
+/// knows of one role alone.
+std::vector<int> RolesOf(vtkDataSetAttributes* data, vtkAbstractArray* array);
 
 /// target gets, for each array of source, the tuples at the `count` `ids`, in this order.
 void GatherAttributes(vtkDataSetAttributes* source, const vtkIdType* ids, vtkIdType count,

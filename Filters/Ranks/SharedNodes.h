@@ -48,6 +48,9 @@ struct Piece
 {
   const Ranks& All;
   const SharedNodes& Shared;
+  const std::vector<Id>& InputCells; ///< ids in the input of the mesh's cells; empty: the same
+
+  Id InputCell(Id cell) const { return this->InputCells.empty() ? cell : this->InputCells[cell]; }
 };
 
 }

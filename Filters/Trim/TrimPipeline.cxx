@@ -337,7 +337,7 @@ void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurf
 }
 
 /// What is wrong where two elements have the same nodes; empty: there are none.
-std::string FindRepeatedElement(const Band& band)
+std::string FindRepeatedElement(const Band& band, const Piece& piece)
 {
   // Elements are in the order of their nodes.
   for (int e = 1; e < band.NumberOfElements(); ++e)
@@ -347,7 +347,8 @@ std::string FindRepeatedElement(const Band& band)
     if (one.Count == other.Count &&
       std::is_permutation(one.Node.begin(), one.Node.begin() + one.Count, other.Node.begin()))
     {
-      return "Cells " + std::to_string(one.Global) + " and " + std::to_string(other.Global) +
+      return "Cells " + std::to_string(piece.InputCell(one.Global)) + " and " +
+        std::to_string(piece.InputCell(other.Global)) +
         " of the grid have the same nodes: remove one of them.";
     }
   }
@@ -369,7 +370,7 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
       return false;
     }
     near = std::make_unique<TrimBand>(Band(std::move(cells), rings, singlePrecision));
-    result.Error = FindRepeatedElement(near->Mesh);
+    result.Error = FindRepeatedElement(near->Mesh, piece);
     if (!result.Error.empty())
     {
       return false;

@@ -5,6 +5,7 @@
 #include "Status.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 namespace trim
@@ -98,7 +99,7 @@ void WarnOfFeasibilities(const HexMesh& mesh, const Piece& piece, TrimResult& re
     {
       if (item.second == text.Value && own.Number++ == 0)
       {
-        own.Cell = piece.All.Alone() ? item.first : Id(-1);
+        own.Cell = piece.All.Alone() ? piece.InputCell(item.first) : Id(-1);
         own.At = ToPlace(mesh.Point(mesh.FirstNode(item.first)));
       }
     }
@@ -127,7 +128,7 @@ void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Short
       {
         const Band& band = result.Near->Mesh;
         const auto& element = band.Elements[item.first];
-        count.Cell = piece.All.Alone() ? CellOf(band, item.first) : Id(-1);
+        count.Cell = piece.All.Alone() ? piece.InputCell(CellOf(band, item.first)) : Id(-1);
         count.At = ToPlace(result.Near->Mesh.Point[element.Node[0]]);
       }
     }
@@ -140,8 +141,10 @@ std::string FarthestText(const Band& band, const std::vector<std::pair<int, floa
 {
   const auto farthest = std::max_element(
     nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return " The farthest, " + std::to_string(farthest->second) + " away, is at " +
-    nurbs::PlaceText(band.Point[farthest->first]) + ".";
+  std::ostringstream text;
+  text << " The farthest, " << farthest->second << " away, is at "
+       << nurbs::PlaceText(band.Point[farthest->first]) << ".";
+  return text.str();
 }
 
 void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)

@@ -228,8 +228,8 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const trim::TrimInputs& inputs = *this->Inputs;
-  trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(), { ranks, inputs.Shared() },
-    inputs.Surface(), options, progress);
+  trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(),
+    { ranks, inputs.Shared(), inputs.Own().Cells }, inputs.Surface(), options, progress);
   if (!result.Error.empty())
   {
     return this->Refuse(

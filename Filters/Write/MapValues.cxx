@@ -51,9 +51,8 @@ bool IsMapped(vtkDataSetAttributes* attributes, int index)
 {
   vtkAbstractArray* array = attributes->GetAbstractArray(index);
   const int type = array->GetDataType();
-  const int role = attributes->IsArrayAnAttribute(index);
   return array->GetName() && (type == VTK_FLOAT || type == VTK_DOUBLE) &&
-    role != vtkDataSetAttributes::GLOBALIDS && role != vtkDataSetAttributes::PEDIGREEIDS;
+    array != attributes->GetGlobalIds() && array != attributes->GetPedigreeIds();
 }
 
 /// The names of the arrays to map on any rank, ascending.

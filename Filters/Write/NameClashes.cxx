@@ -1,5 +1,6 @@
 #include "NameClashes.h"
 
+#include "GatherAttributes.h"
 #include "Summary.h"
 
 #include <vtkCellData.h>
@@ -10,6 +11,7 @@
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,27 +20,45 @@ namespace trim
 namespace
 {
 
-using Names = std::vector<std::string>;
+/// An array that the trim writes. What has its name but another type is not the trim's.
+struct OwnArray
+{
+  std::string Name;
+  int Type;
+  int Components = 1;
+
+  bool Is(vtkAbstractArray* array) const
+  {
+    return array && array->GetDataType() == this->Type &&
+      array->GetNumberOfComponents() == this->Components;
+  }
+};
+using OwnArrays = std::vector<OwnArray>;
 
 /// VTK's own names, which many filters leave behind: not worth a warning.
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
-const Names OfPoints{ "NodeStatus", "SignedDistance", "Displacement", "CorrectionApplied",
-  "DistanceLeft", "CornerLost", OriginalPoints };
-const Names OfCells{ "ElementStatus", "EliminatedFraction", "ScaledJacobian", "Rescue",
-  "Feasibility", "Shortfall", OriginalCells };
-constexpr const char* Inserted = "Inserted";
+const OwnArrays OfPoints{ { "NodeStatus", VTK_UNSIGNED_CHAR }, { "SignedDistance", VTK_FLOAT },
+  { "Displacement", VTK_FLOAT, 3 }, { "CorrectionApplied", VTK_UNSIGNED_CHAR },
+  { "DistanceLeft", VTK_FLOAT }, { "CornerLost", VTK_UNSIGNED_CHAR },
+  { OriginalPoints, VTK_ID_TYPE } };
+const OwnArrays OfCells{ { "ElementStatus", VTK_UNSIGNED_CHAR },
+  { "EliminatedFraction", VTK_FLOAT }, { "ScaledJacobian", VTK_FLOAT },
+  { "Rescue", VTK_UNSIGNED_CHAR }, { "Feasibility", VTK_UNSIGNED_CHAR },
+  { "Shortfall", VTK_UNSIGNED_CHAR }, { OriginalCells, VTK_ID_TYPE } };
+const OwnArray Inserted{ "Inserted", VTK_UNSIGNED_CHAR };
 
-Names EntriesOfSummary()
+OwnArrays EntriesOfSummary()
 {
   vtkNew<vtkFieldData> entries;
   Summary().AddTo(entries);
-  Names names;
+  OwnArrays arrays;
   for (int i = 0; i < entries->GetNumberOfArrays(); ++i)
   {
-    names.emplace_back(entries->GetArrayName(i));
+    vtkAbstractArray* entry = entries->GetAbstractArray(i);
+    arrays.push_back({ entry->GetName(), entry->GetDataType(), entry->GetNumberOfComponents() });
   }
-  return names;
+  return arrays;
 }
 
 /// Whether an earlier trim has made the grid, or what it was made from: filters between the two may
@@ -50,16 +70,10 @@ bool IsTrimmed(vtkUnstructuredGrid* grid)
       grid->GetPointData()->HasArray("CorrectionApplied"));
 }
 
-bool HasAny(vtkFieldData* data, const Names& names)
+bool HasAny(vtkFieldData* data, const OwnArrays& arrays)
 {
-  for (const std::string& name : names)
-  {
-    if (data->HasArray(name.c_str()))
-    {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(arrays.begin(), arrays.end(),
+    [data](const OwnArray& own) { return data->HasArray(own.Name.c_str()) != 0; });
 }
 
 /// Another array with the same values.
@@ -79,37 +93,30 @@ vtkSmartPointer<vtkAbstractArray> Renamed(vtkAbstractArray* array, const std::st
   return renamed;
 }
 
-/// Adds an array; of points and cells it has the role that another one had.
-void AddInRole(vtkFieldData* data, vtkAbstractArray* array, int role)
-{
-  const int index = data->AddArray(array);
-  auto* attributes = vtkDataSetAttributes::SafeDownCast(data);
-  if (attributes && role >= 0)
-  {
-    attributes->SetActiveAttribute(index, role);
-  }
-}
-
 /// @param[in,out] told what has been renamed, before this and after.
-void Rename(vtkFieldData* data, const Names& names, const char* what, std::string& told)
+void Rename(vtkFieldData* data, const OwnArrays& arrays, const char* what, std::string& told)
 {
-  for (const std::string& name : names)
+  for (const OwnArray& own : arrays)
   {
-    int index = -1;
-    vtkSmartPointer<vtkAbstractArray> array = data->GetAbstractArray(name.c_str(), index);
+    const std::string& name = own.Name;
+    vtkSmartPointer<vtkAbstractArray> array = data->GetAbstractArray(name.c_str());
     if (!array)
     {
       continue;
     }
     auto* attributes = vtkDataSetAttributes::SafeDownCast(data);
-    const int role = attributes ? attributes->IsArrayAnAttribute(index) : -1;
+    const auto roles = attributes ? RolesOf(attributes, array) : std::vector<int>();
     std::string other = "Input" + name;
     while (data->HasArray(other.c_str()))
     {
       other = "Input" + other;
     }
     data->RemoveArray(name.c_str());
-    AddInRole(data, Renamed(array, other), role);
+    const int index = data->AddArray(Renamed(array, other));
+    for (const int role : roles)
+    {
+      attributes->SetActiveAttribute(index, role);
+    }
     if (name != OriginalPoints && name != OriginalCells)
     {
       told += (told.empty() ? "" : ", ") + name + " (" + what + ")";
@@ -117,11 +124,15 @@ void Rename(vtkFieldData* data, const Names& names, const char* what, std::strin
   }
 }
 
-void Remove(vtkFieldData* data, const Names& names)
+/// Removes what an earlier trim has written.
+void Remove(vtkFieldData* data, const OwnArrays& arrays)
 {
-  for (const std::string& name : names)
+  for (const OwnArray& own : arrays)
   {
-    data->RemoveArray(name.c_str());
+    if (own.Is(data->GetAbstractArray(own.Name.c_str())))
+    {
+      data->RemoveArray(own.Name.c_str());
+    }
   }
 }
 
@@ -132,13 +143,13 @@ vtkSmartPointer<vtkUnstructuredGrid> ResolveNameClashes(
 {
   warning.clear();
   const bool isTrimmed = IsTrimmed(input);
-  Names ofPoints = OfPoints, ofCells = OfCells;
+  OwnArrays ofPoints = OfPoints, ofCells = OfCells;
   if (insertsLayer || isTrimmed)
   {
-    ofPoints.emplace_back(Inserted);
-    ofCells.emplace_back(Inserted);
+    ofPoints.push_back(Inserted);
+    ofCells.push_back(Inserted);
   }
-  const Names ofSummary = EntriesOfSummary();
+  const OwnArrays ofSummary = EntriesOfSummary();
   if (!HasAny(input->GetPointData(), ofPoints) && !HasAny(input->GetCellData(), ofCells) &&
     !HasAny(input->GetFieldData(), ofSummary))
   {
@@ -151,7 +162,6 @@ vtkSmartPointer<vtkUnstructuredGrid> ResolveNameClashes(
     Remove(grid->GetPointData(), ofPoints);
     Remove(grid->GetCellData(), ofCells);
     Summary::RemoveFrom(grid->GetFieldData());
-    return grid;
   }
   Rename(grid->GetPointData(), ofPoints, "points", warning);
   Rename(grid->GetCellData(), ofCells, "cells", warning);

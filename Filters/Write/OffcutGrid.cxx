@@ -159,6 +159,7 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   AddScaledJacobians(mesh, part, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, part, shapes, ranks);
   SummariseTouched(shapes, summary);
+  output->GetFieldData()->ShallowCopy(input->GetFieldData());
   AddFieldData(summary, output);
 }
 

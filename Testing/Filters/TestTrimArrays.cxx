@@ -7,6 +7,7 @@
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -95,7 +96,16 @@ void TestNameClashes(Mesh mesh, const Surface& surface)
   grid->GetPointData()->SetActiveScalars("Displacement");
   TrimOptions options;
   options.MapValues = true;
+  options.ProduceOffcut = true;
+  // Two roles of one array.
+  vtkDataArray* const ids = grid->GetCellData()->GetGlobalIds();
+  grid->GetCellData()->SetActiveScalars(ids->GetName());
   const Outcome outcome = RunTrim(mesh, surface, options);
+  Expect(outcome.Case.Trimmed->GetCellData()->GetGlobalIds() &&
+      outcome.Case.Trimmed->GetCellData()->GetGlobalIds() ==
+        outcome.Case.Trimmed->GetCellData()->GetScalars(),
+    "names: an array has lost a role");
+  Expect(IsFilled(outcome.Offcut->GetFieldData(), "InputVolume", 12), "names: of the offcut");
   Expect(outcome.Warnings.size() == 1 &&
       outcome.Warnings.front().find("Displacement (points), ScaledJacobian (cells), Volume") !=
         std::string::npos,
@@ -123,7 +133,8 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
   options.InsertLayer = true;
   Mesh next = mesh;
   next.Grid = RunTrim(mesh, surface, options).Case.Trimmed;
-  AddFilled<vtkFloatArray>(next.Grid->GetCellData(), "Inserted", next.Grid->GetNumberOfCells(), 1);
+  AddFilled<vtkUnsignedCharArray>(
+    next.Grid->GetCellData(), "Inserted", next.Grid->GetNumberOfCells(), 1);
   options.InsertLayer = false;
   Placement at;
   at.X = 0.31;
@@ -132,6 +143,15 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
   Expect(!outcome.Case.Trimmed->GetCellData()->HasArray("Inserted"), "names: Inserted is stale");
   Expect(!outcome.Case.Trimmed->GetPointData()->HasArray("InputDisplacement"),
     "names: an earlier trim's displacement stays");
+
+  // A solver has written its own in between.
+  next.Grid->GetPointData()->RemoveArray("Displacement");
+  AddFilled<vtkDoubleArray>(
+    next.Grid->GetPointData(), "Displacement", next.Grid->GetNumberOfPoints(), 7);
+  const Outcome solved = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
+  Expect(IsFilled(solved.Case.Trimmed->GetPointData(), "InputDisplacement", 7) &&
+      solved.Warnings.size() == 1,
+    "names: a solver's displacement is lost after an earlier trim");
 }
 
 // Points and data that come as an array for each component are taken as they are.

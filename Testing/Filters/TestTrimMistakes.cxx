@@ -170,6 +170,20 @@ void TestRepeated()
   Expect(outcome.Errors.size() == 1 && Says(outcome.Errors, "have the same nodes") &&
       outcome.Case.Trimmed->GetNumberOfCells() == 0,
     "repeated: not one error: " + (outcome.Errors.empty() ? "none" : outcome.Errors[0]));
+
+  // Numbers in messages are those of the input, where ghost cells before them are left out too.
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(twice->GetNumberOfCells());
+  ghosts->FillComponent(0, 0);
+  for (const vtkIdType ghost : { 0, 1, 2 })
+  {
+    ghosts->SetValue(ghost, vtkDataSetAttributes::DUPLICATECELL);
+  }
+  twice->GetCellData()->AddArray(ghosts);
+  const std::string text =
+    "Cells 7 and " + std::to_string(twice->GetNumberOfCells() - 1) + " of the grid";
+  Expect(Says(RunTrim(mesh, plane, TrimOptions()).Errors, text), "repeated: other cells are named");
 }
 
 // Inserted elements have the arrays of those on which they stand, but no two cells one global id.

@@ -69,7 +69,7 @@ void TestAbortOfClassification()
   {
     trim::NodeClassification nodes;
     const bool done = trim::ClassifyNodes(
-      view, blocks, { alone, none }, trimming, 1e-9, [stop] { return stop; }, nodes, error);
+      view, blocks, { alone, none, {} }, trimming, 1e-9, [stop] { return stop; }, nodes, error);
     Expect(done != stop && error.empty(), "abort of classification: goes on, or an error");
   }
 }

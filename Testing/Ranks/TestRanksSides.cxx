@@ -114,7 +114,7 @@ void TestVotes()
       shared.LocalByNumber = shared.Local;
       std::vector<trim::NodeVote> votes{ { shared.Local[0],
         { rank == 0 ? 2.0 : 1.0, {}, rank == 0 ? trim::NodeKeep : trim::NodeEliminate } } };
-      trim::ShareVotes({ ranks, shared }, votes);
+      trim::ShareVotes({ ranks, shared, {} }, votes);
       trim::SideVote best;
       for (const auto& vote : votes)
       {
