@@ -156,7 +156,7 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
   }
   const auto& axes = result.Near->SheetAxis;
   const bool inBlock = std::any_of(axes.begin(), axes.end(), [](int axis) { return axis < 0; });
-  const bool mayInsert = inBlock && !options.MayInsert();
+  const bool mayInsert = (inBlock || options.InsertLayer) && !options.MayInsert();
   const char* const insert =
     options.ProduceOffcut ? "try InsertLayer without ProduceOffcut, " : "try InsertLayer, ";
   const bool hasFloor = options.Ladder.QualityFloor > 0;

@@ -24,24 +24,38 @@
 #include <array>
 #include <cmath>
 #include <new>
+#include <sstream>
 #include <string>
 #include <utility>
 
 namespace
 {
 
-/// The setters' limits let NaN through.
-std::string FindOptionDefect(const trim::TrimOptions& options)
+/// What is wrong with the options; empty: nothing.
+std::string FindOptionDefect(int correctionType, int optimization, const trim::TrimOptions& options)
 {
-  const std::pair<const char*, double> shares[] = { { "EliminationFraction",
-                                                      options.OfBand.Ladder.EliminationFraction },
-    { "MinimumScaledJacobian", options.OfBand.Ladder.QualityFloor },
-    { "Tolerance", options.Tolerance } };
-  for (const auto& share : shares)
+  struct Number
   {
-    if (!std::isfinite(share.second))
+    const char* Name;
+    double Value, Least, Most;
+    const char* Advice;
+  };
+  const auto& ladder = options.OfBand.Ladder;
+  const char* const share = "a number from 0 to 1";
+  const Number numbers[] = {
+    { "CorrectionType", static_cast<double>(correctionType), 1, 3, "1, 2 or 3" },
+    { "Optimization", static_cast<double>(optimization), 0, 2, "0, 1 or 2" },
+    { "EliminationFraction", ladder.EliminationFraction, 0, 1, share },
+    { "MinimumScaledJacobian", ladder.QualityFloor, 0, 1, share },
+    { "Tolerance", options.Tolerance, 0, 1, share },
+  };
+  for (const Number& number : numbers)
+  {
+    if (!(number.Value >= number.Least && number.Value <= number.Most))
     {
-      return std::string(share.first) + " is not a number: give one from 0 to 1.";
+      std::ostringstream text;
+      text << number.Name << " is " << number.Value << ": give " << number.Advice << ".";
+      return text.str();
     }
   }
   const bool near = options.KeepPoint.cwiseAbs().maxCoeff() < trim::LargestCoordinate;
@@ -202,7 +216,7 @@ int vtkTrimHexahedralGrid::Trim(
     trim::Summary::RemoveFrom(output->GetFieldData());
   }
   const trim::TrimOptions options = this->Options();
-  std::string error = FindOptionDefect(options);
+  std::string error = FindOptionDefect(this->CorrectionType, this->Optimization, options);
   if (!error.empty() ||
     !this->Inputs->Take(
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), ranks, error))

@@ -26,7 +26,8 @@
  *   surface;
  * - Feasibility (unsigned char, cells): where the surface breaks an assumption of the method, 0
  *   nowhere, 1 sharp bend, or an edge without a node, 2 inclined to the skin, 3 narrow hole,
- *   4 edge crossed twice, 5 cut-out not opened (see Findings.h);
+ *   4 edge crossed twice, 5 cut-out not opened, 6 a face on another without common nodes (see
+ *   Findings.h);
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
  *   surface, 3 invalid, 4 invalid as it came;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
@@ -105,7 +106,7 @@ public:
    * nodes onto the surface within their skin (type II, eqs. 16-17), 3 slides them along mesh
    * edges (type III, eq. 18). Default: 2.
    */
-  vtkSetClampMacro(CorrectionType, int, ELIMINATE_ELEMENTS, SLIDE_ALONG_EDGES);
+  vtkSetMacro(CorrectionType, int);
   vtkGetMacro(CorrectionType, int);
   ///@}
 
@@ -116,7 +117,7 @@ public:
    * leaves a wedge. With 1 an element whose corner would open beyond a straight angle becomes a
    * wedge all the same. Default: 2.
    */
-  vtkSetClampMacro(Optimization, int, NO_OPTIMIZATION, DEGENERATE_TO_WEDGES);
+  vtkSetMacro(Optimization, int);
   vtkGetMacro(Optimization, int);
   ///@}
 
@@ -147,7 +148,7 @@ public:
    * An element goes when more than this share (0 to 1) of its through-thickness column lies
    * beyond the surface. Default: 0.5.
    */
-  vtkSetClampMacro(EliminationFraction, double, 0.0, 1.0);
+  vtkSetMacro(EliminationFraction, double);
   vtkGetMacro(EliminationFraction, double);
   ///@}
 
@@ -158,7 +159,7 @@ public:
    * if it had that. Nodes behind the cut are moved where it needs it; what cannot reach it
    * otherwise has nodes left off the surface (DistanceLeft). 0 turns it off. Default: 0.2.
    */
-  vtkSetClampMacro(MinimumScaledJacobian, double, 0.0, 1.0);
+  vtkSetMacro(MinimumScaledJacobian, double);
   vtkGetMacro(MinimumScaledJacobian, double);
   ///@}
 
@@ -201,7 +202,7 @@ public:
    * the grid's bounding box. Nodes that are moved to the surface come to lie on it to 1e-9 of the
    * diagonal, whatever is set here. Default: 1e-9.
    */
-  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 

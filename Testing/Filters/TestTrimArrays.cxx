@@ -6,8 +6,8 @@
 #include "RunTrim.h"
 
 #include <vtkCellData.h>
-#include <vtkFieldData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>

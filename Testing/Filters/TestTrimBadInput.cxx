@@ -308,7 +308,7 @@ void TestPointsAndArrays(const Mesh& mesh)
   Judge("all nodes at one place", grid, plane, { "one place", "1 2 3" });
 }
 
-// Options that are no numbers, and a mesh in several blocks.
+// Options out of their ranges, and a mesh in several blocks.
 void TestOptionsAndBlocks(const Mesh& mesh)
 {
   const auto plane = GoodPlane(mesh);
@@ -319,6 +319,17 @@ void TestOptionsAndBlocks(const Mesh& mesh)
     [](Filter* filter) { filter->SetMinimumScaledJacobian(NaN); });
   Judge("a tolerance that is no number", mesh.Grid, plane, { "Tolerance" },
     [](Filter* filter) { filter->SetTolerance(NaN); });
+  // What was meant is another unit, or another option: not taken for the nearest that there is.
+  Judge("a fraction in per cent", mesh.Grid, plane, { "EliminationFraction", "50", "0 to 1" },
+    [](Filter* filter) { filter->SetEliminationFraction(50); });
+  Judge("a floor below zero", mesh.Grid, plane, { "MinimumScaledJacobian", "-0.2" },
+    [](Filter* filter) { filter->SetMinimumScaledJacobian(-0.2); });
+  Judge("a tolerance above one", mesh.Grid, plane, { "Tolerance" },
+    [](Filter* filter) { filter->SetTolerance(2); });
+  Judge("a fourth type", mesh.Grid, plane, { "CorrectionType", "4", "1, 2 or 3" },
+    [](Filter* filter) { filter->SetCorrectionType(4); });
+  Judge("another treatment", mesh.Grid, plane, { "Optimization", "-1" },
+    [](Filter* filter) { filter->SetOptimization(-1); });
   for (const double x : { NaN, std::numeric_limits<double>::infinity(), 1e200 })
   {
     Judge("a keep point nowhere", mesh.Grid, plane, { "KeepPoint" },

@@ -301,6 +301,24 @@ void TestKeepPoint()
     const Outcome outcome = RunAndJudge(mesh, cylinder, options, report);
     Wrong += report.Failures() > 0;
   }
+  // On the surface: it says nothing, and the filter says so.
+  const Surface plane = PlaneThrough(Vec3(7.2, 5, 0), Vec3::UnitX(), 100);
+  for (const bool inverted : { false, true })
+  {
+    TrimOptions options;
+    options.InvertSide = inverted;
+    const Outcome expected = RunTrim(mesh, plane, options);
+    options.UseKeepPoint = true;
+    options.KeepPoint = Vec3(7.2, 3, 0.1);
+    const Outcome outcome = RunTrim(mesh, plane, options);
+    if (outcome.Warnings.size() != 1 ||
+      outcome.Warnings[0].find("KeepPoint lies on the surface") == std::string::npos ||
+      !FirstDifference(expected.Case.Trimmed, outcome.Case.Trimmed).empty())
+    {
+      std::printf("FAIL keep point on the surface\n");
+      ++Wrong;
+    }
+  }
 }
 
 struct Cut
