@@ -69,6 +69,26 @@ bool FitAt(const Band& band, const BandFace& face, const std::vector<signed char
   return fit;
 }
 
+/// The faces between elements of a part, ascending.
+std::vector<int> InnerFaces(const Band& band, const std::vector<int>& part)
+{
+  std::vector<int> faces;
+  for (const int e : part)
+  {
+    const auto& element = band.Elements[e];
+    for (int slot = 0; slot < TopologyOf(element.Count).NumberOfFaces; ++slot)
+    {
+      const auto& face = band.Faces[element.Face[slot]];
+      if (face.Element[0] == e && face.Element[1] >= 0)
+      {
+        faces.push_back(element.Face[slot]);
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 }
 
 void FindLocalThickness(
@@ -78,12 +98,14 @@ void FindLocalThickness(
   {
     axis[e] = static_cast<signed char>(ThicknessOf(band, e));
   }
+  const std::vector<int> faces = InnerFaces(band, part);
   for (bool changed = true; changed;)
   {
     changed = false;
-    for (const auto& face : band.Faces)
+    for (const int f : faces)
     {
-      if (face.Element[1] < 0 || FitAt(band, face, axis))
+      const auto& face = band.Faces[f];
+      if (FitAt(band, face, axis))
       {
         continue;
       }

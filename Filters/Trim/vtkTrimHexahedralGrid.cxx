@@ -185,7 +185,7 @@ int vtkTrimHexahedralGrid::RequestData(
     trim::WithThreads(
       ranks.Alone(), [&]() { success = this->Trim(inputVector, outputVector, ranks); });
   }
-  catch (const std::bad_alloc&)
+  catch (const std::bad_alloc&) // of this thread; in another one of VTK's it ends the process
   {
     if (!ranks.Alone())
     {
