@@ -1,6 +1,7 @@
 #include "EndInside.h"
 
 #include "ElementMap.h"
+#include "SortUnique.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -60,8 +61,7 @@ public:
         const auto& cells = this->CellsOf.at(node);
         round.insert(round.end(), cells.begin(), cells.end());
       });
-    std::sort(round.begin(), round.end());
-    round.erase(std::unique(round.begin(), round.end()), round.end());
+    SortUnique(round);
     return round;
   }
 

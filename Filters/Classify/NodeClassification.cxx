@@ -5,6 +5,7 @@
 #include "PieceSides.h"
 #include "Runs.h"
 #include "SideSets.h"
+#include "SortUnique.h"
 #include "SurfaceEnds.h"
 
 #include <vtkSMPTools.h>
@@ -31,8 +32,7 @@ NodeFeet ProjectNearNodes(const HexMesh& mesh, const std::vector<Id>& cells,
     const int count = mesh.Cell(c, nodes);
     near.Ids.insert(near.Ids.end(), nodes.begin(), nodes.begin() + count);
   }
-  std::sort(near.Ids.begin(), near.Ids.end());
-  near.Ids.erase(std::unique(near.Ids.begin(), near.Ids.end()), near.Ids.end());
+  SortUnique(near.Ids);
   near.Feet.resize(near.Ids.size());
   vtkSMPTools::For(0, static_cast<Id>(near.Ids.size()), 256,
     [&](Id begin, Id end)

@@ -3,6 +3,7 @@
 #include "AddUnique.h"
 #include "EdgeCrossing.h"
 #include "Runs.h"
+#include "SortUnique.h"
 #include "Status.h"
 
 #include <vtkSMPTools.h>
@@ -15,12 +16,6 @@ namespace
 {
 
 constexpr double Missed = -1.0;
-
-void SortUnique(std::vector<std::array<int, 2>>& edges)
-{
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-}
 
 /// The edges of the tetrahedra, each once and both ways.
 template <std::size_t N>

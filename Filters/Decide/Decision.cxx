@@ -4,6 +4,7 @@
 #include "EliminatedFraction.h"
 #include "Jacobian.h"
 #include "Manifold.h"
+#include "SortUnique.h"
 #include "Status.h"
 
 #include <vtkSMPTools.h>
@@ -272,8 +273,7 @@ bool Decision::MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) 
     }
     candidates.emplace_back(std::abs(this->Shares.Column[e] - this->Threshold), column);
   }
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  SortUnique(candidates);
   for (const auto& candidate : candidates)
   {
     const char before = kept[candidate.second];

@@ -2,6 +2,7 @@
 
 #include "Band.h"
 #include "Runs.h"
+#include "SortUnique.h"
 
 #include <vtkSMPTools.h>
 
@@ -132,8 +133,7 @@ private:
       std::copy_if(nodes.begin(), nodes.begin() + (this->OfCell[c] < 0 ? 0 : this->Counts[c]),
         std::back_inserter(reached), [&](Id node) { return this->MarkOf(node) == ring; });
     }
-    std::sort(reached.begin(), reached.end());
-    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    SortUnique(reached);
     spread(reached);
     for (const Id node : reached)
     {

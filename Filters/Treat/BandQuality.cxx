@@ -2,6 +2,7 @@
 
 #include "CoincidentNodes.h"
 #include "ElementWorth.h"
+#include "Neighbourhood.h"
 
 #include <vtkSMPTools.h>
 
@@ -255,15 +256,7 @@ double BandQuality::LowestIfLeft(const TrimmedBand& trimmed, const Columns& colu
   double lowest = std::numeric_limits<double>::infinity();
   const auto isLeft = [&](int node)
   { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); };
-  std::vector<int> elements;
-  for (const int node : nodes)
-  {
-    const auto at = this->TheBand.ElementsOfNode(node);
-    elements.insert(elements.end(), at.begin(), at.end());
-  }
-  std::sort(elements.begin(), elements.end());
-  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-  for (const int e : elements)
+  for (const int e : ElementsAt(this->TheBand, nodes))
   {
     if (!trimmed.Kept[e] || this->IsExempt(trimmed, e))
     {

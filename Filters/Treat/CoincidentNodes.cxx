@@ -1,5 +1,7 @@
 #include "CoincidentNodes.h"
 
+#include "SortUnique.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -118,8 +120,7 @@ private:
           next.insert(next.end(), element.Node.begin(), element.Node.begin() + element.Count);
         }
       }
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
+      SortUnique(next);
       if (std::binary_search(next.begin(), next.end(), b))
       {
         return true;

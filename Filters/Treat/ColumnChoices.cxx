@@ -1,6 +1,7 @@
 #include "ColumnChoices.h"
 
 #include "AddUnique.h"
+#include "SortUnique.h"
 
 #include <algorithm>
 
@@ -204,8 +205,7 @@ std::vector<int> ColumnChoices::ColumnsOf(const std::vector<int>& elements) cons
   {
     columns.push_back(this->TheColumns.Column[e]);
   }
-  std::sort(columns.begin(), columns.end());
-  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  SortUnique(columns);
   return columns;
 }
 

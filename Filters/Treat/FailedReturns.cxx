@@ -1,5 +1,7 @@
 #include "FailedReturns.h"
 
+#include "Neighbourhood.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,38 +9,6 @@ namespace trim
 {
 namespace
 {
-
-void SortOut(std::vector<int>& list)
-{
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
-/// Elements of the band at nodes, kept or not.
-std::vector<int> ElementsAtAny(const Band& band, const std::vector<int>& nodes)
-{
-  std::vector<int> elements;
-  for (const int node : nodes)
-  {
-    const auto at = band.ElementsOfNode(node);
-    elements.insert(elements.end(), at.begin(), at.end());
-  }
-  SortOut(elements);
-  return elements;
-}
-
-/// Nodes of elements of the band, also those that a wedge does without.
-std::vector<int> NodesOf(const Band& band, const std::vector<int>& elements)
-{
-  std::vector<int> nodes;
-  for (const int e : elements)
-  {
-    const auto& element = band.Elements[e];
-    nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
-  }
-  SortOut(nodes);
-  return nodes;
-}
 
 void AppendShape(const Band& band, const RelaxedElement& shape, int e, FailedReturns::Key& key)
 {
@@ -60,7 +30,7 @@ FailedReturns::Key StateRound(const RelaxedMesh& mesh, const std::vector<char>& 
   std::vector<int> round = elements;
   for (int ring = 0; ring < rings; ++ring)
   {
-    round = ElementsAtAny(band, NodesOf(band, round));
+    round = ElementsAt(band, NodesOf(band, round));
   }
   FailedReturns::Key key;
   for (const int e : round)

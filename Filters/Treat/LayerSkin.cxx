@@ -1,5 +1,6 @@
 #include "LayerSkin.h"
 
+#include "SortUnique.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -86,8 +87,7 @@ private:
         }
       }
     }
-    std::sort(faults.begin(), faults.end());
-    faults.erase(std::unique(faults.begin(), faults.end()), faults.end());
+    SortUnique(faults);
   }
 
   /// Where a node belongs on the skin; false if it is on none, or on a ridge.

@@ -1,6 +1,7 @@
 #include "RelaxedMesh.h"
 
 #include "DisjointSets.h"
+#include "SortUnique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +62,7 @@ std::vector<int> RelaxedMesh::ElementsAt(const std::vector<int>& nodes) const
   }
   if (nodes.size() > 1) // those of one are in order
   {
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    SortUnique(elements);
   }
   return elements;
 }

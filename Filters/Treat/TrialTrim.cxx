@@ -2,6 +2,7 @@
 
 #include "CreaseNodes.h"
 #include "JointRelaxation.h"
+#include "SortUnique.h"
 
 #include <algorithm>
 #include <functional>
@@ -433,8 +434,7 @@ void TrialTrim::BringNearer(
       }
     }
   }
-  std::sort(round.begin(), round.end());
-  round.erase(std::unique(round.begin(), round.end()), round.end());
+  SortUnique(round);
   for (int pass = 0; pass < ApproachPasses && !aborted(); ++pass)
   {
     const Moves before = trimmed.NodeMoves;

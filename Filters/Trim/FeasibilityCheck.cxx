@@ -3,6 +3,7 @@
 #include "ElementTopology.h"
 #include "OpenSeams.h"
 #include "Runs.h"
+#include "SortUnique.h"
 #include "Status.h"
 
 #include <vtkSMPTools.h>
@@ -450,8 +451,7 @@ private:
         }
       }
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    SortUnique(edges);
     return edges;
   }
 

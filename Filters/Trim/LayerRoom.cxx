@@ -2,6 +2,7 @@
 
 #include "InsertedLayer.h"
 #include "Manifold.h"
+#include "Neighbourhood.h"
 
 #include <algorithm>
 #include <utility>
@@ -122,18 +123,13 @@ bool LayerRoom::GivesRoom(const std::vector<int>& turned, std::vector<char>& kep
 
 std::vector<int> LayerRoom::NodesOf(const std::vector<int>& columns) const
 {
-  std::vector<int> nodes;
+  std::vector<int> elements;
   for (const int e : columns)
   {
-    for (const int member : this->Members(e))
-    {
-      const BandElement& element = this->TheBand.Elements[member];
-      nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
-    }
+    const auto members = this->Members(e);
+    elements.insert(elements.end(), members.begin(), members.end());
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
+  return trim::NodesOf(this->TheBand, elements);
 }
 
 Band::Range LayerRoom::Members(int e) const

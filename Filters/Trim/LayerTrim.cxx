@@ -4,6 +4,7 @@
 #include "LayerRelaxation.h"
 #include "LayerRoom.h"
 #include "LayerSkin.h"
+#include "Neighbourhood.h"
 #include "Shortfalls.h"
 
 #include <algorithm>
@@ -193,15 +194,10 @@ std::vector<int> FaultyElements(const TrimBand& layered)
 /// The nodes of elements, as the mesh has them.
 std::vector<int> NodesWithoutLayer(const Band& layered, const std::vector<int>& elements)
 {
-  std::vector<int> nodes;
-  for (const int e : elements)
-  {
-    const BandElement& element = layered.Elements[e];
-    std::transform(element.Node.begin(), element.Node.begin() + element.Count,
-      std::back_inserter(nodes), [&layered](int n) { return NodeWithoutLayer(layered, n); });
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<int> nodes = NodesOf(layered, elements);
+  std::transform(nodes.begin(), nodes.end(), nodes.begin(),
+    [&layered](int n) { return NodeWithoutLayer(layered, n); });
+  SortUnique(nodes);
   return nodes;
 }
 

@@ -1,6 +1,7 @@
 #include "OpenSeams.h"
 
 #include "Place.h"
+#include "SortUnique.h"
 
 #include <algorithm>
 #include <array>
@@ -66,8 +67,7 @@ std::vector<int> FindOpenSeams(const TrimBand& near)
       }
     }
   }
-  std::sort(elements.begin(), elements.end());
-  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  SortUnique(elements);
   return elements;
 }
 

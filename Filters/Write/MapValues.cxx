@@ -1,5 +1,6 @@
 #include "MapValues.h"
 
+#include "SortUnique.h"
 #include "ValueWeights.h"
 
 #include <vtkCellData.h>
@@ -42,8 +43,7 @@ std::vector<int> FindSources(const Mapping& mapping)
       }
     }
   }
-  std::sort(sources.begin(), sources.end());
-  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+  SortUnique(sources);
   return sources;
 }
 
