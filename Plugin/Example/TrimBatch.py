@@ -3,13 +3,15 @@
     PV_PLUGIN_PATH=build/lib pvpython TrimBatch.py meshes/ surface.igs results/
 
 Reads all .vtu and .vtk files of meshes/, writes results/<name>.vtu for each, and results/trims.csv
-with a line for each: the summary, and what the filter had to say. A mesh that fails has its line,
-too, with the error in it, and does not stop the others; the exit status is then 1.
+with a line for each: the summary, and what the filter had to say. Of part.vtk and part.vtu the
+results are part.vtk.vtu and part.vtu.vtu. A mesh that fails has its line, too, with the error in
+it, and does not stop the others; the exit status is then 1.
 """
 import csv
 import glob
 import os
 import sys
+from collections import Counter
 
 from paraview.simple import (CADSurfaceReader, Delete, OpenDataFile, SaveData, TrimHexahedralGrid)
 from vtkmodules.vtkCommonCore import VTK_STRING
@@ -64,21 +66,30 @@ def trim(mesh_file, surface, result_file):
     return row
 
 
+def result_names(mesh_files):
+    """A name for each result: the mesh's without its ending, or with it where two would clash."""
+    names = [os.path.basename(mesh_file) for mesh_file in mesh_files]
+    stems = [os.path.splitext(name)[0] for name in names]
+    taken = Counter(stems + names)
+    return [(stem if taken[stem] == 1 else name) + ".vtu" for stem, name in zip(stems, names)]
+
+
 def main(mesh_directory, surface_file, result_directory):
     mesh_files = sorted(glob.glob(os.path.join(mesh_directory, "*.vt[uk]")))
     if not mesh_files:
         sys.exit("There is no .vtu or .vtk file in " + mesh_directory)
     if not os.path.isfile(surface_file):
         sys.exit("There is no file " + surface_file)
+    if os.path.realpath(result_directory) == os.path.realpath(mesh_directory):
+        sys.exit("The results would overwrite the meshes: name another directory for them.")
     os.makedirs(result_directory, exist_ok=True)
     surface = CADSurfaceReader(FileName=surface_file)
     failed = 0
     with open(os.path.join(result_directory, "trims.csv"), "w", newline="") as file:
         table = csv.DictWriter(file, COLUMNS, restval="")
         table.writeheader()
-        for mesh_file in mesh_files:
-            name = os.path.splitext(os.path.basename(mesh_file))[0]
-            row = trim(mesh_file, surface, os.path.join(result_directory, name + ".vtu"))
+        for mesh_file, name in zip(mesh_files, result_names(mesh_files)):
+            row = trim(mesh_file, surface, os.path.join(result_directory, name))
             table.writerow(row)
             file.flush()
             failed += row["state"] == "failed"

@@ -26,11 +26,12 @@ def check_close(found, expected, what, relative=1e-9):
           "%s: %.17g, expected %.17g" % (what, found, expected))
 
 
-def sheet():
-    """A sheet of 20 x 12 x 2 hexahedra; carries the two point arrays of its source along."""
-    blocks = UnstructuredCellTypes(CellType=12, BlocksDimensions=COUNTS, OutputPrecision=1)
+def sheet(counts=COUNTS):
+    """A sheet of 20 x 12 x 2 hexahedra, or so many; carries the two point arrays of its source
+    along."""
+    blocks = UnstructuredCellTypes(CellType=12, BlocksDimensions=counts, OutputPrecision=1)
     scaled = Transform(Input=blocks)
-    scaled.Transform.Scale = [length / count for length, count in zip(LENGTHS, COUNTS)]
+    scaled.Transform.Scale = [length / count for length, count in zip(LENGTHS, counts)]
     return scaled
 
 

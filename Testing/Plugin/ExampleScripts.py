@@ -1,4 +1,4 @@
-"""The three example scripts that users copy, run as users run them, with numbers known on paper."""
+"""The example scripts that users copy, run as users run them, with numbers known on paper."""
 import csv
 import math
 import os
@@ -7,7 +7,7 @@ import subprocess
 
 from paraview.simple import OpenDataFile, PassArrays, SaveData, Sphere
 
-from Checks import (COUNTS, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet,
+from Checks import (ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet,
                     summary)
 
 EXAMPLES = os.environ["NURBSTRIM_EXAMPLES"]
@@ -61,6 +61,12 @@ def check_points():
     run("TrimByPoints.py", path("sheet.vtu"), path("few.csv"), path("x.vtu"), status=1)
 
 
+def batch_table():
+    """What the last batch wrote, by the mesh's file name."""
+    with open(path("results", "trims.csv"), newline="") as file:
+        return {row["mesh"]: row for row in csv.DictReader(file)}
+
+
 def check_batch(plane):
     """Two good meshes, one of other cells and one that is no mesh: all four are in the table."""
     os.makedirs(path("meshes"))
@@ -71,8 +77,7 @@ def check_batch(plane):
     SaveData(path("meshes", "c.vtk"), Sphere())
     text = run("TrimBatch.py", path("meshes"), plane, path("results"), status=1)
     check("2 of 4 meshes failed" in text, "the last line:\n" + text)
-    with open(path("results", "trims.csv"), newline="") as file:
-        rows = {row["mesh"]: row for row in csv.DictReader(file)}
+    rows = batch_table()
     check_equal(sorted(rows), ["a.vtu", "b.vtu", "c.vtk", "d.vtu"], "meshes in the table")
     for name in ("a.vtu", "d.vtu"):
         check_equal(rows[name]["state"], "trimmed", name)
@@ -85,6 +90,32 @@ def check_batch(plane):
         check(not os.path.exists(path("results", name)), "a result of " + name)
 
 
+def check_batch_names(plane):
+    """Each of two meshes that differ in the ending alone has its result, and so has one that is
+    named as the result of another would be; and no result takes the place of a mesh."""
+    for directory in ("meshes", "results"):
+        shutil.rmtree(path(directory))
+    os.makedirs(path("meshes"))
+    coarse = PassArrays(Input=sheet((10, 12, 2)))
+    SaveData(path("meshes", "part.vtk"), coarse)
+    for name in ("part.vtu", "part.vtu.vtu", "other.vtu"):
+        shutil.copy(path("sheet.vtu"), path("meshes", name))
+    run("TrimBatch.py", path("meshes"), plane, path("results"))
+    check_equal(sorted(os.listdir(path("results"))),
+                ["other.vtu", "part.vtk.vtu", "part.vtu.vtu", "part.vtu.vtu.vtu", "trims.csv"],
+                "results")
+    check_equal(sorted(batch_table()), sorted(os.listdir(path("meshes"))), "meshes in the table")
+    # Of 10 columns of double width the plane leaves 4, of 20 it leaves 8.
+    for name, kept in (("part.vtk.vtu", 4), ("part.vtu.vtu", 8)):
+        check_equal(cells(os.path.join("results", name)), kept * 24, "elements in " + name)
+
+    text = run("TrimBatch.py", path("meshes"), plane, path("results", "..", "meshes"), status=1)
+    check_equal(text, "The results would overwrite the meshes: name another directory for them.\n",
+                "what is told of results among the meshes")
+    check_equal(cells(os.path.join("meshes", "part.vtu")), ELEMENT_COUNT, "elements of the mesh")
+    check(not os.path.exists(path("meshes", "trims.csv")), "a table among the meshes")
+
+
 shutil.rmtree(DIRECTORY, ignore_errors=True)
 os.makedirs(DIRECTORY)
 SaveData(path("sheet.vtu"), PassArrays(Input=sheet()), DataMode="Binary")
@@ -92,3 +123,4 @@ plane_file = os.path.join(OUTPUT_DIRECTORY, "plane.igs")  # of WindowInput.py
 check_surface(plane_file)
 check_points()
 check_batch(plane_file)
+check_batch_names(plane_file)
