@@ -69,6 +69,19 @@ std::vector<pqPipelineSource*> AllTrims()
   return trims;
 }
 
+/// Counts to the last digit, measures with nine.
+QString TextOf(vtkPVArrayInformation* array)
+{
+  double range[2];
+  array->GetComponentRange(0, range);
+  if (range[0] > range[1]) // upside down: NaN, there was nothing to measure
+  {
+    return "-";
+  }
+  const bool measure = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+  return measure ? QString::number(range[0], 'g', 9) : QString::number(range[0], 'f', 0);
+}
+
 /// The entries of one trim; none if it failed.
 std::map<std::string, QString> ValuesOf(pqPipelineSource* trim)
 {
@@ -78,11 +91,7 @@ std::map<std::string, QString> ValuesOf(pqPipelineSource* trim)
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
-    double range[2];
-    array->GetComponentRange(0, range);
-    // A range that is upside down: NaN, there was nothing to measure.
-    values[array->GetName()] =
-      range[0] > range[1] ? QString("-") : QString::number(range[0], 'g', 6);
+    values[array->GetName()] = TextOf(array);
   }
   return values;
 }

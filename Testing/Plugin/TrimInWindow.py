@@ -110,4 +110,14 @@ window.menu("menu_Edit", "actionEditRedo")
 window.expect(MAIN + "/propertiesDock/propertiesPanel/Accept", "enabled", "true")
 window.python("check_equal(active().GetXMLName(), 'TrimLineSource', 'the active source')")
 
+# Of a large mesh the table has all digits, of counts to the last, of measures nine. (Of the 1003
+# columns the last has 6 % on the near side.)
+window.python("from Checks import plane_at, sheet, trim\n"
+              "trim(sheet((1003, 1001, 1)), plane_at(19.98123))")
+window.action("ShowSummary")
+window.expect(SUMMARY, "columnCount", "6")
+window.expect(SUMMARY, "modelItemData", "0.4,%d" % (1002 * 1001))
+window.expect(SUMMARY, "modelItemData", "11.4,119.88738")
+window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
+
 window.run("trim-in-window")
