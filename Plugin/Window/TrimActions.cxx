@@ -6,11 +6,14 @@
 #include "TrimSummary.h"
 
 #include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 
 #include "vtkNew.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
@@ -28,12 +31,31 @@ QAction* AddAction(QActionGroup* group, const char* name, const QString& text)
 }
 
 /// Enables the action or says what is missing.
-void Enable(QAction* action, bool enabled, const QString& help, const QString& missing)
+void Enable(QAction* action, const QString& help, const QString& missing)
 {
+  const bool enabled = missing.isEmpty();
   action->setEnabled(enabled);
   action->setToolTip(
     QString("<p><b>%1</b></p><p>%2</p>%3")
       .arg(action->text(), help, enabled ? QString() : QString("<p><i>%1</i></p>").arg(missing)));
+  action->setStatusTip(enabled ? help : missing);
+}
+
+/// What a line to be drawn wants for; nothing if it can be drawn.
+QString MissingForLine()
+{
+  const SelectedOutput mesh = TrimLineDrawing::FindMesh();
+  if (!mesh.Source)
+  {
+    return "Select the mesh in the Pipeline Browser.";
+  }
+  if (mesh.Source->GetDataInformation(mesh.Port)->GetNumberOfCells() > 0)
+  {
+    return {};
+  }
+  return IsApplied(mesh.Source)
+    ? "There are no elements: the filter has failed, or was not shown yet (by the eye beside it)."
+    : "Click Apply first: there are no elements yet.";
 }
 }
 
@@ -44,8 +66,8 @@ TrimActions::TrimActions(QObject* parent)
 
   this->Line = AddAction(this, "DrawTrimLine", "Draw Trim Line");
   QAction* summary = AddAction(this, "ShowSummary", "Show Summary");
-  Enable(summary, true,
-    "The numbers of every trim in a table: elements kept and gone, quality, volume.", {});
+  Enable(
+    summary, "The numbers of every trim in a table: elements kept and gone, quality, volume.", {});
   this->Statuses = AddAction(this, "ShowStatuses", "Show Statuses");
   this->Comparison = AddAction(this, "CompareCorrectionTypes", "Compare Correction Types");
 
@@ -60,6 +82,9 @@ TrimActions::TrimActions(QObject* parent)
   QObject::connect(active, &pqActiveObjects::dataUpdated, this, &TrimActions::UpdateEnabled);
   QObject::connect(active, QOverload<pqView*>::of(&pqActiveObjects::viewChanged), this,
     &TrimActions::UpdateEnabled);
+  const auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  QObject::connect(
+    model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::UpdateEnabled);
   this->UpdateEnabled();
 }
 
@@ -68,18 +93,22 @@ void TrimActions::UpdateEnabled()
   const TrimSelection selection = FindTrimSelection();
   const bool rendering = pqActiveObjects::instance().activeView() &&
     pqActiveObjects::instance().activeView()->getViewProxy()->IsA("vtkSMRenderViewProxy");
-  Enable(this->Line, TrimLineDrawing::FindMesh().Source,
+  Enable(this->Line,
     "A line across the mesh, to be dragged in the view: a Trim Line Source with the mesh as its "
     "sheet.",
-    "Select the mesh in the Pipeline Browser.");
-  Enable(this->Statuses, selection.Trim && rendering,
+    MissingForLine());
+  Enable(this->Statuses,
     "The whole mesh with the statuses keep, eliminate, to treat, in place of the trimmed one; "
     "once more to return.",
-    "Select a Trim Hexahedral Grid in the Pipeline Browser, and a 3D view.");
-  Enable(this->Comparison, selection.IsComplete(),
+    selection.Trim && rendering
+      ? QString()
+      : "Select a Trim Hexahedral Grid in the Pipeline Browser, and a 3D view.");
+  Enable(this->Comparison,
     "The mesh before the trim and after it with the correction types I, II and III, in four "
     "views that turn together.",
-    "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.");
+    selection.IsComplete()
+      ? QString()
+      : "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.");
 }
 
 void TrimActions::DrawTrimLine()

@@ -1,8 +1,10 @@
 #include "TrimSelection.h"
 
 #include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
@@ -36,6 +38,13 @@ SelectedOutput OutputOf(pqServerManagerModelItem* item)
 bool IsTrim(vtkSMProxy* proxy)
 {
   return proxy && std::strcmp(proxy->GetXMLName(), "TrimHexahedralGrid") == 0;
+}
+
+bool IsApplied(vtkSMProxy* proxy)
+{
+  const auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  const auto* item = model->findItem<pqProxy*>(proxy);
+  return !item || item->modifiedState() == pqProxy::UNMODIFIED;
 }
 
 TrimSelection FindTrimSelection()

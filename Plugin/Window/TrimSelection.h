@@ -35,4 +35,7 @@ TrimSelection FindTrimSelection();
 /// Is this a Trim Hexahedral Grid?
 bool IsTrim(vtkSMProxy* proxy);
 
+/// Has the proxy the values that its panel shows?
+bool IsApplied(vtkSMProxy* proxy);
+
 #endif

@@ -8,17 +8,24 @@ from Window import MAIN, Window
 
 SUMMARY = MAIN + "/TrimSummary/Content/Table"
 
+NO_ELEMENTS = "There are no elements: the filter has failed, or was not shown yet (by the eye beside it)."
+
 window = Window(size=(1400, 900))
 
-# Both files, the filter with both inputs, Apply.
+# Both files, the filter with both inputs, Apply. A line can be drawn where there are elements.
+window.expect_action("DrawTrimLine", False, "Select the mesh in the Pipeline Browser.")
 window.open("sheet.vtu")
+window.expect_action("DrawTrimLine", False)
 window.apply()
+window.expect_action("DrawTrimLine", True)
 window.open("plane.igs")
 window.apply()
 window.select("0:0/0:0")
 window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
 window.choose_inputs(TrimmingSurface="0:0/1:0")
+window.expect_action("DrawTrimLine", False, "Click Apply first: there are no elements yet.")
 window.apply()
+window.expect_action("DrawTrimLine", True)
 window.python("found = summary(active())\n"
               "check_equal(found['Kept'], 8 * 24, 'Kept')\n"
               "check_close(found['Volume'], 8.3 * 12 * 0.5, 'Volume', 1e-6)\n"
@@ -109,6 +116,14 @@ window.menu("menu_Edit", "actionEditUndo")
 window.menu("menu_Edit", "actionEditRedo")
 window.expect(MAIN + "/propertiesDock/propertiesPanel/Accept", "enabled", "true")
 window.python("check_equal(active().GetXMLName(), 'TrimLineSource', 'the active source')")
+
+# A mesh that has lost all its elements is none to draw on.
+window.python("empty = Threshold(Input=FindSource('TrimHexahedralGrid1'), "
+              "Scalars=['CELLS', 'ElementStatus'],\n"
+              "                  ThresholdMethod='Above Upper Threshold', UpperThreshold=3)\n"
+              "empty.UpdatePipeline()\n"
+              "SetActiveSource(empty)")
+window.expect_action("DrawTrimLine", False, NO_ELEMENTS)
 
 # Of a large mesh the table has all digits, of counts to the last, of measures nine. (Of the 1003
 # columns the last has 6 % on the near side.)

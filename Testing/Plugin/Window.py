@@ -24,6 +24,7 @@ PANEL = (MAIN + "/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewpo
 SHELL = MAIN + "/pythonShellDock/pythonShell/consoleWidget"
 VIEWS = (MAIN + "/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/"
          "MultiViewWidget1/Container/")
+ACTIONS = ("DrawTrimLine", "ShowSummary", "ShowStatuses", "CompareCorrectionTypes")
 
 OUTPUT_DIRECTORY = os.environ["NURBSTRIM_OUTPUT"]
 ERROR = re.compile(r"ERR\||ERROR:|Traceback|Widget not found|[Cc]ould not find|Unhandled")
@@ -62,6 +63,13 @@ class Window:
         """An action of the menu NURBSTrim."""
         self.event(MAIN + "/menubar", "activate", "NURBSTrim")
         self.event(MAIN + "/NURBSTrim", "activate", name)
+
+    def expect_action(self, name, enabled, hint=None):
+        """An action of the menu NURBSTrim is enabled, or greyed out for this reason."""
+        button = MAIN + "/NURBSTrimToolbar/1QToolButton%d" % ACTIONS.index(name)
+        self.expect(button, "enabled", "true" if enabled else "false")
+        if hint:
+            self.expect(button, "statusTip", hint)
 
     def open(self, name):
         self.menu("menu_File", "actionFileOpen")
