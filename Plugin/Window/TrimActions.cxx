@@ -57,6 +57,32 @@ QString MissingForLine()
     ? "There are no elements: the filter has failed, or was not shown yet (by the eye beside it)."
     : "Click Apply first: there are no elements yet.";
 }
+
+constexpr const char* NotApplied =
+  "Click Apply first: the panel has values that were not applied yet.";
+
+/// What the statuses want for to be shown.
+QString MissingForStatuses(const TrimSelection& selection)
+{
+  const pqView* view = pqActiveObjects::instance().activeView();
+  if (!selection.Trim || !view || !view->getViewProxy()->IsA("vtkSMRenderViewProxy"))
+  {
+    return "Select a Trim Hexahedral Grid in the Pipeline Browser, and a 3D view.";
+  }
+  return IsApplied(selection.Trim) ? QString() : NotApplied;
+}
+
+/// What the comparison wants for.
+QString MissingForComparison(const TrimSelection& selection)
+{
+  if (!selection.IsComplete())
+  {
+    return "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.";
+  }
+  const bool applied = IsApplied(selection.Mesh.Source) && IsApplied(selection.Surface.Source) &&
+    (!selection.Trim || IsApplied(selection.Trim));
+  return applied ? QString() : NotApplied;
+}
 }
 
 TrimActions::TrimActions(QObject* parent)
@@ -91,8 +117,6 @@ TrimActions::TrimActions(QObject* parent)
 void TrimActions::UpdateEnabled()
 {
   const TrimSelection selection = FindTrimSelection();
-  const bool rendering = pqActiveObjects::instance().activeView() &&
-    pqActiveObjects::instance().activeView()->getViewProxy()->IsA("vtkSMRenderViewProxy");
   Enable(this->Line,
     "A line across the mesh, to be dragged in the view: a Trim Line Source with the mesh as its "
     "sheet.",
@@ -100,15 +124,11 @@ void TrimActions::UpdateEnabled()
   Enable(this->Statuses,
     "The whole mesh with the statuses keep, eliminate, to treat, in place of the trimmed one; "
     "once more to return.",
-    selection.Trim && rendering
-      ? QString()
-      : "Select a Trim Hexahedral Grid in the Pipeline Browser, and a 3D view.");
+    MissingForStatuses(selection));
   Enable(this->Comparison,
     "The mesh before the trim and after it with the correction types I, II and III, in four "
     "views that turn together.",
-    selection.IsComplete()
-      ? QString()
-      : "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.");
+    MissingForComparison(selection));
 }
 
 void TrimActions::DrawTrimLine()

@@ -15,7 +15,8 @@ class QAction;
  * - Show Summary: the numbers of all trims, see TrimSummary;
  * - Show Statuses: the whole mesh with its statuses in place of the trimmed one, and back;
  * - Compare Correction Types: four linked views, see CorrectionComparison.
- * An action that has nothing to work on is greyed out, and its tooltip says what to select.
+ * An action that has nothing to work on is greyed out, and its tooltip says what to select; so it
+ * is while the panel shows other values than the action would work with, until Apply.
  */
 class TrimActions : public QActionGroup
 {

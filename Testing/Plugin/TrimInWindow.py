@@ -6,6 +6,7 @@ state is saved for CheckWindow.py.
 """
 from Window import MAIN, Window
 
+NOT_APPLIED = "Click Apply first: the panel has values that were not applied yet."
 SUMMARY = MAIN + "/TrimSummary/Content/Table"
 
 NO_ELEMENTS = "There are no elements: the filter has failed, or was not shown yet (by the eye beside it)."
@@ -24,8 +25,11 @@ window.select("0:0/0:0")
 window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
 window.choose_inputs(TrimmingSurface="0:0/1:0")
 window.expect_action("DrawTrimLine", False, "Click Apply first: there are no elements yet.")
+for action in ("ShowStatuses", "CompareCorrectionTypes"):
+    window.expect_action(action, False, NOT_APPLIED)
 window.apply()
-window.expect_action("DrawTrimLine", True)
+for action in ("DrawTrimLine", "ShowStatuses", "CompareCorrectionTypes"):
+    window.expect_action(action, True)
 window.python("found = summary(active())\n"
               "check_equal(found['Kept'], 8 * 24, 'Kept')\n"
               "check_close(found['Volume'], 8.3 * 12 * 0.5, 'Volume', 1e-6)\n"
@@ -40,10 +44,13 @@ window.expect_visible("InteractiveHandle/worldPositionX", False)
 window.set_check("UseKeepPoint", True)
 window.expect_visible("InteractiveHandle/worldPositionX", True)
 
-# Properties by the panel, Apply.
+# Properties by the panel, Apply. Until then nothing is shown that contradicts the panel.
 for axis, value in zip("XYZ", ("19", "6", "0.5")):
     window.set_text("InteractiveHandle/worldPosition" + axis, value)
 window.set_choice("CorrectionType", "Type III: slide along edges")
+window.expect_action("DrawTrimLine", True)
+for action in ("ShowStatuses", "CompareCorrectionTypes"):
+    window.expect_action(action, False, NOT_APPLIED)
 window.apply()
 window.python("found = summary(active())\n"
               "check_equal(found['Kept'], 12 * 24, 'Kept')\n"
@@ -129,6 +136,9 @@ window.expect_action("DrawTrimLine", False, NO_ELEMENTS)
 # columns the last has 6 % on the near side.)
 window.python("from Checks import plane_at, sheet, trim\n"
               "trim(sheet((1003, 1001, 1)), plane_at(19.98123))")
+# A trim that Python has made needs no Apply.
+for action in ("ShowStatuses", "CompareCorrectionTypes"):
+    window.expect_action(action, True)
 window.action("ShowSummary")
 window.expect(SUMMARY, "columnCount", "6")
 window.expect(SUMMARY, "modelItemData", "0.4,%d" % (1002 * 1001))
