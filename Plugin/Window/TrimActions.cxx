@@ -20,9 +20,15 @@
 
 #include <QAction>
 #include <QIcon>
+#include <QMenu>
+#include <QTimer>
 
 namespace
 {
+constexpr const char* NotApplied = "Click Apply first: there are values that were not applied yet.";
+constexpr const char* NoElements = "There are no elements: none was left, or the filter failed, or "
+                                   "it was not shown yet (the eye beside it).";
+
 QAction* AddAction(QActionGroup* group, const char* name, const QString& text)
 {
   auto* action = new QAction(QIcon(QString(":/NURBSTrim/Icons/%1.svg").arg(name)), text, group);
@@ -53,13 +59,8 @@ QString MissingForLine()
   {
     return {};
   }
-  return IsApplied(mesh.Source)
-    ? "There are no elements: the filter has failed, or was not shown yet (by the eye beside it)."
-    : "Click Apply first: there are no elements yet.";
+  return IsApplied(mesh.Source) ? NoElements : "Click Apply first: there are no elements yet.";
 }
-
-constexpr const char* NotApplied =
-  "Click Apply first: the panel has values that were not applied yet.";
 
 /// What the statuses want for to be shown.
 QString MissingForStatuses(const TrimSelection& selection)
@@ -112,6 +113,22 @@ TrimActions::TrimActions(QObject* parent)
   QObject::connect(
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::UpdateEnabled);
   this->UpdateEnabled();
+
+  // The menu takes the actions later: as soon as they are made or, at the start, with the window.
+  QTimer::singleShot(0, this, &TrimActions::ShowHintsInMenu);
+  QObject::connect(pqApplicationCore::instance(), &pqApplicationCore::clientEnvironmentDone, this,
+    &TrimActions::ShowHintsInMenu);
+}
+
+void TrimActions::ShowHintsInMenu()
+{
+  for (QWidget* widget : this->Line->associatedWidgets())
+  {
+    if (auto* menu = qobject_cast<QMenu*>(widget))
+    {
+      menu->setToolTipsVisible(true);
+    }
+  }
 }
 
 void TrimActions::UpdateEnabled()

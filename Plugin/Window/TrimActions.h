@@ -26,6 +26,7 @@ public:
   explicit TrimActions(QObject* parent);
 
 private:
+  void ShowHintsInMenu(); ///< the tooltips, which menus do not show by themselves
   void UpdateEnabled();
   void DrawTrimLine();
   void ShowSummary();

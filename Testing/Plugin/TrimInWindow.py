@@ -6,15 +6,16 @@ state is saved for CheckWindow.py.
 """
 from Window import MAIN, Window
 
-NOT_APPLIED = "Click Apply first: the panel has values that were not applied yet."
+NOT_APPLIED = "Click Apply first: there are values that were not applied yet."
+NO_ELEMENTS = ("There are no elements: none was left, or the filter failed, or it was not shown yet "
+               "(the eye beside it).")
 SUMMARY = MAIN + "/TrimSummary/Content/Table"
-
-NO_ELEMENTS = "There are no elements: the filter has failed, or was not shown yet (by the eye beside it)."
 
 window = Window(size=(1400, 900))
 
 # Both files, the filter with both inputs, Apply. A line can be drawn where there are elements.
 window.expect_action("DrawTrimLine", False, "Select the mesh in the Pipeline Browser.")
+window.expect(MAIN + "/NURBSTrim", "toolTipsVisible", "true")
 window.open("sheet.vtu")
 window.expect_action("DrawTrimLine", False)
 window.apply()
