@@ -10,6 +10,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -329,6 +330,89 @@ void TestStepPolyline()
     CHECK(std::abs(Area(result.Surfaces[0]) - 24.0) < 0.01, "area of the polyline");
   }
 }
+
+/// The offset, to the left, of a cubic spline with simple inner knots.
+std::string OffsetText(const std::vector<Vec3>& poles, double distance)
+{
+  const int spans = static_cast<int>(poles.size()) - 3;
+  std::ostringstream text;
+  std::string points, multiplicities = "4", knots = "0.";
+  for (size_t i = 0; i < poles.size(); ++i)
+  {
+    const std::string name = "#" + std::to_string(1000 + i);
+    text << name << "=CARTESIAN_POINT('',(" << Number(poles[i].x()) << "," << Number(poles[i].y())
+         << ",0.));\n";
+    points += (i > 0 ? "," : "") + name;
+  }
+  for (int i = 1; i <= spans; ++i)
+  {
+    multiplicities += i < spans ? ",1" : ",4";
+    knots += "," + Number(i);
+  }
+  text << "#30=B_SPLINE_CURVE_WITH_KNOTS('',3,(" << points << "),.UNSPECIFIED.,.F.,.F.,("
+       << multiplicities << "),(" << knots << "),.UNSPECIFIED.);\n#31=DIRECTION('',(0.,0.,1.));\n"
+       << "#32=OFFSET_CURVE_3D('',#30," << Number(distance) << ",.F.,#31);\n"
+       << "#130=GEOMETRIC_CURVE_SET('',(#32));\n";
+  return StepText(
+    std::string(Millimetres) + Radians, text.str(), "#130", "GEOMETRICALLY_BOUNDED_WIREFRAME");
+}
+
+/// Largest deviation from a distance of 0.2 between places on the line and a spline.
+double OffsetError(const NurbsSurface& line, const std::vector<Vec3>& poles)
+{
+  TColgp_Array1OfPnt points(1, static_cast<int>(poles.size()));
+  const int spans = points.Size() - 3;
+  TColStd_Array1OfReal knots(1, spans + 1);
+  TColStd_Array1OfInteger multiplicities(1, spans + 1);
+  for (int i = 1; i <= points.Size(); ++i)
+  {
+    points(i) = gp_Pnt(poles[i - 1].x(), poles[i - 1].y(), 0.0);
+  }
+  for (int i = 1; i <= spans + 1; ++i)
+  {
+    knots(i) = i;
+    multiplicities(i) = i == 1 || i > spans ? 4 : 1;
+  }
+  const Handle(Geom_BSplineCurve) spline = new Geom_BSplineCurve(points, knots, multiplicities, 3);
+  double error = 0.0;
+  for (const Vec3& place : Places(line, 500))
+  {
+    const GeomAPI_ProjectPointOnCurve foot(gp_Pnt(place.x(), place.y(), place.z()), spline);
+    // Beyond the ends there is no foot.
+    error = foot.NbPoints() > 0 ? std::max(error, std::abs(foot.LowerDistance() - 0.2)) : error;
+  }
+  return error;
+}
+
+/// Offsets of splines with many spans are as exact as of short ones; what cannot be approximated
+/// is no line.
+void TestStepOffsets()
+{
+  for (const int count : { 40, 300, 900 })
+  {
+    std::vector<Vec3> poles;
+    for (int i = 1; i <= count; ++i)
+    {
+      poles.emplace_back(2.0 * i, 3.0 * std::sin(1.1 * i), 0.0);
+    }
+    const std::string path = OutputPath("offset.step");
+    WriteText(path, OffsetText(poles, 0.2));
+    const LineResult result = ReadGood(path, 1);
+    if (result.Surfaces.size() == 1)
+    {
+      const double error = OffsetError(result.Surfaces[0], poles);
+      CHECK(error < 1e-7 * 2.0 * count, "offset of " << count << " points: off by " << error);
+    }
+  }
+  // (t^2, t^3) from -1 to 1.7: its normal turns round at the cusp, where the offset jumps.
+  const std::string path = OutputPath("cusp.step");
+  WriteText(path,
+    OffsetText({ { 1, -1, 0 }, { -0.8, 1.7, 0 }, { -0.17, -2.89, 0 }, { 2.89, 4.913, 0 } }, 0.2));
+  const LineResult cusp = ReadLines(path);
+  CHECK(cusp.Errors.size() == 1 &&
+      cusp.Errors[0].find("the offset curve cannot be approximated") != std::string::npos,
+    "an offset with a jump: " << (cusp.Errors.empty() ? "no error" : cusp.Errors[0]));
+}
 }
 
 int main()
@@ -339,5 +423,6 @@ int main()
   TestStepEntities();
   TestStepEdges();
   TestStepPolyline();
+  TestStepOffsets();
   return Failures != 0;
 }

@@ -1,5 +1,6 @@
 #include "CADCurveConversion.h"
 
+#include <GeomAdaptor_Curve.hxx>
 #include <GeomConvert.hxx>
 #include <GeomConvert_ApproxCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -12,10 +13,16 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <Standard_ConstructionError.hxx>
 
+#include <sstream>
+
 namespace nurbs
 {
 namespace
 {
+/// Shares of a curve's size: what an approximation aims at, and what is still taken.
+constexpr double WantedShare = 1e-8;
+constexpr double WorstShare = 1e-6;
+
 /// A conic's position: centre and the vectors that its two functions multiply.
 template <typename Conic>
 Vec3 Centre(const Conic& conic)
@@ -65,6 +72,25 @@ double SizeOf(const Handle(Geom_Curve) & curve, double first, double last)
     size += curve->Value(first + i * step).Distance(curve->Value(first + (i + 1) * step));
   }
   return size;
+}
+
+/// An offset curve as closely as wanted. OpenCASCADE gives what it has when the segments are used
+/// up, however far off that is.
+Handle(Geom_BSplineCurve) Approximate(const Handle(Geom_TrimmedCurve) & curve)
+{
+  const double size = SizeOf(curve, curve->FirstParameter(), curve->LastParameter());
+  // Each span of the basis takes a segment at least.
+  const int segments = 200 + 16 * GeomAdaptor_Curve(curve).NbIntervals(GeomAbs_CN);
+  // A fit that is smoother than the curve takes many times the segments.
+  const GeomAbs_Shape smooth = curve->Continuity() < GeomAbs_C1 ? GeomAbs_C0 : GeomAbs_C1;
+  const GeomConvert_ApproxCurve fit(curve, WantedShare * size, smooth, segments, 9);
+  if (!fit.HasResult() || !(fit.MaxError() <= WorstShare * size))
+  {
+    std::ostringstream text;
+    text << "the offset curve cannot be approximated to " << WorstShare << " of its size";
+    throw Standard_ConstructionError(text.str().c_str());
+  }
+  return fit.Curve();
 }
 }
 
@@ -125,12 +151,6 @@ ConvertedCurve ConvertCurve(Handle(Geom_Curve) curve, double first, double last)
     cut->SetKnots(knots);
     return FromBSpline(cut, first, last);
   }
-  const double size = SizeOf(curve, first, last);
-  const GeomConvert_ApproxCurve fit(piece, 1e-8 * size, GeomAbs_C1, 200, 9);
-  if (!fit.HasResult())
-  {
-    throw Standard_ConstructionError("a basis curve could not be approximated");
-  }
-  return FromBSpline(fit.Curve(), first, last);
+  return FromBSpline(Approximate(piece), first, last);
 }
 }

@@ -21,8 +21,8 @@ inline Vec3 ToVec3(const gp_XYZ& p)
 
 /**
  * The curve over its own parameters. Lines, conics, Bezier and B-spline curves are converted
- * exactly; anything else (offset curves) is approximated to 1e-8 of its size or the best that is
- * reached. OpenCASCADE's exceptions pass through.
+ * exactly; anything else (offset curves) is approximated to 1e-8 of its size, at worst to 1e-6:
+ * what is farther off is an exception, like OpenCASCADE's own, which pass through.
  */
 ConvertedCurve ConvertCurve(opencascade::handle<Geom_Curve> curve, double first, double last);
 }
