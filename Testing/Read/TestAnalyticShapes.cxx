@@ -4,6 +4,7 @@
  * OpenCASCADE's own distances and classification, which the reader does not use.
  */
 #include "CADFaceConversion.h"
+#include "CADModel.h"
 #include "ReadTesting.h"
 #include "TrimmingSurface.h"
 
@@ -32,9 +33,12 @@
 #include <Geom2d_Line.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Hyperbola.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Geom_Parabola.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <IGESControl_Controller.hxx>
@@ -426,6 +430,86 @@ void CheckWinding()
   CHECK(refusal.find("too many times") != std::string::npos && none.empty(),
     "150 000 turns: \"" << refusal << "\", " << none.size() << " surfaces");
 }
+
+/// The offset of a wavy bicubic surface with a net of 6 mm.
+struct Offset
+{
+  int Spans, Multiplicity; ///< of inner knots
+  double Place;            ///< the net begins there on all three axes
+  bool Rough = false;      ///< bent with radii below the offset
+
+  Handle(Geom_Surface) Surface() const
+  {
+    const int count = this->Count();
+    TColgp_Array2OfPnt poles(1, count, 1, count);
+    for (int i = 1; i <= count; ++i)
+    {
+      for (int j = 1; j <= count; ++j)
+      {
+        const double height =
+          this->Rough ? 4.5 * ((i * 7 + j * 13) % 5) : 3 * std::sin(0.9 * i) * std::cos(0.7 * j);
+        poles(i, j) = gp_Pnt(this->Place + 6 * i, this->Place + 6 * j, this->Place + height);
+      }
+    }
+    TColStd_Array1OfReal knots(1, this->Spans + 1);
+    TColStd_Array1OfInteger multiplicities(1, this->Spans + 1);
+    for (int i = 1; i <= this->Spans + 1; ++i)
+    {
+      knots(i) = i;
+      multiplicities(i) = i == 1 || i > this->Spans ? 4 : this->Multiplicity;
+    }
+    return new Geom_OffsetSurface(
+      new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3),
+      this->Rough ? 1.2 : 0.3);
+  }
+  int Count() const { return 4 + (this->Spans - 1) * this->Multiplicity; }
+};
+
+/// Offset surfaces have no NURBS form: they are as close as said whatever their number of spans,
+/// their smoothness and their place.
+void CheckOffsets()
+{
+  for (const Offset& one : { Offset{ 5, 1, 0 }, { 13, 1, 0 }, { 13, 1, 3000 }, { 30, 1, 1e6 },
+         { 4, 2, 0 }, { 12, 2, 3000 }, { 21, 1, 0, true } })
+  {
+    const Handle(Geom_Surface) offset = one.Surface();
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(offset, 1e-7);
+    std::vector<NurbsSurface> surfaces;
+    const std::string reason =
+      nurbs::CatchReason([&] { return nurbs::ConvertFace(face, {}, 1.0, surfaces); });
+    double error = surfaces.size() == 1 ? 0.0 : 1e300;
+    for (int k = 0; k < 14400 && surfaces.size() == 1; ++k)
+    {
+      const double u = 1 + one.Spans * (k % 120 + 0.37) / 120;
+      const double v = 1 + one.Spans * (k / 120 + 0.61) / 120;
+      const gp_Pnt p = offset->Value(u, v);
+      error =
+        std::max(error, (nurbs::Evaluate(surfaces[0], u, v) - Vec3(p.X(), p.Y(), p.Z())).norm());
+    }
+    const double size = 8.5 * (one.Count() - 1);
+    CHECK(error < 2e-7 * size,
+      one.Spans << " spans, knots of multiplicity " << one.Multiplicity << ", at " << one.Place
+                << ": off by " << error << " of " << size << " " << reason);
+  }
+}
+
+/// Over the cusp of (t^2, t^3) the normal turns round, and the offset jumps.
+void CheckTornOffset()
+{
+  const double x[] = { 1, -1.0 / 3, -1.0 / 3, 1 }, y[] = { -1, 1, -1, 1 };
+  TColgp_Array2OfPnt poles(1, 4, 1, 2);
+  for (int i = 0; i < 4; ++i)
+  {
+    poles(i + 1, 1) = gp_Pnt(x[i], y[i], 0);
+    poles(i + 1, 2) = gp_Pnt(x[i], y[i], 2);
+  }
+  const Handle(Geom_Surface) offset = new Geom_OffsetSurface(new Geom_BezierSurface(poles), 0.2);
+  std::vector<NurbsSurface> surfaces;
+  const std::string reason = nurbs::CatchReason(
+    [&] { return nurbs::ConvertFace(BRepBuilderAPI_MakeFace(offset, 1e-7), {}, 1.0, surfaces); });
+  CHECK(surfaces.empty() && reason.find("cannot be approximated") != std::string::npos,
+    "an offset with a jump: \"" << reason << "\", " << surfaces.size() << " surfaces");
+}
 }
 
 int main(int argc, char* argv[])
@@ -437,6 +521,8 @@ int main(int argc, char* argv[])
     CheckUnits();
     CheckOpenApex();
     CheckWinding();
+    CheckOffsets();
+    CheckTornOffset();
   }
   for (const Case& one : Cases())
   {

@@ -33,7 +33,8 @@ using ReadProgress = std::function<bool(double)>;
  *
  * Each surface is restricted to the face's parameter range and oriented so that S_u x S_v is
  * the face's own normal (outward for a solid). Analytic surfaces are converted exactly; only
- * offset surfaces without an analytic form are approximated, to 1e-7 of their size.
+ * offset surfaces without an analytic form are approximated, to 1e-7 of their size, at worst to
+ * 1e-6; those that cannot be are left out.
  * TrimLoops are present where the face is less than its parameter rectangle; their chords
  * deviate by at most 1e-6 of the face's size.
  *

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <GeomAdaptor_Surface.hxx>
 #include <GeomConvert.hxx>
 #include <GeomConvert_ApproxSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -20,11 +21,18 @@
 #include <Standard_ConstructionError.hxx>
 
 #include <cmath>
+#include <sstream>
 
 namespace nurbs
 {
 namespace
 {
+/// Shares of a surface's size: what an approximation aims at, and what any NURBS form has to keep.
+constexpr double WantedShare = 1e-7;
+constexpr double WorstShare = 1e-6;
+/// What rounding leaves of a coordinate far from the origin.
+constexpr double Rounding = 1e-12;
+
 /// Origin and axes of an elementary surface; Z completes X and Y to a right-handed frame.
 struct Frame
 {
@@ -100,25 +108,98 @@ CADSurface CutBSpline(Handle(Geom_BSplineSurface) spline, ParameterRange range)
   return result;
 }
 
+/// How far a NURBS form of a surface may be off: by the surface's own size, wherever it lies.
+double WorstDeviation(const Handle(Geom_Surface) & surface, const ParameterRange& range)
+{
+  Eigen::AlignedBox3d box;
+  for (double s : { 0.0, 0.2, 0.4, 0.6, 0.8, 1.0 })
+  {
+    for (double t : { 0.0, 0.2, 0.4, 0.6, 0.8, 1.0 })
+    {
+      const Vec2 uv = range.First + Vec2(s, t).cwiseProduct(range.Last - range.First);
+      box.extend(ToVec3(surface->Value(uv.x(), uv.y()).XYZ()));
+    }
+  }
+  const double reach = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  return WorstShare * box.diagonal().norm() + Rounding * reach;
+}
+
+/// Largest distance between a surface and its NURBS form at all pairs of these parameters.
+double Deviation(const Handle(Geom_Surface) & surface, const std::vector<double>& us,
+  const std::vector<double>& vs, const CADSurface& converted)
+{
+  double deviation = 0.0;
+  for (double u : us)
+  {
+    for (double v : vs)
+    {
+      const Vec2 place = converted(Vec2(u, v));
+      const Vec3 point = Evaluate(converted.Converted.Surface, place.x(), place.y());
+      const double distance = (point - ToVec3(surface->Value(u, v).XYZ())).norm();
+      deviation = distance <= deviation ? deviation : distance; // NaN stays
+    }
+  }
+  return deviation;
+}
+
+/// Three parameters within each span of a NURBS form, in the original's parameters.
+std::vector<double> SpanPlaces(const std::vector<double>& knots, double shift)
+{
+  std::vector<double> places;
+  for (size_t i = 1; i < knots.size(); ++i)
+  {
+    for (double share : { 0.05, 0.5, 0.95 })
+    {
+      if (knots[i - 1] < knots[i])
+      {
+        places.push_back(shift + knots[i - 1] + share * (knots[i] - knots[i - 1]));
+      }
+    }
+  }
+  return places;
+}
+
+/// An approximation of a piece of a surface, if it is close enough.
+bool Fit(const Handle(Geom_RectangularTrimmedSurface) & piece, const ParameterRange& range,
+  GeomAbs_Shape smooth, int patches, double worst, CADSurface& result)
+{
+  const GeomConvert_ApproxSurface fit(
+    piece, WantedShare / WorstShare * worst, smooth, smooth, 9, 9, patches, 0);
+  if (!fit.HasResult() || !(fit.MaxError() <= worst))
+  {
+    return false;
+  }
+  NurbsSurface& surface = result.Converted.Surface;
+  surface = FromBSplineSurface(fit.Surface());
+  // The trimmed surface may have moved a periodic range into its own period.
+  double u1, u2, v1, v2;
+  piece->Bounds(u1, u2, v1, v2);
+  result.ShiftU = range.First.x() - u1;
+  result.ShiftV = range.First.y() - v1;
+  // MaxError is not always true.
+  return Deviation(piece->BasisSurface(), SpanPlaces(surface.KnotsU, result.ShiftU),
+           SpanPlaces(surface.KnotsV, result.ShiftV), result) <= worst;
+}
+
 CADSurface Approximate(const Handle(Geom_Surface) & surface, const ParameterRange& range)
 {
   const Handle(Geom_RectangularTrimmedSurface) piece = new Geom_RectangularTrimmedSurface(
     surface, range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
-  double u1, u2, v1, v2;
-  piece->Bounds(u1, u2, v1, v2);
-  const double size = piece->Value(u1, v1).Distance(piece->Value(u2, v2)) +
-    piece->Value(u1, v2).Distance(piece->Value(u2, v1)) +
-    piece->Value(u1, v1).Distance(piece->Value(0.5 * (u1 + u2), 0.5 * (v1 + v2)));
-  const GeomConvert_ApproxSurface fit(piece, 1e-7 * size, GeomAbs_C1, GeomAbs_C1, 9, 9, 100, 0);
-  if (!fit.HasResult())
-  {
-    throw Standard_ConstructionError("the surface could not be approximated");
-  }
+  const double worst = WorstDeviation(surface, range);
+  const GeomAdaptor_Surface adaptor(piece);
+  const int spans = adaptor.NbUIntervals(GeomAbs_CN) * adaptor.NbVIntervals(GeomAbs_CN);
   CADSurface result;
-  result.Converted.Surface = FromBSplineSurface(fit.Surface());
-  // The trimmed surface may have moved a periodic range into its own period.
-  result.ShiftU = range.First.x() - u1;
-  result.ShiftV = range.First.y() - v1;
+  // A smooth fit is the better one to trim with, and takes about a patch for each span of the
+  // basis; where it takes many more it takes minutes, and one without continuous derivatives a
+  // second. A fit that is smoother than the surface is wrong, whatever its MaxError.
+  const bool smooth = surface->Continuity() >= GeomAbs_C1 &&
+    Fit(piece, range, GeomAbs_C1, 100 + 2 * spans, worst, result);
+  if (!smooth && !Fit(piece, range, GeomAbs_C0, 1000 + 8 * spans, worst, result))
+  {
+    std::ostringstream text;
+    text << "the surface cannot be approximated to " << WorstShare << " of its size";
+    throw Standard_ConstructionError(text.str().c_str());
+  }
   return result;
 }
 
@@ -211,24 +292,21 @@ CADSurface Convert(const Handle(Geom_Surface) & surface, const ParameterRange& r
   return Approximate(surface, range);
 }
 
-/// Largest distance between a surface and its NURBS form at places within the range.
-double Deviation(
+/// Is the NURBS form the surface itself? Guards the conventions on parameters against surprises
+/// (equivalent surfaces of offsets).
+bool IsClose(
   const Handle(Geom_Surface) & surface, const ParameterRange& range, const CADSurface& converted)
 {
-  double deviation = 0.0;
+  std::vector<double> us, vs;
   for (double s : { 0.0, 0.17, 0.39, 0.5, 0.83, 1.0 })
   {
-    for (double t : { 0.0, 0.21, 0.43, 0.5, 0.77, 1.0 })
-    {
-      const Vec2 uv(range.First.x() + s * (range.Last.x() - range.First.x()),
-        range.First.y() + t * (range.Last.y() - range.First.y()));
-      const Vec2 place = converted(uv);
-      const Vec3 point = Evaluate(converted.Converted.Surface, place.x(), place.y());
-      deviation =
-        std::max(deviation, (point - ToVec3(surface->Value(uv.x(), uv.y()).XYZ())).norm());
-    }
+    us.push_back(range.First.x() + s * (range.Last.x() - range.First.x()));
   }
-  return deviation;
+  for (double t : { 0.0, 0.21, 0.43, 0.5, 0.77, 1.0 })
+  {
+    vs.push_back(range.First.y() + t * (range.Last.y() - range.First.y()));
+  }
+  return Deviation(surface, us, vs, converted) <= WorstDeviation(surface, range);
 }
 }
 
@@ -241,14 +319,10 @@ CADSurface ConvertSurface(const Handle(Geom_Surface) & surface, ParameterRange r
     basis = trimmed->BasisSurface();
   }
   CADSurface result = Convert(basis, range);
-  const Vec3 low = ToVec3(basis->Value(range.First.x(), range.First.y()).XYZ());
-  const Vec3 high = ToVec3(basis->Value(range.Last.x(), range.Last.y()).XYZ());
-  const double size = (high - low).norm() + low.norm() + high.norm();
-  // Guards the conventions on parameters against surprises (equivalent surfaces of offsets).
-  if (!(Deviation(basis, range, result) <= 1e-6 * size))
+  if (!IsClose(basis, range, result))
   {
     result = Approximate(basis, range);
-    if (!(Deviation(basis, range, result) <= 1e-4 * size))
+    if (!IsClose(basis, range, result))
     {
       throw Standard_ConstructionError("no NURBS form comes close enough to the surface");
     }

@@ -39,8 +39,8 @@ struct CADSurface
 /**
  * Planes, cylinders, cones, spheres, tori, extrusions and revolutions of lines, conics, Bezier
  * and B-spline curves, and Bezier and B-spline surfaces are converted exactly; anything else
- * (offset surfaces mostly) is approximated to 1e-7 of its size or the best that is reached.
- * OpenCASCADE's exceptions pass through.
+ * (offset surfaces mostly) is approximated to 1e-7 of its size, at worst to 1e-6: what is farther
+ * off is an exception, like OpenCASCADE's own, which pass through.
  */
 CADSurface ConvertSurface(const opencascade::handle<Geom_Surface>& surface, ParameterRange range);
 }
