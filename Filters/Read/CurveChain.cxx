@@ -22,6 +22,9 @@ constexpr double LargestTolerance = 1e-3;
 constexpr double SuspiciousTolerances = 10.0;
 constexpr double SuspiciousShare = 1e-3;
 
+/// Points nearer to each other than this share of a curve's length coincide.
+constexpr double Negligible = 1e-9;
+
 constexpr size_t None = static_cast<size_t>(-1);
 
 double PolygonLength(const ConvertedCurve& curve)
@@ -205,6 +208,61 @@ void Straighten(Chain& chain)
   }
 }
 
+/// Do so many control points coincide, from this one on?
+bool Coincide(const std::vector<Vec4>& points, size_t first, int count, double tolerance)
+{
+  return std::all_of(points.begin() + first, points.begin() + first + count,
+    [&](const Vec4& p) { return (p - points[first]).head<3>().norm() <= tolerance; });
+}
+
+/// Does the curve stay at one place between two knots, as at a point that the file has twice?
+bool StandsStill(const ConvertedCurve& curve, double tolerance)
+{
+  for (size_t i = 0; i + curve.Degree < curve.Points.size(); ++i)
+  {
+    if (curve.Knots[i + curve.Degree] < curve.Knots[i + curve.Degree + 1] &&
+      Coincide(curve.Points, i, curve.Degree + 1, tolerance))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The curve without the spans in which it stands still: swept, they are no surface.
+ConvertedCurve WithoutStandstills(const ConvertedCurve& curve)
+{
+  const double tolerance = Negligible * PolygonLength(curve);
+  if (!StandsStill(curve, tolerance))
+  {
+    return curve;
+  }
+  const ConvertedCurve pieces = WithBezierKnots(curve, curve.Degree);
+  const size_t degree = curve.Degree;
+  ConvertedCurve result;
+  result.Degree = curve.Degree;
+  result.Knots.assign(degree + 1, pieces.Knots.front());
+  result.Points.push_back(pieces.Points.front());
+  double weight = 1.0; // those of a piece have to fit to the piece before
+  for (size_t i = 0; i + degree < pieces.Points.size(); i += degree)
+  {
+    if (Coincide(pieces.Points, i, curve.Degree + 1, tolerance))
+    {
+      weight *= pieces.Points[i][3] / pieces.Points[i + degree][3];
+      continue;
+    }
+    const double length = pieces.Knots[i + degree + 1] - pieces.Knots[i + degree];
+    result.Knots.insert(result.Knots.end(), degree, result.Knots.back() + length);
+    for (size_t k = i + 1; k <= i + degree; ++k)
+    {
+      result.Points.push_back(pieces.Points[k]);
+      result.Points.back()[3] *= weight;
+    }
+  }
+  result.Knots.push_back(result.Knots.back());
+  return result;
+}
+
 /// Moves the ends where two pieces join onto one place.
 void Meet(ConvertedCurve& piece, ConvertedCurve& next)
 {
@@ -255,7 +313,7 @@ TrimLine MakeLine(const std::vector<FileCurve>& curves, const Chain& chain)
   for (size_t begin : chain.Begins)
   {
     const FileCurve& curve = curves[begin / 2];
-    pieces.push_back(begin % 2 == 1 ? ReverseCurve(curve.Curve) : curve.Curve);
+    pieces.push_back(WithoutStandstills(begin % 2 == 1 ? ReverseCurve(curve.Curve) : curve.Curve));
     line.Name = line.Name.empty() ? curve.Name : line.Name;
     degree = std::max(degree, curve.Curve.Degree);
   }

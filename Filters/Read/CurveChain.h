@@ -16,7 +16,8 @@ namespace nurbs
  * The pieces stay what they are: degrees are elevated exactly, and where ends do not quite meet
  * only the last control points move, those of polynomial pieces rather than those of rational
  * ones, so that arcs stay arcs. Lines come in the order of their first pieces, and run in the
- * direction that those have. Curves shorter than their tolerance are dropped.
+ * direction that those have. Curves shorter than their tolerance are dropped, and so are spans in
+ * which a curve stands still, as at a point that the file has twice.
  *
  * @param curves  valid curves.
  * @param lines   at least one if true is returned.

@@ -260,10 +260,12 @@ ConvertedCurve MakeParabola(
 //------------------------------------------------------------------------------
 ConvertedCurve ElevateDegree(const ConvertedCurve& curve, int degree)
 {
-  if (degree <= curve.Degree)
-  {
-    return curve;
-  }
+  return degree > curve.Degree ? WithBezierKnots(curve, degree) : curve;
+}
+
+//------------------------------------------------------------------------------
+ConvertedCurve WithBezierKnots(const ConvertedCurve& curve, int degree)
+{
   std::vector<double> knots = curve.Knots;
   std::vector<std::vector<Vec4>> columns(1);
   std::transform(

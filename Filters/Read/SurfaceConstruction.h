@@ -70,6 +70,10 @@ ConvertedCurve MakeParabola(
 /// NURBS Book, 5.5) The map is kept.
 ConvertedCurve ElevateDegree(const ConvertedCurve& curve, int degree);
 
+/// The same with Bezier knots, each inner one as often as the degree, in any case; `degree` is the
+/// curve's own or a higher one.
+ConvertedCurve WithBezierKnots(const ConvertedCurve& curve, int degree);
+
 /// A surface and the maps of its original's parameters.
 struct ConvertedSurface
 {

@@ -165,7 +165,8 @@ std::string FindCourseDefect(
     for (size_t i = 1; i < polygon.size(); ++i)
     {
       const Vec3 chord = polygon[i] - polygon[i - 1];
-      if (chord.cross(sweep.Direction).norm() <= NegligibleAngle * chord.norm())
+      // Not where two samples coincide.
+      if (chord.cross(sweep.Direction).norm() < NegligibleAngle * chord.norm())
       {
         return "Direction is along " + NameOf(lines, k) + " at " + PlaceText(polygon[i - 1]) +
           "; give a direction across the line";

@@ -134,6 +134,36 @@ void TestEntities()
     [](const Vec3& p) { return p.norm() - 1.0; }, { 1, 0, 0 }, { 0, 1, 0 });
 }
 
+/// Points that are there several times, so that the curve stands still for a span.
+void TestRepeatedPoints()
+{
+  const auto diamond = [](const Vec3& p) { return std::abs(p.x()) + std::abs(p.y()) - 1.0; };
+  CheckEntity(106, 12, "2,5,1.,0.,0.,1.,0.,0.,0.,1.,7.,0.,1.,7.,-1.,0.,9.", diamond, { 1, 0, 0 },
+    { -1, 0, 9 });
+  // Half a circle: a quarter, a span at its end in which the weight grows to 4, the other quarter.
+  const double root = std::sqrt(0.5);
+  CheckEntity(126, 0,
+    "6,2,1,0,0,0,0.,0.,0.,1.,1.,2.,2.,3.,3.,3.,1.," + Join({ root }) + ",1.,2.,4.," +
+      Join({ 4 * root }) +
+      ",4.,1.,0.,0.,1.,1.,0.,0.,1.,0.,0.,1.,0.,0.,1.,0.,-1.,1.,0.,-1.,0.,0.,0.,3.,0.,0.,1.",
+    [](const Vec3& p) { return p.norm() - 1.0; }, { 1, 0, 0 }, { -1, 0, 0 });
+  // A cubic with simple knots: (0, 1, 0) four times.
+  IgesText iges;
+  iges.Add(126,
+    "9,3,1,0,1,0,0.,0.,0.,0.,1.,2.,3.,4.,5.,6.,7.,7.,7.,7.,1.,1.,1.,1.,1.,1.,1.,1.,1.,1.,"
+    "-9.,0.,0.,-6.,1.,0.,-3.,1.,0.,0.,1.,0.,0.,1.,0.,0.,1.,0.,0.,1.,0.,3.,1.,0.,6.,1.,0.,"
+    "9.,0.,0.,0.,7.,0.,0.,1.");
+  const LineResult result = ReadGood(Written(iges, "repeated.igs"), 1);
+  const std::vector<Vec3> places = Places(result.Surfaces[0]);
+  double step = 1e300;
+  for (size_t i = 1; i < places.size(); ++i)
+  {
+    step = std::min(step, (places[i] - places[i - 1]).norm());
+  }
+  CHECK(step > 0.0, "the cubic stands still");
+  CheckEnds("the cubic", result.Surfaces[0], { -9, 0, 0 }, { 9, 0, 0 });
+}
+
 /// A composite curve: a stadium, two straight sides and two half circles.
 void TestComposite()
 {
@@ -485,6 +515,7 @@ void TestReread()
 int main()
 {
   TestEntities();
+  TestRepeatedPoints();
   TestComposite();
   TestJoining();
   TestWeightsJoined();

@@ -306,28 +306,33 @@ void TestStepEdges()
   CheckContour(path);
 }
 
-/// A polyline, closed, of corners (0, 0), (8, 0), (8, 6).
+/// A polyline, closed, of corners (0, 0), (8, 0), (8, 6), each of which may be there twice.
 void TestStepPolyline()
 {
-  const std::string text =
-    "#30=CARTESIAN_POINT('',(0.,0.,0.));\n"
-    "#31=CARTESIAN_POINT('',(8.,0.,0.));\n"
-    "#32=CARTESIAN_POINT('',(8.,6.,0.));\n#40=POLYLINE('',(#30,#31,#32,#30));\n"
-    "#130=GEOMETRIC_SET('',(#40));\n";
-  const std::string path = OutputPath("polyline.step");
-  WriteText(path,
-    StepText(std::string(Millimetres) + Radians, text, "#130", "GEOMETRICALLY_BOUNDED_WIREFRAME"));
-  const LineResult result = ReadGood(path, 1);
-  if (result.Surfaces.size() == 1)
+  for (const std::string points :
+    { "#30,#31,#32,#30", "#30,#31,#31,#32,#30", "#30,#30,#31,#32,#32,#32,#30,#30" })
   {
-    const double residual = LargestResidual(result.Surfaces[0],
-      [](const Vec3& p)
-      {
-        return std::min(
-          { std::abs(p.y()), std::abs(p.x() - 8.0), std::abs(6.0 * p.x() - 8.0 * p.y()) / 10.0 });
-      });
-    CHECK(residual < 1e-12, "polyline: off by " << residual);
-    CHECK(std::abs(Area(result.Surfaces[0]) - 24.0) < 0.01, "area of the polyline");
+    const std::string text = "#30=CARTESIAN_POINT('',(0.,0.,0.));\n"
+                             "#31=CARTESIAN_POINT('',(8.,0.,0.));\n"
+                             "#32=CARTESIAN_POINT('',(8.,6.,0.));\n#40=POLYLINE('',(" +
+      points + "));\n#130=GEOMETRIC_SET('',(#40));\n";
+    const std::string path = OutputPath("polyline.step");
+    WriteText(path,
+      StepText(
+        std::string(Millimetres) + Radians, text, "#130", "GEOMETRICALLY_BOUNDED_WIREFRAME"));
+    const LineResult result = ReadGood(path, 1);
+    if (result.Surfaces.size() == 1)
+    {
+      const double residual = LargestResidual(result.Surfaces[0],
+        [](const Vec3& p)
+        {
+          return std::min(
+            { std::abs(p.y()), std::abs(p.x() - 8.0), std::abs(6.0 * p.x() - 8.0 * p.y()) / 10.0 });
+        });
+      CHECK(residual < 1e-12, points << ": off by " << residual);
+      CHECK(std::abs(Area(result.Surfaces[0]) - 24.0) < 0.01, "area of " << points);
+      CHECK(result.Surfaces[0].CountU == 4, points << ": " << result.Surfaces[0].CountU);
+    }
   }
 }
 
