@@ -22,8 +22,12 @@ struct Segment
   double U1, U2;
   Vec2 P1, P2;
 
-  double Low(int axis) const { return std::min(this->P1[axis], this->P2[axis]); }
-  double High(int axis) const { return std::max(this->P1[axis], this->P2[axis]); }
+  /// Of the curve, which bulges beyond the chord.
+  Eigen::AlignedBox2d Box() const
+  {
+    const Vec2 slack = Vec2::Constant(0.05 * (this->P2 - this->P1).norm());
+    return { this->P1.cwiseMin(this->P2) - slack, this->P1.cwiseMax(this->P2) + slack };
+  }
 };
 
 class CrossingFinder
@@ -55,34 +59,8 @@ public:
     {
       return result;
     }
-    // Where the segments overlap along x, and then along y, they are looked at in pairs.
-    std::vector<size_t> order(this->Segments.size());
-    for (size_t i = 0; i < order.size(); ++i)
-    {
-      order[i] = i;
-    }
-    std::sort(order.begin(), order.end(),
-      [this](size_t a, size_t b)
-      {
-        const double x = this->Segments[a].Low(0), y = this->Segments[b].Low(0);
-        return x != y ? x < y : a < b;
-      });
-    std::vector<size_t> active;
-    for (size_t i : order)
-    {
-      const Segment& segment = this->Segments[i];
-      active.erase(std::remove_if(active.begin(), active.end(),
-                     [&](size_t j) { return this->Segments[j].High(0) < segment.Low(0); }),
-        active.end());
-      for (size_t j : active)
-      {
-        if (this->Cross(this->Segments[std::min(i, j)], this->Segments[std::max(i, j)], result))
-        {
-          return result;
-        }
-      }
-      active.push_back(i);
-    }
+    this->BuildBoxes();
+    this->CrossWithin(1, 1, result);
     return result;
   }
 
@@ -123,11 +101,45 @@ private:
     return result;
   }
 
+  /// Boxes of the segments, of every two that follow each other, and so on: box k is that of 2k and
+  /// 2k + 1, box 1 that of all.
+  void BuildBoxes()
+  {
+    while (this->Leaves < this->Segments.size())
+    {
+      this->Leaves *= 2;
+    }
+    this->Boxes.resize(2 * this->Leaves);
+    for (size_t i = 0; i < this->Segments.size(); ++i)
+    {
+      this->Boxes[this->Leaves + i] = this->Segments[i].Box();
+    }
+    for (size_t k = this->Leaves - 1; k > 0; --k)
+    {
+      this->Boxes[k] = this->Boxes[2 * k].merged(this->Boxes[2 * k + 1]);
+    }
+  }
+
+  /// Looks for a crossing between the segments of two boxes of the same size, or within one.
+  bool CrossWithin(size_t k, size_t l, CurveCrossing& result) const
+  {
+    if (!this->Boxes[k].intersects(this->Boxes[l]))
+    {
+      return false;
+    }
+    if (k >= this->Leaves)
+    {
+      return k != l &&
+        this->Cross(this->Segments[k - this->Leaves], this->Segments[l - this->Leaves], result);
+    }
+    return this->CrossWithin(2 * k, 2 * l, result) || this->CrossWithin(2 * k, 2 * l + 1, result) ||
+      (k != l && this->CrossWithin(2 * k + 1, 2 * l, result)) ||
+      this->CrossWithin(2 * k + 1, 2 * l + 1, result);
+  }
+
   bool Cross(const Segment& a, const Segment& b, CurveCrossing& result) const
   {
-    // Curves bulge beyond their chords.
-    const double slack = 0.05 * std::min((a.P2 - a.P1).norm(), (b.P2 - b.P1).norm());
-    if (this->Adjacent(a, b) || a.Low(1) > b.High(1) + slack || b.Low(1) > a.High(1) + slack)
+    if (this->Adjacent(a, b))
     {
       return false;
     }
@@ -184,6 +196,8 @@ private:
   std::vector<Segment> Segments;
   std::vector<size_t> Counts; ///< segments of each line
   Eigen::AlignedBox2d Box;
+  std::vector<Eigen::AlignedBox2d> Boxes;
+  size_t Leaves = 1; ///< the number of the first segment's box
 };
 }
 

@@ -19,6 +19,7 @@
 
 #include <Eigen/Geometry>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -425,6 +426,35 @@ void TestFile()
   }
 }
 
+/// Seconds that a long line takes, in steps along a direction.
+double TimeLine(const Vec3& along, const Vec3& across)
+{
+  Points points;
+  for (int i = 0; i < 40000; ++i)
+  {
+    points.push_back(i * along + 0.1 * std::sin(7.0 * i) * across);
+  }
+  vtkNew<vtkTrimLineSource> source;
+  Give(source, points, false);
+  source->SetLineType(vtkTrimLineSource::POLYLINE);
+  source->SetDirection(0, 0, 1);
+  source->SetLength(1.0);
+  source->SetResolution(1);
+  const auto start = std::chrono::steady_clock::now();
+  source->Update();
+  CHECK(source->GetOutput()->GetNumberOfPoints() > 0, "a long line");
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Looking for crossings takes as long whatever the direction of a line: not every pair of its
+/// pieces is looked at.
+void TestLongLines()
+{
+  const double x = TimeLine(Vec3::UnitX(), Vec3::UnitY());
+  const double y = TimeLine(Vec3::UnitY(), Vec3::UnitX());
+  CHECK(std::max(x, y) < 5.0 * std::min(x, y), "along x " << x << " s, along y " << y << " s");
+}
+
 using Source = vtkTrimLineSource;
 
 void CheckError(const std::string& part, const std::function<void(Source*)>& spoil)
@@ -541,6 +571,7 @@ int main()
   TestCorruptSheet();
   TestModified();
   TestFile();
+  TestLongLines();
   TestBadInput();
   return Failures != 0;
 }
