@@ -8,6 +8,7 @@
 #include "vtkCADSurfaceReader.h"
 #include "vtkMultiBlockDataSet.h"
 
+#include <clocale>
 #include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -198,8 +199,21 @@ void TestWeights()
     CheckError(File("weight.igs", iges.Text()), "weight 3 of the B-spline at directory line D3");
   }
   IgesText good;
-  good.Add(128, "1,1,1,1,0,0,0,0,0," + knots + "1.,2.D0,2.5E-1,1." + points);
+  good.Add(128, "1,1,1,1,0,0,0,0,0," + knots + "1.,2.D0,2.5E-1,+1." + points);
   ReadFaces(File("weight.igs", good.Text()), 1);
+  IgesText small;
+  small.Add(128, "1,1,1,1,0,0,0,0,0," + knots + "0.5,0.5,.5,5.D-1" + points);
+  // ParaView takes the user's locale. There is nothing to be seen where the machine has none with a
+  // decimal comma.
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : { "de_DE.UTF-8", "fr_FR.UTF-8", "pt_PT.UTF-8", "C" })
+  {
+    if (std::setlocale(LC_ALL, name))
+    {
+      ReadFaces(File("weight.igs", small.Text()), 1);
+    }
+  }
+  std::setlocale(LC_ALL, before.c_str());
 }
 
 /// References to nothing, on which OpenCASCADE 7.6 crashes.

@@ -1,6 +1,7 @@
 #include "IgesWeights.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -37,6 +38,15 @@ long Whole(const std::vector<std::string>& fields, size_t index)
   return index < fields.size() ? std::strtol(fields[index].c_str(), nullptr, 10) : -1;
 }
 
+/// Not strtod: a decimal point whatever the locale. What is no number is zero.
+double Real(const std::string& field)
+{
+  const size_t first = std::min(field.find_first_not_of(" \t+"), field.size());
+  double number = 0.0;
+  std::from_chars(field.data() + first, field.data() + field.size(), number);
+  return number;
+}
+
 /// Where the weights of a spline begin and how many there are; zero if it is no sound spline.
 size_t LocateWeights(const std::vector<std::string>& fields, size_t& first)
 {
@@ -70,14 +80,13 @@ std::string CheckRecord(
   const size_t count = LocateWeights(fields, first);
   for (size_t i = 0; i < count; ++i)
   {
-    const std::string& field = fields[first + i];
+    const double weight = Real(fields[first + i]);
     // Written so that NaN fails.
-    if (!(std::strtod(field.c_str(), nullptr) > SmallestWeight))
+    if (!(weight > SmallestWeight))
     {
       std::ostringstream text;
       text << "weight " << i + 1 << " of the B-spline at directory line D"
-           << std::atol(owner.c_str()) << " is " << std::strtod(field.c_str(), nullptr)
-           << ", not positive";
+           << std::atol(owner.c_str()) << " is " << weight << ", not positive";
       return text.str();
     }
   }
