@@ -231,14 +231,12 @@ public:
     double share = 0.0;
     while (true)
     {
+      // Another process started meanwhile may hold the pipe open: look at the child too. Before
+      // the pipe is looked at, so that all that an ended child has sent is read.
+      const bool ended = this->Wait(WNOHANG);
       pollfd ready{ this->File, POLLIN, 0 };
-      const int count = poll(&ready, 1, 100);
-      // Another process started meanwhile may hold the pipe open: look at the child too.
-      const bool ended = count == 0 && this->Wait(WNOHANG);
-      if (count > 0 && !this->ReadSome(bytes))
-      {
-        return false;
-      }
+      const int count = poll(&ready, 1, ended ? 0 : 100);
+      const bool over = count == 0 ? ended : count > 0 && !this->ReadSome(bytes);
       while (this->TakeMessage(bytes, share, result))
       {
         if (!result.empty())
@@ -247,37 +245,40 @@ public:
         }
       }
       this->Stopped = progress && !progress(share);
-      if (this->Stopped || ended)
+      if (this->Stopped || over)
       {
         return false;
       }
-      if (Clock::now() > this->End)
+      if (!ended && Clock::now() > this->End)
       {
+        this->Late = true;
         kill(this->Process, SIGKILL);
         return false;
       }
     }
   }
 
-  /// How the child ended, for the message.
+  /// How the child ended and what to do, for the message.
   std::string Describe()
   {
+    const std::string advice = "; export it again from the CAD program";
     this->Wait(0);
-    std::ostringstream text;
-    if (WIFSIGNALED(this->Status) &&
-      (WTERMSIG(this->Status) == SIGXCPU || WTERMSIG(this->Status) == SIGKILL))
+    if (!WIFSIGNALED(this->Status))
     {
-      text << "takes too long to read";
+      return "could not be read: the reading process ended early" + advice;
     }
-    else if (WIFSIGNALED(this->Status))
+    const int signal = WTERMSIG(this->Status);
+    if (signal == SIGXCPU || this->Late)
     {
-      text << "makes OpenCASCADE crash (" << strsignal(WTERMSIG(this->Status)) << ")";
+      return "takes too long to read" + advice;
     }
-    else
+    // Not by this process.
+    if (signal == SIGKILL)
     {
-      text << "could not be read: the reading process ended early";
+      return "could not be read: the system ended the reading process, as it does when memory runs "
+             "out; free memory and try again";
     }
-    return text.str();
+    return std::string("makes OpenCASCADE crash (") + strsignal(signal) + ")" + advice;
   }
   bool Stopped = false;
 
@@ -339,6 +340,7 @@ private:
   pid_t Process;
   int File;
   Clock::time_point End;
+  bool Late = false; ///< ended because of its time by the clock
   int Status = 0;
 };
 
@@ -387,8 +389,7 @@ bool ReadInChild(const std::string& path, double seconds, const ChildWork& work,
     return success;
   }
   things.clear();
-  error = child.Stopped ? std::string()
-                        : file + child.Describe() + "; export it again from the CAD program";
+  error = child.Stopped ? std::string() : file + child.Describe();
   return false;
 }
 }

@@ -9,10 +9,46 @@
 #include "vtkMultiBlockDataSet.h"
 
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+namespace
+{
+/// What the system does while a file is read.
+enum class System
+{
+  Normal,
+  Slow,  ///< the child goes on a long way between two calls of the parent
+  Killer ///< the child is killed, as for want of memory
+};
+System TheSystem = System::Normal;
+}
+
+// In place of the C library's, for the reader too.
+extern "C" pid_t waitpid(pid_t process, int* status, int options)
+{
+  if (TheSystem == System::Slow && options == WNOHANG)
+  {
+    usleep(1000000);
+  }
+  if (TheSystem == System::Killer)
+  {
+    kill(process, SIGKILL);
+  }
+  return wait4(process, status, options, nullptr);
+}
+
+extern "C" int poll(pollfd* files, nfds_t count, int timeout)
+{
+  const bool brief = TheSystem == System::Slow && timeout > 0;
+  return static_cast<int>(syscall(SYS_poll, files, count, brief ? 1 : timeout));
+}
 
 namespace
 {
@@ -226,6 +262,17 @@ void TestCrash()
   CheckError(File("crash.step", broken), "crash");
 }
 
+/// What the child has sent when it ends is read, and a child that was killed was not slow.
+void TestChild()
+{
+  const std::string good = std::string(EXAMPLE_DATA) + "/RearDoor.igs";
+  TheSystem = System::Slow;
+  ReadFaces(good, 12);
+  TheSystem = System::Killer;
+  CheckError(good, "the system ended the reading process");
+  TheSystem = System::Normal;
+}
+
 /// A few bytes changed at random: an error, a warning, or surfaces, but nothing else.
 void TestMutated()
 {
@@ -322,6 +369,7 @@ int main()
   TestNoSurface();
   TestWeights();
   TestCrash();
+  TestChild();
   TestMutated();
   TestCanReadFile();
   TestRecovery();
