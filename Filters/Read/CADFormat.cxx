@@ -157,13 +157,18 @@ bool EndsLikeStep(std::istream& stream)
 //------------------------------------------------------------------------------
 CADFormat RecognizeCADFile(const std::string& path)
 {
-  std::ifstream stream(path, std::ios::binary);
-  std::string line;
   struct stat status;
-  if (!stream || stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+  // Before it is opened: to open a pipe means to wait until somebody writes.
+  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
   {
     return CADFormat::None;
   }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+  {
+    return CADFormat::None;
+  }
+  std::string line;
   if (ReadLine(stream, line) && IgesSection(line))
   {
     return CADFormat::IGES;

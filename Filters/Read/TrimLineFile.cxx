@@ -7,7 +7,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 namespace nurbs
 {
@@ -210,10 +212,18 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
 {
   points.clear();
   const std::string file = "The file of points \"" + path + "\"";
+  const std::string advice = "; give the path of an existing CSV, IGES or STEP file";
+  std::error_code unread;
+  // Before it is opened: to open a pipe means to wait until somebody writes.
+  if (std::filesystem::is_other(path, unread))
+  {
+    error = file + " is no ordinary file" + advice;
+    return false;
+  }
   vtksys::ifstream stream(path.c_str());
   if (!stream || vtksys::SystemTools::FileIsDirectory(path))
   {
-    error = file + " cannot be read; give the path of an existing CSV, IGES or STEP file";
+    error = file + " cannot be read" + advice;
     return false;
   }
   if (IsUTF16(stream))

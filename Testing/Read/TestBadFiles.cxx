@@ -310,6 +310,11 @@ void TestCanReadFile()
   CHECK(canRead(File("text.igs", "solid\n")) == 0, "text");
   CHECK(canRead(OutputPath("missing.igs")) == 0, "missing");
   CHECK(canRead(OutputPath("")) == 0, "directory");
+  const std::string pipe = OutputPath("pipe.igs");
+  mkfifo(pipe.c_str(), 0600);
+  CHECK(canRead(pipe) == 0, "a pipe to which nobody writes");
+  CheckError(pipe, "is no ordinary file");
+  unlink(pipe.c_str());
   CHECK(vtkCADSurfaceReader::CanReadFile(nullptr) == 0, "null");
 }
 

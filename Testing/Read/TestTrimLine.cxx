@@ -25,6 +25,9 @@
 #include <limits>
 #include <random>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 using nurbs::NurbsSurface;
 using nurbs::Vec3;
 
@@ -542,6 +545,11 @@ void TestBadInput()
     });
   CheckError("cannot be read", [](Source* s) { s->SetFileName("/nowhere/line.csv"); });
   CheckError("cannot be read", [](Source* s) { s->SetFileName("/tmp"); });
+  // To which nobody writes.
+  const std::string pipe = OutputPath("pipe.csv");
+  mkfifo(pipe.c_str(), 0600);
+  CheckError("is no ordinary file", [pipe](Source* s) { s->SetFileName(pipe.c_str()); });
+  unlink(pipe.c_str());
   CheckFileError("is in UTF-16; save it as CSV in UTF-8",
     std::string("\xFF\xFE"
                 "0\0,\0",
