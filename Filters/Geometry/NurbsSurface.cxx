@@ -1,5 +1,7 @@
 #include "NurbsSurface.h"
 
+#include "ParameterPolygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -169,11 +171,6 @@ std::string LoopDefect(const NurbsSurface& surface)
   for (std::size_t loop = 0; loop < surface.TrimLoops.size(); ++loop)
   {
     const auto& points = surface.TrimLoops[loop];
-    if (points.size() < 3)
-    {
-      text << "trim loop " << loop << " has " << points.size() << " points: give at least 3";
-      return text.str();
-    }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const Vec2& uv = points[i];
@@ -186,6 +183,11 @@ std::string LoopDefect(const NurbsSurface& surface)
              << " .. " << high.y();
         return text.str();
       }
+    }
+    if (const int corners = CountCorners(points); corners < 3)
+    {
+      text << "trim loop " << loop << " has " << corners << " different points: give at least 3";
+      return text.str();
     }
   }
   return text.str();

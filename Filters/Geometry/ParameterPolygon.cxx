@@ -1,5 +1,6 @@
 #include "ParameterPolygon.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nurbs
@@ -14,6 +15,19 @@ double SignedArea(const std::vector<Vec2>& polygon)
     area += 0.5 * (a.x() * b.y() - a.y() * b.x());
   }
   return area;
+}
+
+int CountCorners(const std::vector<Vec2>& polygon)
+{
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i < polygon.size() && corners.size() < 3; ++i)
+  {
+    if (std::find(corners.begin(), corners.end(), polygon[i]) == corners.end())
+    {
+      corners.push_back(polygon[i]);
+    }
+  }
+  return static_cast<int>(corners.size());
 }
 
 bool IsWholeRectangle(

@@ -14,6 +14,9 @@ namespace nurbs
 /// Positive counter-clockwise.
 double SignedArea(const std::vector<Vec2>& polygon);
 
+/// How many different points there are, counted up to 3: with fewer it encloses nothing.
+int CountCorners(const std::vector<Vec2>& polygon);
+
 /**
  * Whether every edge lies along one side of the parameter rectangle of a surface and the polygon
  * encloses all of it.

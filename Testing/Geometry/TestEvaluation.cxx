@@ -224,6 +224,15 @@ void TestDefects()
     [](NurbsSurface& s) {
       s.TrimLoops = { { Vec2(0, 0), Vec2(1, 1) } };
     });
+  const Vec2 twice(0.5, 0.5);
+  expect("loop of one point", "trim loop 1 has 1 different points",
+    [&](NurbsSurface& s) {
+      s.TrimLoops = { { Vec2(0, 0), Vec2(1, 0), Vec2(1, 1) }, { twice, twice, twice } };
+    });
+  expect("loop of two points", "trim loop 0 has 2 different points",
+    [&](NurbsSurface& s) {
+      s.TrimLoops = { { twice, Vec2(1, 1), twice, Vec2(1, 1), twice } };
+    });
   expect("loop NaN", "point 1",
     [=](NurbsSurface& s) {
       s.TrimLoops = { { Vec2(0, 0), Vec2(1, nan), Vec2(1, 1) } };

@@ -40,6 +40,7 @@
 #include <Geom_Hyperbola.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Parabola.hxx>
+#include <Geom_Plane.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
@@ -369,6 +370,28 @@ void CheckOpenApex()
     "half a cone has area " << Area(surface) << ", not " << expected);
 }
 
+/// A hole that is a slit without width, run through twice, is none, and no reason to leave the face
+/// out.
+void CheckSlit()
+{
+  const Handle(Geom_Plane) plane = new Geom_Plane(gp_Ax3());
+  const gp_Pnt a(2, 2, 0), b(7, 3, 0);
+  const BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    builder.Add(wire, BRepBuilderAPI_MakeEdge(a, b).Edge());
+    builder.Add(wire, BRepBuilderAPI_MakeEdge(b, a).Edge());
+  }
+  TopoDS_Face holed = BRepBuilderAPI_MakeFace(plane, 0.0, 10.0, 0.0, 10.0, 1e-7);
+  builder.Add(holed, wire);
+  std::vector<NurbsSurface> surfaces;
+  const std::string reason = nurbs::ConvertFace(holed, {}, 1.0, surfaces);
+  CHECK(reason.empty() && surfaces.size() == 1, "a slit: " << reason);
+  CHECK(surfaces.size() != 1 || std::abs(Area(surfaces[0]) - 100.0) < 1e-9, "area with a slit");
+}
+
 /// A parallelogram in the parameters of a surface, from (first, 0) to (last, rise) and as wide in
 /// v.
 TopoDS_Face Band(
@@ -520,6 +543,7 @@ int main(int argc, char* argv[])
   {
     CheckUnits();
     CheckOpenApex();
+    CheckSlit();
     CheckWinding();
     CheckOffsets();
     CheckTornOffset();

@@ -226,6 +226,15 @@ bool KeepTurn(NurbsSurface& surface)
   return !loops.empty();
 }
 
+/// Wires of some files shrink to a point or a slit, and bound nothing.
+void DropEmptyLoops(NurbsSurface& surface)
+{
+  auto& loops = surface.TrimLoops;
+  loops.erase(std::remove_if(loops.begin(), loops.end(),
+                [](const auto& loop) { return CountCorners(loop) < 3; }),
+    loops.end());
+}
+
 /// The range of parameters of a face; returns why it has none, or nothing.
 std::string FindRange(const std::vector<BoundaryWire>& wires, const Handle(Geom_Surface) & surface,
   const std::vector<double>& limits, ParameterRange& range)
@@ -298,6 +307,7 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
     {
       surface = ReverseU(surface);
     }
+    DropEmptyLoops(surface);
     Scale(surface, scale);
     const std::string defect = FindDefect(surface);
     if (!defect.empty())
