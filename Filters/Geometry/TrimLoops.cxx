@@ -73,12 +73,10 @@ void TrimLoops::BuildBands()
   }
   const int bands = std::clamp(static_cast<int>(this->Edges.size()) / 2, 1, 4096);
   this->Scale = this->High > this->Low ? bands / (this->High - this->Low) : 0.0;
-  const auto band = [&](double v)
-  { return std::clamp(static_cast<int>((v - this->Low) * this->Scale), 0, bands - 1); };
   this->BandStart.assign(bands + 1, 0);
   const auto forBands = [&](const Edge& edge, const auto& visit)
   {
-    const int a = band(edge.From.y()), b = band(edge.To.y());
+    const int a = this->Band(edge.From.y()), b = this->Band(edge.To.y());
     for (int k = std::min(a, b); k <= std::max(a, b); ++k)
     {
       visit(k);
@@ -100,6 +98,13 @@ void TrimLoops::BuildBands()
   }
 }
 
+int TrimLoops::Band(double v) const
+{
+  // Far from small loops the number is larger than any int.
+  const double last = static_cast<double>(this->BandStart.size()) - 2.0;
+  return static_cast<int>(std::clamp((v - this->Low) * this->Scale, 0.0, last));
+}
+
 bool TrimLoops::Inside(double u, double v) const
 {
   if (this->Edges.empty())
@@ -110,8 +115,7 @@ bool TrimLoops::Inside(double u, double v) const
   {
     return false;
   }
-  const int bands = static_cast<int>(this->BandStart.size()) - 1;
-  const int band = std::clamp(static_cast<int>((v - this->Low) * this->Scale), 0, bands - 1);
+  const int band = this->Band(v);
   bool inside = false;
   for (int k = this->BandStart[band]; k < this->BandStart[band + 1]; ++k)
   {
@@ -136,10 +140,8 @@ TrimState TrimLoops::Classify(const Vec2& low, const Vec2& high) const
   {
     return TrimState::Outside;
   }
-  const int bands = static_cast<int>(this->BandStart.size()) - 1;
-  const auto band = [&](double v)
-  { return std::clamp(static_cast<int>((v - this->Low) * this->Scale), 0, bands - 1); };
-  const int first = this->BandStart[band(low.y())], last = this->BandStart[band(high.y()) + 1];
+  const int first = this->BandStart[this->Band(low.y())];
+  const int last = this->BandStart[this->Band(high.y()) + 1];
   for (int k = first; k < last; ++k)
   {
     const Edge& edge = this->Edges[this->BandEdges[k]];

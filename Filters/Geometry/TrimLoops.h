@@ -47,6 +47,8 @@ public:
 
 private:
   void BuildBands();
+  /// The band that v lies in, or the one nearest to it.
+  int Band(double v) const;
   std::vector<Edge> Edges;
   std::vector<int> FirstEdge; ///< of each loop, and one past the last
   std::vector<bool> LeftInside;

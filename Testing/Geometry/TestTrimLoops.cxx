@@ -3,6 +3,7 @@
 #include "ParameterPolygon.h"
 #include "RandomPlaces.h"
 #include "SampleSurfaces.h"
+#include "TrimLoops.h"
 #include "TrimmingSurface.h"
 
 #include <algorithm>
@@ -406,6 +407,21 @@ void TestWholeRectangle()
   check::That(!IsWholeRectangle(line, wavy, Slack), "nor is one along a side that is empty");
 }
 
+/// A rectangle that begins in a loop and ends far away, by the loop's size.
+void TestSmallLoop()
+{
+  for (const double radius : { 1e-3, 1e-6, 1e-9 })
+  {
+    NurbsSurface plane = samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    plane.TrimLoops = { Circle(Vec2(0.5, 0.5), radius, 9000, false) };
+    const TrimLoops loops(plane);
+    const double low = 0.5 - 0.5 * radius, high = 0.5 + 0.5 * radius;
+    check::That(loops.Classify(Vec2(0.4, high), Vec2(0.6, 0.9)) == TrimState::Crossed &&
+        loops.Classify(Vec2(0.4, 0.1), Vec2(0.6, low)) == TrimState::Crossed,
+      "a loop of radius " + std::to_string(radius) + " crosses a large rectangle");
+  }
+}
+
 }
 
 int main()
@@ -421,5 +437,6 @@ int main()
   TestPrism();
   TestWholeLoops();
   TestWholeRectangle();
+  TestSmallLoop();
   return check::Result();
 }
