@@ -3,6 +3,7 @@
 #include "FirstRank.h"
 #include "NURBSTessellation.h"
 #include "NurbsSurface.h"
+#include "PropertyLimits.h"
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -39,6 +40,12 @@ vtkNURBSSurfaceSource::~vtkNURBSSurfaceSource() = default;
 //------------------------------------------------------------------------------
 void vtkNURBSSurfaceSource::Resize(std::vector<double>& values, int count, int components)
 {
+  if (count > nurbs::MostValues)
+  {
+    vtkErrorMacro(<< "A number of " << count << " is more than the " << nurbs::MostValues
+                  << " points or knots that a surface may have.");
+    return;
+  }
   const size_t size = static_cast<size_t>(std::max(0, count)) * components;
   if (values.size() != size)
   {
@@ -54,6 +61,12 @@ void vtkNURBSSurfaceSource::SetValues(
   if (index < 0)
   {
     vtkErrorMacro(<< "Index " << index << " is negative; the first one is 0.");
+    return;
+  }
+  if (index >= nurbs::MostValues)
+  {
+    vtkErrorMacro(<< "Index " << index << " is too large; the last one may be "
+                  << nurbs::MostValues - 1 << ".");
     return;
   }
   // Grows by itself, so that points and knots can be given in order without a number before.

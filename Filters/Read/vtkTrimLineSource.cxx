@@ -6,6 +6,7 @@
 #include "CurveChain.h"
 #include "FirstRank.h"
 #include "NURBSTessellation.h"
+#include "PropertyLimits.h"
 #include "SheetSkin.h"
 #include "TrimLineFile.h"
 #include "TrimLineSweep.h"
@@ -163,6 +164,12 @@ void vtkTrimLineSource::SetSheetConnection(int, vtkAlgorithmOutput* mesh)
 //------------------------------------------------------------------------------
 void vtkTrimLineSource::SetNumberOfPoints(int count)
 {
+  if (count > nurbs::MostValues)
+  {
+    vtkErrorMacro(<< "A number of " << count << " is more than the " << nurbs::MostValues
+                  << " points that a line may have.");
+    return;
+  }
   const size_t size = 3 * static_cast<size_t>(std::max(0, count));
   if (this->Points.size() != size)
   {
@@ -183,6 +190,12 @@ void vtkTrimLineSource::SetPoint(int index, double x, double y, double z)
   if (index < 0)
   {
     vtkErrorMacro(<< "Index " << index << " is negative; the first point is 0.");
+    return;
+  }
+  if (index >= nurbs::MostValues)
+  {
+    vtkErrorMacro(<< "Index " << index << " is too large; the last point may be "
+                  << nurbs::MostValues - 1 << ".");
     return;
   }
   if (index >= this->GetNumberOfPoints())

@@ -142,6 +142,21 @@ void TestBadInput()
       }
     });
 }
+
+/// Numbers that would take all memory: an error each, and the source stays as it was.
+void TestAbsurdNumbers()
+{
+  vtkNew<vtkNURBSSurfaceSource> source;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(source);
+  const vtkMTimeType before = source->GetMTime();
+  source->SetControlPoint(2147483647, 1, 2, 3, 1);
+  source->SetKnotU(2147483647, 1);
+  source->SetNumberOfControlPoints(2147483647);
+  source->SetNumberOfKnotsV(2147483647);
+  CHECK(capture->Errors.size() == 4, capture->Errors.size() << " errors");
+  CHECK(source->GetMTime() == before, "an absurd number modifies the source");
+}
 }
 
 int main()
@@ -149,6 +164,7 @@ int main()
   TestDefault();
   TestSphere();
   TestModified();
+  TestAbsurdNumbers();
   TestBadInput();
   return Failures != 0;
 }

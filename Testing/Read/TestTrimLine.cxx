@@ -565,6 +565,19 @@ void TestBadInput()
   CheckFileError("line 2 is \"1,5;2\"; expected three", "0,5;2;1\n1,5;2\n");
   CheckFileError("line 1", "1.000,5;2;1\n");
 }
+
+/// Numbers that would take all memory: an error each, and the source stays as it was.
+void TestAbsurdNumbers()
+{
+  vtkNew<vtkTrimLineSource> source;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(source);
+  const vtkMTimeType before = source->GetMTime();
+  source->SetPoint(2147483647, 1, 2, 3);
+  source->SetNumberOfPoints(2147483647);
+  CHECK(capture->Errors.size() == 2, capture->Errors.size() << " errors");
+  CHECK(source->GetMTime() == before, "an absurd number modifies the source");
+}
 }
 
 int main()
@@ -578,6 +591,7 @@ int main()
   TestAutomaticBySheet();
   TestCorruptSheet();
   TestModified();
+  TestAbsurdNumbers();
   TestFile();
   TestLongLines();
   TestBadInput();
