@@ -92,30 +92,60 @@ std::vector<std::string> NamesIn(const std::string& header)
   return names;
 }
 
+/// The column of a name, as many as there are if there is none.
+size_t ColumnOf(const std::vector<std::string>& names, const std::string& name)
+{
+  return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// Names that differ in a letter x, y or z only, as in "X_coord" and "Y_coord", begin at a column.
+bool FindAxes(const std::vector<std::string>& names, size_t column, Layout& layout)
+{
+  const std::string& name = names[column];
+  for (size_t at = name.find('x'); at != std::string::npos; at = name.find('x', at + 1))
+  {
+    std::string y = name, z = name;
+    y[at] = 'y';
+    z[at] = 'z';
+    layout.Columns = { column, ColumnOf(names, y), ColumnOf(names, z) };
+    layout.Width = names.size();
+    if (std::max(layout.Columns[1], layout.Columns[2]) < names.size())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// As the names in a header say, those of ParaView's spreadsheet among them; three columns if they
-/// say nothing.
+/// say nothing, or several things.
 Layout FindLayout(const std::string& header)
 {
-  const std::vector<std::string> names = NamesIn(header);
-  Layout layout;
-  for (size_t axis = 0; axis < 3; ++axis)
+  std::vector<std::string> names = NamesIn(header);
+  std::transform(names.begin(), names.end(), names.begin(),
+    [](const std::string& name) { return vtksys::SystemTools::LowerCase(name); });
+  for (const auto& wanted : { std::array<const char*, 3>{ "x", "y", "z" },
+         std::array<const char*, 3>{ "points:0", "points:1", "points:2" } })
   {
-    const std::string letter(1, "xyz"[axis]);
-    const std::string component = "points:" + std::to_string(axis);
-    const auto found = std::find_if(names.begin(), names.end(),
-      [&](const std::string& name)
-      {
-        const std::string lower = vtksys::SystemTools::LowerCase(name);
-        return lower == letter || lower == component;
-      });
-    if (found == names.end())
+    Layout layout;
+    std::transform(wanted.begin(), wanted.end(), layout.Columns.begin(),
+      [&](const char* name) { return ColumnOf(names, name); });
+    layout.Width = names.size();
+    if (*std::max_element(layout.Columns.begin(), layout.Columns.end()) < names.size())
     {
-      return {};
+      return layout;
     }
-    layout.Columns[axis] = static_cast<size_t>(found - names.begin());
   }
-  layout.Width = names.size();
-  return layout;
+  std::vector<Layout> found(1);
+  for (size_t column = 0; column < names.size(); ++column)
+  {
+    Layout layout;
+    if (FindAxes(names, column, layout))
+    {
+      found.push_back(layout);
+    }
+  }
+  return found.size() == 2 ? found[1] : Layout();
 }
 
 /// The mark that spreadsheets put before UTF-8.
@@ -160,14 +190,54 @@ bool TakePoint(std::vector<std::string> values, const Layout& layout, char decim
   return complete && point.allFinite();
 }
 
-/// A comma parts values where that makes as many as there are columns, and else is a decimal one.
-bool ReadPoint(const std::string& line, const Layout& layout, Vec3& point)
+/// A way to read the lines of a file.
+struct Reading
 {
-  return TakePoint(SplitLine(line, Commas), layout, '.', point) ||
-    TakePoint(SplitLine(line, CommasOrBlanks), layout, '.', point) ||
-    TakePoint(SplitLine(line, Semicolons), layout, ',', point) ||
-    TakePoint(SplitLine(line, SemicolonsOrBlanks), layout, ',', point);
-}
+  const Separators& Between;
+  char Decimal;
+};
+/// A comma parts values where that makes as many as there are columns, and else is a decimal one.
+/// No two of them make different points of a file, as the number of columns is given.
+const std::array<Reading, 4> Readings{ { { Commas, '.' }, { CommasOrBlanks, '.' },
+  { Semicolons, ',' }, { SemicolonsOrBlanks, ',' } } };
+
+/// The points of a file in all the ways in which every line of it can be read.
+class Points
+{
+public:
+  /// False if there is no such way any more.
+  bool Add(const std::string& line, const Layout& layout)
+  {
+    const auto commas = static_cast<size_t>(std::count(line.begin(), line.end(), ','));
+    // Some values parted by commas and others by blanks are fewer values with decimal commas.
+    const bool mixed = commas > 0 && commas + 1 < layout.Width;
+    bool fits = false;
+    for (size_t k = 0; k < Readings.size(); ++k)
+    {
+      const Reading& reading = Readings[k];
+      Vec3 point;
+      this->Fits[k] = this->Fits[k] && !(mixed && &reading.Between == &CommasOrBlanks) &&
+        TakePoint(SplitLine(line, reading.Between), layout, reading.Decimal, point);
+      if (this->Fits[k])
+      {
+        this->Read[k].push_back(point);
+        fits = true;
+      }
+    }
+    return fits;
+  }
+
+  /// By the first way; none if nothing was added.
+  std::vector<Vec3> Take()
+  {
+    const auto first = std::find(this->Fits.begin(), this->Fits.end(), true);
+    return std::move(this->Read[static_cast<size_t>(first - this->Fits.begin())]);
+  }
+
+private:
+  std::array<bool, Readings.size()> Fits{ true, true, true, true };
+  std::array<std::vector<Vec3>, Readings.size()> Read;
+};
 
 bool HasNumber(const std::vector<std::string>& values)
 {
@@ -234,6 +304,7 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
   SkipByteOrderMark(stream);
   std::string line;
   Layout layout;
+  Points read;
   bool headerMayCome = true;
   Paragraphs paragraphs;
   for (size_t number = 1; std::getline(stream, line); ++number)
@@ -255,17 +326,17 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
       layout = FindLayout(line);
       continue;
     }
-    Vec3 point;
-    if (!ReadPoint(line, layout, point))
+    if (!read.Add(line, layout))
     {
       error = file + ", line " + std::to_string(number) + " is \"" + line.substr(0, 60) +
-        "\"; expected three finite numbers x, y, z, or a header that says which columns they are "
-        "in";
+        "\"; expected three finite numbers x, y, z, parted as in the lines before, or a header "
+        "that "
+        "says which columns they are in";
       return false;
     }
-    points.push_back(point);
     paragraphs.AddPoint();
   }
+  points = read.Take();
   if (points.empty())
   {
     error = file + " holds no points; give a file with three numbers x, y, z a line";

@@ -408,6 +408,8 @@ void TestFile()
          "\"0\",\"0\",\"0\"\n\"4\",\"0\",\"0.5\"\n4,3,0\n-10,3,0\n0.0001,0,0\n",
          "\"Point ID\",\"Points:0\",\"Points:1\",\"Points:2\",\"Points_Magnitude\"\n0,0,0,0,0\n"
          "1,4,0,0.5,4.03\n2,4,3,0,5\n3,-10,3,0,10.44\n",
+         "Z_coord,Y_coord,X_coord\n0,0,0\n0.5,0,4\n0,3,4\n0,3,-10\n",
+         "Pos Z;Next X;Pos Y;Pos X\n0;9;0;0\n0.5;9;0;4\n0;9;3;4\n0;9;3;-10\n",
          "Z Y X\n0 0 0\n0.5 0 4\n0 3 4\n0 3 -10\n",
          "t (s);X [mm];Y[mm];Z(mm)\n9;0;0;0\n9;4;0;0.5\n9;4;3;0\n9;-10;3;0\n",
          "x [mm] y [mm] z [mm]\n0 0 0\n4 0 0.5\n4 3 0\n-10 3 0\n",
@@ -564,6 +566,11 @@ void TestBadInput()
   CheckFileError("line 2", "0,0,0\n1,2,3mm\n");
   CheckFileError("line 2 is \"1,5;2\"; expected three", "0,5;2;1\n1,5;2\n");
   CheckFileError("line 1", "1.000,5;2;1\n");
+  // Two columns with decimal commas, a line with a value missing, and one that is parted otherwise.
+  CheckFileError("line 1 is \"0,5 0\"; expected three", "0,5 0\n1,5 1\n2,5 4\n");
+  CheckFileError("line 2 is \"1,5 2\"; expected three", "0,5 0,5 0\n1,5 2\n");
+  CheckFileError(
+    "line 2 is \"1,5,2\"; expected three finite numbers x, y, z, parted as", "0,5 0,5 0\n1,5,2\n");
 }
 
 /// Numbers that would take all memory: an error each, and the source stays as it was.
