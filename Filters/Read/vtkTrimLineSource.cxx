@@ -347,6 +347,12 @@ int vtkTrimLineSource::RequestData(
     vtkWarningMacro(<< kept.Warning << ".");
   }
   const nurbs::Sweep wanted{ nurbs::Vec3(this->Direction), this->Length };
+  const bool asksSheet = wanted.Direction.isZero(0.0) || wanted.Length == 0.0;
+  if (sheet && asksSheet && kept.Skin.IsEmpty() && first)
+  {
+    vtkWarningMacro(<< "The sheet has no hexahedra or wedges, so Direction and Length are found as "
+                       "without one; choose the mesh to be trimmed as Sheet.");
+  }
   const nurbs::Sweep sweep = nurbs::CompleteSweep(wanted, kept.Lines, &kept.Skin);
   const std::string defect = nurbs::FindDefect(kept.Lines, sweep);
   if (!defect.empty())

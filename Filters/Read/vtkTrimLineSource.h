@@ -14,7 +14,8 @@
  * closed line encloses or else 0 0 1, and the size of the line.
  *
  * Input (optional): the mesh to be trimmed, a vtkUnstructuredGrid of hexahedra and wedges or a
- * composite of such. It is looked at for Direction and Length only.
+ * composite of such. It is looked at for Direction and Length only; without hexahedra and wedges it
+ * is of no use, and a warning says so.
  *
  * Output: a vtkPolyData with a tessellation, for the eye, and the exact surface, of the line's
  * degree x 1, in its field data (NURBSFieldData.h); if a file holds several lines, a

@@ -383,6 +383,42 @@ void TestCorruptSheet()
   }
 }
 
+/// Warnings for a line with a sheet.
+size_t CountWarnings(vtkUnstructuredGrid* sheet, double length)
+{
+  vtkNew<vtkTrimLineSource> source;
+  Give(source, { { 1, 3, 0.8 }, { 4, 5, 0.8 }, { 3, 8, 0.8 } }, false);
+  source->SetInputData(sheet);
+  source->SetDirection(0, 0, length);
+  source->SetLength(length);
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(source);
+  source->Update();
+  CHECK(capture->Errors.empty() && source->GetOutput()->GetNumberOfPoints() > 0, "no line");
+  for (const std::string& warning : capture->Warnings)
+  {
+    CHECK(warning.find("no hexahedra or wedges") != std::string::npos, warning);
+  }
+  return capture->Warnings.size();
+}
+
+/// A sheet of other cells is of no use, which is said if it is asked.
+void TestUselessSheet()
+{
+  vtkNew<vtkPoints> points;
+  for (double x : { 0.0, 1.0, 2.0, 3.0 })
+  {
+    points->InsertNextPoint(x, x * x, x == 3.0);
+  }
+  vtkNew<vtkUnstructuredGrid> tetrahedra;
+  tetrahedra->SetPoints(points);
+  const vtkIdType nodes[4] = { 0, 1, 2, 3 };
+  tetrahedra->InsertNextCell(VTK_TETRA, 4, nodes);
+  CHECK(CountWarnings(tetrahedra, 0.0) == 1, "a sheet of tetrahedra");
+  CHECK(CountWarnings(tetrahedra, 1.0) == 0, "a sheet that is not asked");
+  CHECK(CountWarnings(MakeSheet([](const Vec3& p) { return p; }), 0.0) == 0, "a good sheet");
+}
+
 void TestModified()
 {
   const Points points{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 } };
@@ -597,6 +633,7 @@ int main()
   TestAutomaticByLine();
   TestAutomaticBySheet();
   TestCorruptSheet();
+  TestUselessSheet();
   TestModified();
   TestAbsurdNumbers();
   TestFile();
