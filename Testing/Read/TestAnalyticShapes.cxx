@@ -50,6 +50,7 @@
 #include <Message_PrinterOStream.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
+#include <Standard_ConstructionError.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -62,6 +63,8 @@
 
 #include <array>
 #include <cmath>
+#include <new>
+#include <stdexcept>
 
 using nurbs::NurbsSurface;
 using nurbs::Vec3;
@@ -370,6 +373,16 @@ void CheckOpenApex()
     "half a cone has area " << Area(surface) << ", not " << expected);
 }
 
+/// Whatever is thrown over one face is the reason why that one is left out.
+void CheckReasons()
+{
+  const auto reason = [](const auto& exception)
+  { return nurbs::CatchReason([&]() -> std::string { throw exception; }); };
+  CHECK(reason(std::length_error("a vector")) == "a vector", "length_error");
+  CHECK(reason(std::bad_alloc()) == "it needs too much memory", "bad_alloc");
+  CHECK(reason(Standard_ConstructionError("none")).find("none") != std::string::npos, "failure");
+}
+
 /// A hole that is a slit without width, run through twice, is none, and no reason to leave the face
 /// out.
 void CheckSlit()
@@ -543,6 +556,7 @@ int main(int argc, char* argv[])
   {
     CheckUnits();
     CheckOpenApex();
+    CheckReasons();
     CheckSlit();
     CheckWinding();
     CheckOffsets();

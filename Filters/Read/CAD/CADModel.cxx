@@ -456,5 +456,13 @@ std::string CatchReason(const std::function<std::string()>& work)
     return std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + " " +
       failure.GetMessageString();
   }
+  catch (const std::bad_alloc&)
+  {
+    return "it needs too much memory";
+  }
+  catch (const std::exception& failure)
+  {
+    return failure.what();
+  }
 }
 }

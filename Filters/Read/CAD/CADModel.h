@@ -54,7 +54,8 @@ bool ReadCADModel(const std::string& path, CADModel& model, std::string& error,
 /// names the file, and false.
 bool CatchFailures(const std::string& path, std::string& error, const std::function<bool()>& work);
 
-/// What `work` returns, or in a few words what OpenCASCADE throws.
+/// What `work` returns, or in a few words what OpenCASCADE or the standard library throws: what is
+/// wrong with one face or curve is not to lose the others.
 std::string CatchReason(const std::function<std::string()>& work);
 
 /**
