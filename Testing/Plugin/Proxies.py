@@ -99,6 +99,10 @@ def check_file_types():
         check("*." + extension in supported, "no reader for *." + extension)
     opened = OpenDataFile(os.path.join(DATA_DIRECTORY, "WheelArch.igs"))
     check_equal(opened.GetXMLName(), "CADSurfaceReader", "reader of a .igs file")
+    check_equal(opened.TimeLimit, 0, "TimeLimit of the reader")
+    opened.TimeLimit = 250
+    opened.UpdateVTKObjects()
+    check("TimeLimit: 250" in str(opened.GetClientSideObject()), "TimeLimit as given")
 
 
 check_proxies()
