@@ -2,46 +2,33 @@
 
     PV_PLUGIN_PATH=build/lib pvpython TrimByPoints.py mesh.vtu points.csv result.vtu [--open]
 
-points.csv holds a point x, y, z in each line; lines that are not three numbers, like a header, are
-skipped. The line is closed, and what it encloses is cut out; with --open it runs from border to
-border, and what lies to its right is cut away. It is swept along the normal that the mesh has there,
-through all of it. The exit status is 1, and standard error says why, if that fails.
+points.csv holds a point x, y, z in each line, parted by commas, semicolons or blanks, perhaps under a
+header; the curves of an IGES or STEP file will do as well. The line is closed, and what it encloses
+is cut out; with --open it runs from border to border, and what lies to its right is cut away. It is
+swept along the normal that the mesh has there, through all of it. The exit status is 1, and standard
+error says why, if that fails.
 """
 import sys
 
 from paraview.simple import OpenDataFile, SaveData, TrimHexahedralGrid, TrimLineSource
 
 
-def read_points(path):
-    points = []
-    with open(path) as file:
-        for line in file:
-            try:
-                x, y, z = (float(word) for word in line.split(","))
-            except ValueError:
-                continue
-            points.append((x, y, z))
-    return points
-
-
-def cut(mesh_file, points, closed):
+def cut(mesh_file, points_file, closed):
     try:
         mesh = OpenDataFile(mesh_file)
     except RuntimeError as error:
         sys.exit(str(error))
-    flat = [coordinate for point in points for coordinate in point]
-    line = TrimLineSource(Points=flat, Closed=closed, Sheet=mesh)
+    line = TrimLineSource(FileName=points_file, Closed=closed, Sheet=mesh)
+    line.UpdatePipeline()
+    if line.GetDataInformation().GetNumberOfPoints() == 0:
+        sys.exit("There is no line in " + points_file)
     result = TrimHexahedralGrid(Input=mesh, TrimmingSurface=line)
     result.UpdatePipeline()
     return result
 
 
 def main(mesh_file, points_file, result_file, option="--closed"):
-    points = read_points(points_file)
-    closed = option != "--open"
-    if len(points) < (3 if closed else 2):
-        sys.exit("%s holds %d points, too few for a line" % (points_file, len(points)))
-    result = cut(mesh_file, points, closed)
+    result = cut(mesh_file, points_file, option != "--open")
     information = result.GetDataInformation()
     if information.GetNumberOfCells() == 0:
         sys.exit("Nothing is left of " + mesh_file)

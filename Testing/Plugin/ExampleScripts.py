@@ -49,13 +49,19 @@ def check_points():
     """A round hole of radius 3; its area lies between those of the polygon and the circle."""
     points = [(10 + 3 * math.cos(a), 6 + 3 * math.sin(a), 0.25)
               for a in (2 * math.pi * i / 24 for i in range(24))]
-    with open(path("circle.csv"), "w") as file:
-        file.write("x,y,z\n" + "".join("%r,%r,%r\n" % point for point in points))
-    text = run("TrimByPoints.py", path("sheet.vtu"), path("circle.csv"), path("hole.vtu"))
-    volume = float(text.split("volume")[1].split()[0])
     whole = LENGTHS[0] * LENGTHS[1] * LENGTHS[2]
-    removed = (whole - volume) / LENGTHS[2]
-    check(0.9 < removed / (math.pi * 9) < 1, "area of the hole %g" % removed)
+    for header, between in (("x,y,z", ","), ("x;y;z", ";"), ("# a circle", " ")):
+        with open(path("circle.csv"), "w") as file:
+            file.write(header + "\n")
+            file.writelines(between.join(map(repr, point)) + "\n" for point in points)
+        text = run("TrimByPoints.py", path("sheet.vtu"), path("circle.csv"), path("hole.vtu"))
+        removed = (whole - float(text.split("volume")[1].split()[0])) / LENGTHS[2]
+        check(0.9 < removed / (math.pi * 9) < 1, "area of the hole %g" % removed)
+    with open(path("cut.csv"), "w") as file:
+        file.write("8.3;-3;0\n8.3;6;0\n8.3;15;0\n")
+    text = run("TrimByPoints.py", path("sheet.vtu"), path("cut.csv"), path("left.vtu"), "--open")
+    volume = float(text.split("volume")[1].split()[0])
+    check_close(volume, 8.3 * LENGTHS[1] * LENGTHS[2], "what lies to the left", 1e-6)
     with open(path("few.csv"), "w") as file:
         file.write("1,2,3\n")
     run("TrimByPoints.py", path("sheet.vtu"), path("few.csv"), path("x.vtu"), status=1)
