@@ -1,8 +1,8 @@
 #include "TrimLineCurve.h"
 
+#include "vtkCardinalSpline.h"
 #include "vtkNew.h"
-#include "vtkParametricSpline.h"
-#include "vtkPoints.h"
+#include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <array>
@@ -65,36 +65,61 @@ std::vector<double> ChordLengths(const std::vector<Vec3>& points, bool closed)
   return lengths;
 }
 
-/// Four places of a cubic determine it; so no spline is solved here that could differ from VTK's.
-std::vector<CubicPiece> SamplePieces(
+/// The equations of VTK's splines, so that no spline is solved here that could differ from
+/// vtkParametricSpline. That itself takes the points one by one, the longer the more there are.
+class SplineFit : public vtkCardinalSpline
+{
+public:
+  static SplineFit* New();
+  vtkTypeMacro(SplineFit, vtkCardinalSpline);
+
+  /// Coefficients of the powers of the length from each point on.
+  ///
+  /// @param values at the lengths; of a closed line the first one at the end again.
+  std::vector<std::array<double, 4>> Fit(
+    std::vector<double> lengths, std::vector<double> values, bool closed)
+  {
+    const int count = static_cast<int>(lengths.size());
+    std::vector<double> work(lengths.size());
+    std::vector<std::array<double, 4>> cubics(lengths.size());
+    const auto coefficients = reinterpret_cast<double(*)[4]>(cubics.data());
+    if (closed)
+    {
+      this->FitClosed1D(count, lengths.data(), values.data(), work.data(), coefficients);
+    }
+    else
+    {
+      // The first derivative is zero at both ends.
+      this->Fit1D(count, lengths.data(), values.data(), work.data(), coefficients, 1, 0.0, 1, 0.0);
+    }
+    return cubics;
+  }
+};
+vtkStandardNewMacro(SplineFit);
+
+std::vector<CubicPiece> FitPieces(
   const std::vector<Vec3>& points, bool closed, const std::vector<double>& lengths)
 {
-  vtkNew<vtkPoints> given;
-  given->SetDataTypeToDouble();
-  for (const Vec3& point : points)
+  vtkNew<SplineFit> spline;
+  std::array<std::vector<std::array<double, 4>>, 3> cubics;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    given->InsertNextPoint(point.data());
+    std::vector<double> values;
+    for (size_t i = 0; i < lengths.size(); ++i)
+    {
+      values.push_back(points[i % points.size()][axis]);
+    }
+    cubics[axis] = spline->Fit(lengths, values, closed);
   }
-  vtkNew<vtkParametricSpline> spline;
-  spline->SetPoints(given);
-  spline->SetClosed(closed);
-  const auto at = [&](double length)
-  {
-    double u[3] = { length / lengths.back(), 0.0, 0.0 };
-    double unused[9];
-    Vec3 point;
-    spline->Evaluate(u, point.data(), unused);
-    return point;
-  };
   std::vector<CubicPiece> pieces;
   for (size_t i = 0; i + 1 < lengths.size(); ++i)
   {
-    const double first = lengths[i], last = lengths[i + 1], third = (last - first) / 3.0;
-    const Vec3 f0 = points[i], f3 = points[(i + 1) % points.size()];
-    const Vec3 f1 = at(first + third), f2 = at(last - third);
-    pieces.push_back({ first, last,
-      { f0, (-5.0 * f0 + 18.0 * f1 - 9.0 * f2 + 2.0 * f3) / 6.0,
-        (2.0 * f0 - 9.0 * f1 + 18.0 * f2 - 5.0 * f3) / 6.0, f3 } });
+    const double size = lengths[i + 1] - lengths[i];
+    const auto power = [&](int k) -> Vec3
+    { return std::pow(size, k) * Vec3(cubics[0][i][k], cubics[1][i][k], cubics[2][i][k]); };
+    const Vec3 first = points[i], slope = power(1) / 3.0, bend = power(2) / 3.0;
+    pieces.push_back({ lengths[i], lengths[i + 1],
+      { first, first + slope, first + 2.0 * slope + bend, points[(i + 1) % points.size()] } });
   }
   return pieces;
 }
@@ -203,7 +228,7 @@ std::string FindPointDefect(const std::vector<Vec3>& points, bool closed)
 TrimLine MakeSpline(const std::vector<Vec3>& points, bool closed)
 {
   const std::vector<double> lengths = ChordLengths(points, closed);
-  const std::vector<CubicPiece> pieces = SamplePieces(points, closed, lengths);
+  const std::vector<CubicPiece> pieces = FitPieces(points, closed, lengths);
   return { JoinPieces(pieces, lengths, closed), closed, {} };
 }
 

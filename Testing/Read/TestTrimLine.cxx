@@ -468,16 +468,16 @@ void TestFile()
 }
 
 /// Seconds that a long line takes, in steps along a direction.
-double TimeLine(const Vec3& along, const Vec3& across)
+double TimeLine(const Vec3& along, const Vec3& across, int count, vtkTrimLineSource::LineTypes type)
 {
   Points points;
-  for (int i = 0; i < 40000; ++i)
+  for (int i = 0; i < count; ++i)
   {
     points.push_back(i * along + 0.1 * std::sin(7.0 * i) * across);
   }
   vtkNew<vtkTrimLineSource> source;
   Give(source, points, false);
-  source->SetLineType(vtkTrimLineSource::POLYLINE);
+  source->SetLineType(type);
   source->SetDirection(0, 0, 1);
   source->SetLength(1.0);
   source->SetResolution(1);
@@ -488,12 +488,16 @@ double TimeLine(const Vec3& along, const Vec3& across)
 }
 
 /// Looking for crossings takes as long whatever the direction of a line: not every pair of its
-/// pieces is looked at.
+/// pieces is looked at. A spline takes as long as it has points.
 void TestLongLines()
 {
-  const double x = TimeLine(Vec3::UnitX(), Vec3::UnitY());
-  const double y = TimeLine(Vec3::UnitY(), Vec3::UnitX());
+  const auto polyline = vtkTrimLineSource::POLYLINE, spline = vtkTrimLineSource::SPLINE;
+  const double x = TimeLine(Vec3::UnitX(), Vec3::UnitY(), 40000, polyline);
+  const double y = TimeLine(Vec3::UnitY(), Vec3::UnitX(), 40000, polyline);
   CHECK(std::max(x, y) < 5.0 * std::min(x, y), "along x " << x << " s, along y " << y << " s");
+  const double some = TimeLine(Vec3::UnitX(), Vec3::UnitY(), 1000, spline);
+  const double many = TimeLine(Vec3::UnitX(), Vec3::UnitY(), 8000, spline);
+  CHECK(many < 24.0 * some, "1000 points of a spline " << some << " s, 8000 " << many << " s");
 }
 
 using Source = vtkTrimLineSource;
