@@ -467,7 +467,7 @@ void TestFile()
   }
 }
 
-/// Seconds that a long line takes, in steps along a direction.
+/// Seconds that a long line takes, in steps along a direction; the least of three runs.
 double TimeLine(const Vec3& along, const Vec3& across, int count, vtkTrimLineSource::LineTypes type)
 {
   Points points;
@@ -481,10 +481,17 @@ double TimeLine(const Vec3& along, const Vec3& across, int count, vtkTrimLineSou
   source->SetDirection(0, 0, 1);
   source->SetLength(1.0);
   source->SetResolution(1);
-  const auto start = std::chrono::steady_clock::now();
-  source->Update();
+  double least = std::numeric_limits<double>::infinity();
+  for (int run = 0; run < 3; ++run)
+  {
+    source->Modified();
+    const auto start = std::chrono::steady_clock::now();
+    source->Update();
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    least = std::min(least, time.count());
+  }
   CHECK(source->GetOutput()->GetNumberOfPoints() > 0, "a long line");
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return least;
 }
 
 /// Looking for crossings takes as long whatever the direction of a line: not every pair of its
