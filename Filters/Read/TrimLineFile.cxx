@@ -330,8 +330,7 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     {
       error = file + ", line " + std::to_string(number) + " is \"" + line.substr(0, 60) +
         "\"; expected three finite numbers x, y, z, parted as in the lines before, or a header "
-        "that "
-        "says which columns they are in";
+        "that says which columns they are in";
       return false;
     }
     paragraphs.AddPoint();
