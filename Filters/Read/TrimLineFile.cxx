@@ -227,6 +227,12 @@ public:
     return fits;
   }
 
+  bool IsEmpty() const
+  {
+    return std::all_of(
+      this->Read.begin(), this->Read.end(), [](const auto& points) { return points.empty(); });
+  }
+
   /// By the first way; none if nothing was added.
   std::vector<Vec3> Take()
   {
@@ -329,8 +335,9 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     if (!read.Add(line, layout))
     {
       error = file + ", line " + std::to_string(number) + " is \"" + line.substr(0, 60) +
-        "\"; expected three finite numbers x, y, z, parted as in the lines before, or a header "
-        "that says which columns they are in";
+        "\"; expected three finite numbers x, y, z, " +
+        (read.IsEmpty() ? "" : "parted as in the lines before, ") +
+        "or a header that says which columns they are in";
       return false;
     }
     paragraphs.AddPoint();

@@ -614,7 +614,8 @@ void TestBadInput()
   CheckFileError("line 2 is \"1,5;2\"; expected three", "0,5;2;1\n1,5;2\n");
   CheckFileError("line 1", "1.000,5;2;1\n");
   // Two columns with decimal commas, a line with a value missing, and one that is parted otherwise.
-  CheckFileError("line 1 is \"0,5 0\"; expected three", "0,5 0\n1,5 1\n2,5 4\n");
+  CheckFileError("line 1 is \"0,5 0\"; expected three finite numbers x, y, z, or a header",
+    "0,5 0\n1,5 1\n2,5 4\n");
   CheckFileError("line 2 is \"1,5 2\"; expected three", "0,5 0,5 0\n1,5 2\n");
   CheckFileError(
     "line 2 is \"1,5,2\"; expected three finite numbers x, y, z, parted as", "0,5 0,5 0\n1,5,2\n");
