@@ -52,6 +52,21 @@ private:
 /// Votes of all places where two faces share an edge: > 0 if they are oriented alike.
 using Votes = std::map<std::pair<int, int>, int>;
 
+/// The direction across a border ray into its face.
+Vec3 InsideOf(const Sector& sector, const BorderRay& ray)
+{
+  return (ray.InsideIsLeft ? 1.0 : -1.0) * sector.Weighted.cross(ray.Direction).normalized();
+}
+
+/// Whether two rays are one edge of two faces, and do not run on along one free border: beside a
+/// narrow face the next one may be nearer than the gap.
+bool ShareEdge(
+  const Sector& a, const BorderRay& rayA, const Sector& b, const BorderRay& rayB, bool closely)
+{
+  return rayA.Direction.dot(rayB.Direction) > 0.95 &&
+    (closely || InsideOf(a, rayA).dot(InsideOf(b, rayB)) < 0.9);
+}
+
 /// False if no other face shares an edge with the face there.
 bool VoteWithin(const SurfaceModel& model, const Vec3& x, double gap, int face, Votes& votes)
 {
@@ -69,7 +84,7 @@ bool VoteWithin(const SurfaceModel& model, const Vec3& x, double gap, int face, 
       {
         for (int j = 0; j < other.RayCount; ++j)
         {
-          if (sector.Rays[i].Direction.dot(other.Rays[j].Direction) > 0.95)
+          if (ShareEdge(sector, sector.Rays[i], other, other.Rays[j], gap <= model.Gap))
           {
             // Along one direction the inside is left of one face and right of the other.
             votes[std::minmax(face, other.Face)] +=

@@ -5,8 +5,8 @@ namespace trim
 namespace
 {
 
-/// Chains longer than this many elements count as open.
-constexpr int LongestChain = 64;
+/// Longer chains, those that close in a ring among them, count as open.
+constexpr int LongestChain = 4096;
 
 double AxisLength(const Band& band, int element, int axis)
 {

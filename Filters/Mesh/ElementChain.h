@@ -11,7 +11,7 @@ namespace trim
 {
 
 /// How much shorter than any other the chains of a thickness axis have to be.
-constexpr double ThicknessRatio = 1.5;
+constexpr double ThicknessRatio = 1.5 * (1.0 - 1e-6);
 
 struct Chain
 {

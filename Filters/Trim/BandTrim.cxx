@@ -8,6 +8,7 @@
 #include "Status.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -129,7 +130,9 @@ void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, 
 }
 
 /// Where columns take elements along that lie far from the surface, each sheet of a joint gets
-/// columns of its own, or the elements are decided one by one, if that is better on the whole.
+/// columns of its own, or the elements are decided one by one, if that is better on the whole. If
+/// no node is left the border is the surface, however far elements had to reach: then nothing is
+/// better that leaves some, and elements one by one do.
 void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const BandOptions& options, const Progress& progress)
 {
@@ -139,11 +142,17 @@ void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, doub
   {
     others.push_back(std::move(sheets));
   }
-  others.push_back(NoColumns(near.Mesh, near.Structure.Part));
+  const bool leavesNone =
+    near.NodesLeft.empty() && options.Ladder.CorrectionType != Correction::Eliminate;
+  if (!leavesNone)
+  {
+    others.push_back(NoColumns(near.Mesh, near.Structure.Part));
+  }
   const auto measure = [&]
   {
     Shortcomings sum = MeasureShortcomings(near, options.Ladder);
-    sum.Squares += SquaresAstray(near, surface);
+    sum.Squares += leavesNone && !near.NodesLeft.empty() ? std::numeric_limits<double>::infinity()
+                                                         : SquaresAstray(near, surface);
     return sum;
   };
   Shortcomings least = measure();

@@ -22,6 +22,8 @@ using nurbs::FootKind;
 
 /// Radius of curvature, in elements, that nodes of the mesh can follow.
 constexpr double SmallestRadius = 2.0;
+/// Shares of an element, and of that radius, that rounding may take: it must not decide.
+constexpr double Rounding = 1e-6;
 /// Width of a hole or slot, in elements.
 constexpr double SmallestWidth = 3.0;
 /// Cosine of the smallest angle between surface and skin (45 degrees).
@@ -227,14 +229,14 @@ private:
       {
         continue;
       }
-      if (this->RadiusInElements(probe, foot) < SmallestRadius)
+      if (this->RadiusInElements(probe, foot) < (1.0 - Rounding) * SmallestRadius)
       {
         return true;
       }
       for (int j = 0; j < i; ++j)
       {
         if (IsNear(probe, *probe.Feet[j]) &&
-          MeanRadius(probe, foot, *probe.Feet[j]) < SmallestRadius)
+          MeanRadius(probe, foot, *probe.Feet[j]) < (1.0 - Rounding) * SmallestRadius)
         {
           return true;
         }
@@ -402,7 +404,8 @@ private:
     }
     // Under a surface that leans by more than an element, nodes beyond it go behind the cut.
     const bool wentBehind = near.Trimmed.NodeMoves.Applied[node] == Correction::Relax &&
-      this->Surface.ClosestPoint(near.Trimmed.NodeMoves.Position[node]).SignedDistance < 0.0;
+      this->Surface.ClosestPoint(near.Trimmed.NodeMoves.Position[node]).SignedDistance <=
+        Rounding * LongestEdgeAt(near.Mesh, node);
     return !wentBehind && !near.Structure.IsOnBorder(near.Mesh, node);
   }
 

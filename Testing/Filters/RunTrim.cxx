@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
 
 #include <cmath>
@@ -109,6 +110,17 @@ int CountWarned(const Outcome& outcome, const std::string& phrase)
     }
   }
   return 0;
+}
+
+int CountLeft(vtkUnstructuredGrid* trimmed)
+{
+  vtkDataArray* left = trimmed->GetPointData()->GetArray("DistanceLeft");
+  int count = 0;
+  for (vtkIdType i = 0; i < left->GetNumberOfTuples(); ++i)
+  {
+    count += left->GetComponent(i, 0) > 0;
+  }
+  return count;
 }
 
 std::string Rescues(vtkUnstructuredGrid* trimmed)

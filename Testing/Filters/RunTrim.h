@@ -41,6 +41,9 @@ Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& opt
 /// The number that the warning with this phrase begins with; 0 without such a warning.
 int CountWarned(const Outcome& outcome, const std::string& phrase);
 
+/// Nodes of a trimmed grid that were left off the surface.
+int CountLeft(vtkUnstructuredGrid* trimmed);
+
 /// The rungs of the validity ladder that the summary counts, as "name=count ..."; empty: none.
 std::string Rescues(vtkUnstructuredGrid* trimmed);
 

@@ -1,8 +1,8 @@
 /**
  * @file TestTrimRounding.cxx
  * @brief Neither the number of elements, nor rounding, nor where the model lies decides a trim:
- * sheets of any length, places stored as floats, read from a file's digits or far from the origin,
- * cuts along mesh lines.
+ * sheets and blocks of any length and depth, places stored as floats, read from a file's digits or
+ * far from the origin, cuts along mesh lines, ties.
  */
 #include "RunTrim.h"
 #include "SplineData.h"
@@ -41,17 +41,6 @@ double Entry(const Outcome& outcome, const char* name)
 {
   vtkDataArray* array = outcome.Case.Trimmed->GetFieldData()->GetArray(name);
   return array ? array->GetComponent(0, 0) : std::nan("");
-}
-
-int CountLeft(const Outcome& outcome)
-{
-  vtkDataArray* left = outcome.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
-  int count = 0;
-  for (vtkIdType i = 0; i < left->GetNumberOfTuples(); ++i)
-  {
-    count += left->GetComponent(i, 0) > 0;
-  }
-  return count;
 }
 
 // The elements of a column fall together in a sheet of any length.
@@ -137,7 +126,7 @@ void TestSameTrim()
       const Outcome outcome =
         RunTrim(other, PlaneThrough(turn * through + shift, turn * normal, 60), TrimOptions());
       Expect(outcome.Clean(), std::string(way.Name) + ": an error");
-      way.Left += CountLeft(outcome);
+      way.Left += CountLeft(outcome.Case.Trimmed);
       way.Relaxed += Entry(outcome, "RescuedByRelaxation") > 0;
     }
   }
@@ -171,7 +160,8 @@ void TestProjectionFarAway()
       projected += applied->GetComponent(i, 0) == 2;
       slid += applied->GetComponent(i, 0) == 3;
     }
-    Expect(outcome.Clean() && CountLeft(outcome) == 0 && projected > 5 * slid && slid > 0,
+    Expect(
+      outcome.Clean() && CountLeft(outcome.Case.Trimmed) == 0 && projected > 5 * slid && slid > 0,
       "edges of " + std::to_string(edge) + " far away: " + std::to_string(projected) +
         " nodes projected, " + std::to_string(slid) + " slid");
   }
@@ -193,6 +183,68 @@ void TestHalves()
     const Surface plane = PlaneThrough(turn * Vec3(7.5, 8, 0) + shift, turn * Vec3::UnitX(), 200);
     Expect(Entry(RunTrim(other, plane, TrimOptions()), "Kept") == 8 * 16 * 2,
       std::string("halves of ") + (asFloats ? "floats" : "doubles") + " are not all kept");
+  }
+}
+
+// Columns follow a leaning cut through many layers, as long as their nodes reach it.
+void TestDeepColumns()
+{
+  MeshOptions bare;
+  bare.Data = false;
+  struct Deep
+  {
+    int Nx, Ny, Nz;
+    Vec3 Normal;
+    double Scale = 1;
+  };
+  // More layers than 65; shifts of one to three elements; sides of 2 to 3 exactly.
+  const Deep blocks[] = { { 12, 30, 65, { 0.3, 1, 0.005 } }, { 12, 30, 66, { 0.3, 1, 0.005 } },
+    { 12, 30, 40, { 0.3, 1, 0.03 } }, { 12, 30, 40, { 0.3, 1, 0.034 } },
+    { 12, 30, 40, { 0.3, 1, 0.05 } }, { 40, 40, 8, { 0.3, 1, 0.3 } },
+    { 40, 40, 8, { 0.3, 1, 0.4 } }, { 8, 12, 12, { 0.4, 1, 0.05 }, 1 },
+    { 8, 12, 12, { 0.4, 1, 0.05 }, 1e-3 }, { 8, 12, 12, { 0.4, 1, 0.05 }, 0.1 } };
+  for (const Deep& deep : blocks)
+  {
+    bare.Scale = deep.Scale;
+    const Mesh mesh = Sheet(deep.Nx, deep.Ny, deep.Nz, Vec3::Ones(), bare);
+    const Outcome outcome =
+      RunTrim(mesh, PlaneThrough(mesh.Box.Centre, deep.Normal, 200 * deep.Scale), TrimOptions());
+    const int left = CountLeft(outcome.Case.Trimmed);
+    const double quality = Entry(outcome, "MinimumScaledJacobian");
+    Expect(outcome.Clean() && left == 0 && quality > 0.5,
+      std::to_string(deep.Nz) + " layers, " + std::to_string(deep.Normal[2]) + ", scaled by " +
+        std::to_string(deep.Scale) + ": " + std::to_string(left) + " nodes left, quality " +
+        std::to_string(quality));
+  }
+}
+
+// What is said of a hole does not depend on where it lies: of radii of two elements exactly, of
+// nodes that went behind the cut onto the surface.
+void TestSameWarnings()
+{
+  MeshOptions bare;
+  bare.Data = false;
+  for (const double radius : { 2.0, 2.27, 5.5 })
+  {
+    std::vector<std::string> first;
+    for (const Vec3& shift : { Vec3(0, 0, 0), Vec3(0, 12, 0), Vec3(216, 0, 0), Vec3(37, 21, 0) })
+    {
+      bare.Shift = shift;
+      const Mesh mesh = Sheet(20, 20, 3, Vec3::Ones(), bare);
+      Placement at;
+      at.X = at.Y = 0.03;
+      at.Lean = radius == 2.0 ? 0 : 0.5;
+      at.Size = radius / mesh.Box.HalfX;
+      const Outcome outcome = RunTrim(mesh, MakeSurface("cylinder", mesh.Box, at), TrimOptions());
+      std::vector<std::string> counts;
+      for (const std::string& warning : outcome.Warnings)
+      {
+        const std::size_t start = warning.find("): ");
+        counts.push_back(warning.substr(start, warning.find(" The first") - start));
+      }
+      first = shift.isZero() ? counts : first;
+      Expect(counts == first, "radius " + std::to_string(radius) + ": other warnings elsewhere");
+    }
   }
 }
 
@@ -253,6 +305,8 @@ int main()
   TestSameTrim();
   TestProjectionFarAway();
   TestHalves();
+  TestDeepColumns();
+  TestSameWarnings();
   TestSlots();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;

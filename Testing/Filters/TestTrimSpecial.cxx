@@ -456,6 +456,7 @@ double FarthestAstray(const Outcome& outcome, const Surface& surface)
 void TestJoints()
 {
   const Mesh mesh = MakeMesh("angle");
+  int left = 0;
   for (const int type : { 1, 2 })
   {
     for (int k = 0; k < 8; ++k)
@@ -469,10 +470,14 @@ void TestJoints()
       const Outcome outcome = RunAndJudge(mesh, plane, options, report);
       const double farthest = FarthestAstray(outcome, plane) / mesh.Box.ElementSize;
       Wrong += report.Failures() > 0;
-      Expect(farthest < 1.0,
+      // Unless its nodes have come to the surface all the same.
+      const bool exact = type == 2 && CountLeft(outcome.Case.Trimmed) == 0;
+      Expect(farthest < 1.0 || exact,
         "joint: an element on the wrong side, " + std::to_string(farthest) + " from the surface");
+      left += CountLeft(outcome.Case.Trimmed);
     }
   }
+  Expect(left <= 21, "joint: " + std::to_string(left) + " nodes are left off");
 }
 
 // Where the surface leaves the model right beside a corner, nodes whose side ends there come to it.
