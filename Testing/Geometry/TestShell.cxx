@@ -258,6 +258,42 @@ void TestOrientation()
   check::That(both.ClosestPoint(Vec3(3.5, 0.5, 0.9)).SignedDistance > 0, "second shell");
 }
 
+/// A strip of an upright cylinder between two angles.
+NurbsSurface Strip(double radius, double from, double to, double half)
+{
+  return samples::FromNet(2, 1, 3, 2,
+    [&](double u, double v)
+    {
+      const double angle = from + u * (to - from);
+      const double weight = u == 0.5 ? std::cos(0.5 * (to - from)) : 1.0;
+      const double away = radius / weight;
+      return Vec4(away * std::cos(angle), away * std::sin(angle), (2 * v - 1) * half, weight);
+    });
+}
+
+/// Long strips side by side, some hardly wider than the gap that counts as closed.
+void TestOrientationOfStrips()
+{
+  const double quarters[] = { 0, 0.4, 1, 2, 2.68, 2.7, 3, 3.03, 3.46, 3.48, 3.58, 3.66, 4 };
+  for (const double half : { 50.0, 55.0, 58.0, 60.0, 65.0, 200.0, 300.0, 400.0 })
+  {
+    std::vector<NurbsSurface> strips;
+    for (std::size_t i = 0; i + 1 < std::size(quarters); ++i)
+    {
+      strips.push_back(Strip(2.2, 0.5 * M_PI * quarters[i], 0.5 * M_PI * quarters[i + 1], half));
+    }
+    const TrimmingSurface surface(strips, 1e-5 * 2 * half, 4e-4 * 2 * half);
+    for (std::size_t i = 0; i < strips.size(); ++i)
+    {
+      const double angle = 0.25 * M_PI * (quarters[i] + quarters[i + 1]);
+      const Foot foot =
+        surface.ClosestPoint(Vec3(2.21 * std::cos(angle), 2.21 * std::sin(angle), 0.1));
+      check::That(foot.SignedDistance > 0,
+        "strips of " + std::to_string(2 * half) + ": turned, " + std::to_string(i));
+    }
+  }
+}
+
 void TestBoxes()
 {
   for (const samples::Named& sample : samples::All())
@@ -427,6 +463,7 @@ int main()
   TestGaps();
   TestFreeBorders();
   TestOrientation();
+  TestOrientationOfStrips();
   TestBoxes();
   TestBoxesBesideLeaningTube();
   TestNormalCones();
