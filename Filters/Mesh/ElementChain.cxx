@@ -1,11 +1,13 @@
 #include "ElementChain.h"
 
+#include <limits>
+
 namespace trim
 {
 namespace
 {
 
-/// Longer chains, those that close in a ring among them, count as open.
+/// Longer chains count as open.
 constexpr int LongestChain = 4096;
 
 double AxisLength(const Band& band, int element, int axis)
@@ -50,6 +52,12 @@ Chain MeasureChain(const Band& band, int element, int axis)
       if (next < 0 || step == LongestChain)
       {
         chain.Closed = chain.Closed && next < 0 && face.Exterior;
+        break;
+      }
+      if (next == element)
+      {
+        chain.Length = std::numeric_limits<double>::infinity(); // a ring has no end
+        chain.Closed = false;
         break;
       }
       const int nextAxis = TopologyOf(band.Elements[next].Count).FaceAxis[face.Slot[side]];

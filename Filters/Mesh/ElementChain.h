@@ -15,9 +15,9 @@ constexpr double ThicknessRatio = 1.5 * (1.0 - 1e-6);
 
 struct Chain
 {
-  int Count = 1; ///< elements
-  double Length = 0;
-  bool Closed = true; ///< ends at the exterior on both sides; one of too many elements does not
+  int Count = 1;      ///< elements
+  double Length = 0;  ///< of a ring: infinite
+  bool Closed = true; ///< ends at the exterior on both sides: a ring does not, nor one of too many
 };
 
 Chain MeasureChain(const Band& band, int element, int axis);
