@@ -233,7 +233,8 @@ bool NodeMover::MeetCrease(
     a = this->Surface.ClosestPoint(x + CreaseApproach * (a.Point - x));
     b = this->Surface.ClosestPoint(x + CreaseApproach * (b.Point - x));
   }
-  if (moved > nurbs::WidestGapOf(this->Surface))
+  const double gap = nurbs::WidestGapOf(this->Surface);
+  if (moved > gap)
   {
     return false;
   }
@@ -241,7 +242,7 @@ bool NodeMover::MeetCrease(
   if (moved > 0.1 * this->Precision || foot.Distance > 0.1 * this->Precision)
   {
     Vec3 on = x = foot.Point;
-    if (foot.Distance > nurbs::WidestGapOf(this->Surface) ||
+    if (foot.Distance > gap ||
       (kind == ConstraintKind::Faces &&
         !(this->NearestFacet(freedom, x, on, nullptr) && (on - x).norm() <= this->Precision)))
     {

@@ -1,5 +1,6 @@
 #include "ShownSurface.h"
 
+#include "InputScale.h"
 #include "PlaceText.h"
 
 #include <vtkCompositeDataSet.h>
@@ -117,9 +118,8 @@ std::vector<Vec3> SamplePolygons(vtkDataObject* data)
 std::string FindShift(const std::vector<Vec3>& shown, const nurbs::TrimmingSurface& surface)
 {
   const nurbs::Box3& box = surface.Bounds();
-  const double largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
   const double allowed = std::max(LargestShift * box.diagonal().norm(),
-    4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * largest);
+    4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * LargestCoordinateOf(box));
   Stray stray = FindFarthest(shown, surface);
   if (stray.Distance > allowed && HasTrimLoops(surface))
   {

@@ -152,8 +152,7 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
     error = "The input grid has no cells: connect a grid of hexahedra.";
     return false;
   }
-  const bool alone = ranks.Alone();
-  const auto ids = alone ? nullptr : GlobalIdsOf(this->TheOwn.Grid->GetPointData());
+  const auto ids = ranks.Alone() ? nullptr : GlobalIdsOf(this->TheOwn.Grid->GetPointData());
   const bool lacksIds = ranks.Any(this->TheMesh.NumberOfPoints > 0 && !ids);
   const bool useIds = !lacksIds && ids;
   this->TheGridRemark = lacksIds && ranks.Any(ids != nullptr)

@@ -501,8 +501,8 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   if (options.UseKeepPoint && surface.ClosestPoint(options.KeepPoint).Distance <= tolerance)
   {
     result.Warnings.emplace_back(
-      "KeepPoint lies on the surface and tells no side, so the normal of "
-      "the surface does: give a point in the part that is to stay.");
+      "KeepPoint lies on the surface and tells no side, so the normal of the surface does: give a "
+      "point in the part that is to stay.");
   }
   else if (options.UseKeepPoint &&
     LiesBeyond(mesh, blocks, piece, surface, result.Nodes, options.KeepPoint))
