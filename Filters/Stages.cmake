@@ -3,6 +3,7 @@ add_library(NURBSTrimStages STATIC
   Mesh/Band.cxx
   Mesh/BandCells.cxx
   Mesh/BandPlace.cxx
+  Mesh/BandStretches.cxx
   Mesh/Columns.cxx
   Mesh/ElementChain.cxx
   Mesh/ElementMap.cxx
@@ -75,6 +76,7 @@ add_library(NURBSTrimStages STATIC
   Write/TrimmedGrid.cxx
   Write/ValueWeights.cxx
   Trim/BandTrim.cxx
+  Trim/CutColumns.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx
   Trim/LayerRoom.cxx
@@ -82,6 +84,7 @@ add_library(NURBSTrimStages STATIC
   Trim/OpenSeams.cxx
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx
+  Trim/StretchTrims.cxx
   Trim/TrimPipeline.cxx
   Trim/TrimWarnings.cxx)
 foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Result Renumber Write Trim)

@@ -191,7 +191,7 @@ bool StaysOnBorder(const Band& band, const Columns& columns,
 {
   const PillarHold hold =
     borderEdges.empty() ? PillarHold() : FindHold(band, columns, nodeStatus, node);
-  if (!hold.Stays && (hold.Ways.empty() || columns.ChosenByCut))
+  if (!hold.Stays && (hold.Ways.empty() || columns.IsChosenByCut(node)))
   {
     return false;
   }
@@ -209,7 +209,7 @@ bool StaysOnBorder(const Band& band, const Columns& columns,
     along = steps;
   }
   // In a sheet what the others do tips the scales.
-  const int nearer = sameWay && !columns.ChosenByCut ? along - 1 : along;
+  const int nearer = sameWay && !columns.IsChosenByCut(node) ? along - 1 : along;
   const auto edges = band.EdgesOfNode(node);
   return along <= LongestStepsBack &&
     std::none_of(edges.begin(), edges.end(),

@@ -37,7 +37,7 @@ NodeMover::NodeMover(
 
 double NodeMover::Reach(int node) const
 {
-  return (this->TheColumns.ChosenByCut ? LongestMoveByCut : LongestMove) *
+  return (this->TheColumns.IsChosenByCut(node) ? LongestMoveByCut : LongestMove) *
     LongestEdgeAt(this->TheBand, node);
 }
 
@@ -189,7 +189,7 @@ NodeMove NodeMover::EndAtCorner(int node) const
 NodeMove NodeMover::ComeToCorner(int node, const Vec3& from) const
 {
   const auto elements = this->TheBand.ElementsOfNode(node);
-  const bool inSheet = !this->TheColumns.ChosenByCut &&
+  const bool inSheet = !this->TheColumns.IsChosenByCut(node) &&
     std::all_of(
       elements.begin(), elements.end(), [this](int e) { return this->TheColumns.HasThickness(e); });
   NodeMove move = inSheet ? this->EndAtCorner(node) : NodeMove();

@@ -307,10 +307,10 @@ std::vector<char> FindShutCutOuts(
 {
   std::vector<char> shut(band.NumberOfNodes(), 0);
   bool any = false;
-  for (int n = 0; n < band.NumberOfNodes() && !any && !columns.ChosenByCut; ++n)
+  for (int n = 0; n < band.NumberOfNodes() && !any; ++n)
   {
-    any =
-      band.NodeStatus[n] == NodeEliminate && !touchesEliminated[n] && !columns.IsOnBorder(band, n);
+    any = band.NodeStatus[n] == NodeEliminate && !touchesEliminated[n] &&
+      !columns.IsChosenByCut(n) && !columns.IsOnBorder(band, n);
   }
   if (!any)
   {
@@ -340,7 +340,7 @@ std::vector<char> FindShutCutOuts(
   {
     if (band.NodeStatus[n] == NodeEliminate)
     {
-      ofRoot[cutOuts.Find(n)] |= open[n] || columns.IsOnBorder(band, n);
+      ofRoot[cutOuts.Find(n)] |= open[n] || columns.IsChosenByCut(n) || columns.IsOnBorder(band, n);
     }
   }
   for (int n = 0; n < band.NumberOfNodes(); ++n)

@@ -332,6 +332,18 @@ void BuildGroups(const Band& band, Columns& columns)
   }
 }
 
+/// @param root of the axis chosen for a part, -1: none.
+void TellChosen(const Band& band, const std::vector<int>& part, int root, Columns& columns)
+{
+  for (std::size_t i = 0; i < part.size() && root >= 0; ++i)
+  {
+    columns.ChosenByCut.resize(band.NumberOfNodes(), 0);
+    const auto& element = band.Elements[part[i]];
+    std::for_each(element.Node.begin(), element.Node.begin() + element.Count,
+      [&columns](int n) { columns.ChosenByCut[n] = 1; });
+  }
+}
+
 /// Whether an edge of an element across its thickness joins two nodes of one pillar.
 bool HasBranchingPillar(const Band& band, const Columns& columns, int e)
 {
@@ -457,7 +469,7 @@ void ChooseColumns(const Band& band, const AxisShift& shift, double largest, Col
     {
       const int root = ChooseBySteadiness(band, part, shift, largest, classes.Axes);
       classes.SetAxis(band, part, root, columns);
-      columns.ChosenByCut |= root >= 0;
+      TellChosen(band, part, root, columns);
     }
   }
   BuildPlainGroups(band, classes.Parts, columns);

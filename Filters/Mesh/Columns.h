@@ -25,8 +25,9 @@ struct Columns
   std::vector<signed char> Axis; ///< thickness axis of each element, -1: none
   std::vector<int> Column;       ///< of each element: the smallest element of its column
   std::vector<int> Pillar;       ///< of each node: the smallest node of its pillar
-  std::vector<int> Part;    ///< of each element: those that faces join; empty: there is one alone
-  bool ChosenByCut = false; ///< some by ChooseColumns
+  std::vector<int> Part; ///< of each element: those that faces join; empty: there is one alone
+  /// Of each node: it has an element whose axis is by ChooseColumns; empty: there is none.
+  std::vector<char> ChosenByCut;
 
   /// Of each column, ascending.
   Band::Lists Elements() const;
@@ -50,6 +51,10 @@ struct Columns
     const auto faces = band.FacesOfNode(node);
     return std::any_of(faces.begin(), faces.end(),
       [&](int f) { return band.Faces[f].Exterior && !this->IsLayerFace(band, f); });
+  }
+  bool IsChosenByCut(int node) const
+  {
+    return !this->ChosenByCut.empty() && this->ChosenByCut[node];
   }
   /// An edge from layer to layer.
   bool IsThicknessEdge(const Band& band, int edge) const

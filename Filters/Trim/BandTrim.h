@@ -26,7 +26,7 @@ struct BandOptions
 };
 
 /**
- * Kept part and, if it is asked for, offcut.
+ * Kept part and, if it is asked for, offcut, of a stretch of the band.
  *
  * @param precision absolute distance up to which a node is on the surface.
  * @param progress where it ends the work, the result is of no use.

@@ -229,7 +229,7 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
   const nurbs::TrimmingSurface& surface, double precision, const BandOptions& options,
   const Progress& progress)
 {
-  const bool isSheet = near.Structure.HasThickness() && !near.Structure.ChosenByCut;
+  const bool isSheet = near.Structure.HasThickness() && near.Structure.ChosenByCut.empty();
   LayerSearch search(near, before, isSheet, largestShare, surface, precision, options.Ladder);
   std::unique_ptr<TrimBand> best;
   std::size_t fewest = 0;

@@ -1,11 +1,13 @@
 #include "TrimPipeline.h"
 
+#include "CutColumns.h"
 #include "FeasibilityCheck.h"
 #include "GatherBand.h"
 #include "InputScale.h"
 #include "Place.h"
 #include "Shortfalls.h"
 #include "Status.h"
+#include "StretchTrims.h"
 #include "SurfaceEnds.h"
 #include "SurfaceGaps.h"
 #include "TrimWarnings.h"
@@ -35,12 +37,6 @@ constexpr double FarPlacePrecision = 64.0 * std::numeric_limits<double>::epsilon
 constexpr double DistanceRounding = 16.0 * std::numeric_limits<double>::epsilon();
 /// A smaller tolerance leaves no node where it can be seen.
 constexpr double FinestCoarseTolerance = 1e-6;
-/// A surface that shifts by more than this share of an element from skin to skin cannot be
-/// followed by whole columns: other columns are looked for, else every element is decided alone.
-constexpr double LargestColumnShift = 3.5;
-/// Columns that the cut has chosen follow it farther: elements decided alone leave more nodes off.
-constexpr double LargestChosenShift = 4.0;
-
 /// Turns the surface round for a scope.
 class Turned
 {
@@ -251,91 +247,6 @@ std::vector<Id> FindNearCells(
   return FindCells(mesh, blocks, near, CellSearch::WholeRuns);
 }
 
-/// The closest point to a node of the band; most are known from the classification.
-nurbs::Foot FootOf(
-  const Band& band, int node, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
-{
-  const Id id = band.GlobalNode[node];
-  const auto at = static_cast<std::size_t>(id >= 0 ? known.Find(id) : 0);
-  return id >= 0 && at < known.Ids.size() && known.Ids[at] == id
-    ? known.Feet[at]
-    : surface.ClosestPoint(band.Point[node]);
-}
-
-/// Shift of the surface along an axis of an element, in elements.
-double ShiftAlong(
-  const Band& band, int e, int axis, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
-{
-  const auto& element = band.Elements[e];
-  const auto& topology = TopologyOf(element.Count);
-  Vec3 thickness = Vec3::Zero();
-  double lateral = 0.0;
-  int lateralEdges = 0;
-  int axisEdges = 0;
-  for (int i = 0; i < topology.NumberOfEdges; ++i)
-  {
-    const Vec3 edge = band.Point[element.Node[topology.Edges[i].Second]] -
-      band.Point[element.Node[topology.Edges[i].First]];
-    const bool along = topology.Edges[i].Axis == axis;
-    (along ? axisEdges : lateralEdges) += 1;
-    thickness += along ? edge : Vec3::Zero();
-    lateral += along ? 0.0 : edge.norm();
-  }
-  thickness /= axisEdges;
-  lateral /= lateralEdges;
-  // Not the first as the element has them: how it is numbered must not decide.
-  const int node = *std::min_element(element.Node.begin(), element.Node.begin() + element.Count);
-  const Vec3 normal = FootOf(band, node, known, surface).Normal;
-  const double sine = std::abs(normal.dot(thickness.normalized()));
-  const double tangent = sine / std::sqrt(std::max(1e-12, 1.0 - sine * sine));
-  return thickness.norm() * tangent / lateral;
-}
-
-/// Mean shift of the surface from skin to skin, in elements; 0 without thickness.
-double ColumnShift(const Band& band, const Columns& columns, const NodeFeet& known,
-  const nurbs::TrimmingSurface& surface)
-{
-  double shift = 0.0;
-  int count = 0;
-  std::vector<int> layers(band.NumberOfElements(), 0);
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    ++layers[columns.Column[e]];
-  }
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    if (band.Elements[e].Ring == 0 && columns.Axis[e] >= 0)
-    {
-      shift += std::min(
-        10.0, layers[columns.Column[e]] * ShiftAlong(band, e, columns.Axis[e], known, surface));
-      ++count;
-    }
-  }
-  return count > 0 ? shift / count : 0.0;
-}
-
-/// Columns that the cut can be followed by: those through the sheet, else any.
-void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
-{
-  const Band& band = near.Mesh;
-  if (ColumnShift(band, near.Structure, known, surface) > LargestColumnShift ||
-    !near.Structure.Complete(band, 2))
-  {
-    near.Structure = NoColumns(band, std::move(near.Structure.Part));
-  }
-  if (near.Structure.HasThickness())
-  {
-    return;
-  }
-  Columns chosen = near.Structure;
-  const auto shift = [&](int e, int axis) { return ShiftAlong(band, e, axis, known, surface); };
-  ChooseColumns(band, shift, LargestChosenShift, chosen);
-  if (chosen.Complete(band, 2))
-  {
-    near.Structure = std::move(chosen);
-  }
-}
-
 /// What is wrong where two elements have the same nodes; empty: there are none.
 std::string FindRepeatedElement(const Band& band, const Piece& piece)
 {
@@ -382,24 +293,30 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
     }
   }
   near->SheetAxis = near->Structure.Axis;
-  SetColumns(*near, result.Nodes.Near, surface);
   return true;
 }
 
-/// Leaves an error if the surface ends in the band. Collective.
-void MeasureBand(const Piece& piece, const nurbs::TrimmingSurface& surface, TrimResult& result)
+/// Sets columns and shares of the stretches; leaves an error if the surface ends in the band.
+/// Collective.
+void MeasureStretches(const Piece& piece, const nurbs::TrimmingSurface& surface,
+  StretchTrims& stretches, TrimResult& result)
 {
-  auto& near = *result.Near;
   const auto& feet = result.Nodes.Near.Feet;
   const bool ends = piece.All.Any(std::any_of(feet.begin(), feet.end(),
     [](const nurbs::Foot& foot) { return foot.Kind == nurbs::FootKind::Border; }));
-  std::array<int, 2> missed{ -1, -1 };
-  if (!MeasureShares(
-        near.Mesh, near.Structure, surface, nurbs::WidestGapOf(surface), near.Shares, missed))
+  const double gap = nurbs::WidestGapOf(surface);
+  for (int s = 0; s < stretches.Count() && result.Error.empty(); ++s)
   {
-    const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
-    result.Error = ends ? EndsInsideText(place) : SidesMixedUpText(place);
+    TrimBand& near = stretches[s];
+    SetColumns(near, result.Nodes.Near, surface);
+    std::array<int, 2> missed{ -1, -1 };
+    if (!MeasureShares(near.Mesh, near.Structure, surface, gap, near.Shares, missed))
+    {
+      const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
+      result.Error = ends ? EndsInsideText(place) : SidesMixedUpText(place);
+    }
   }
+  result.Error = piece.All.FirstText(result.Error);
 }
 
 /// Inserted nodes of this rank get the ids after those of the mesh.
@@ -524,15 +441,20 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     {
       return result;
     }
-    MeasureBand(piece, surface, result);
-    result.Error = piece.All.FirstText(result.Error);
+    StretchTrims stretches(*result.Near);
+    MeasureStretches(piece, surface, stretches, result);
     if (!result.Error.empty() || aborted(0.4))
     {
       return result;
     }
-    auto& near = *result.Near;
-    DecideBand(near, surface, precision, options.OfBand, Part(progress, 0.4, 0.6));
-    NumberInserted(mesh.NumberOfPoints, near.Mesh);
+    const Progress part = Part(progress, 0.4, 0.6);
+    for (int s = 0; s < stretches.Count(); ++s)
+    {
+      DecideBand(stretches[s], surface, precision, options.OfBand,
+        Part(part, stretches.ShareBefore(s), stretches.ShareBefore(s + 1)));
+    }
+    stretches.Join();
+    NumberInserted(mesh.NumberOfPoints, result.Near->Mesh);
   }
   SetFates(mesh, result);
   FindAndWarn(mesh, piece, surface, options, UnitsHint(blocks.Bounds, surface.Bounds()), result);

@@ -1,0 +1,104 @@
+#include "CutColumns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace trim
+{
+namespace
+{
+
+/// A surface that shifts by more than this share of an element from skin to skin cannot be
+/// followed by whole columns: other columns are looked for, else every element is decided alone.
+constexpr double LargestColumnShift = 3.5;
+/// Columns that the cut has chosen follow it farther: elements decided alone leave more nodes off.
+constexpr double LargestChosenShift = 4.0;
+
+/// The closest point to a node of the band; most are known from the classification.
+nurbs::Foot FootOf(
+  const Band& band, int node, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
+{
+  const Id id = band.GlobalNode[node];
+  const auto at = static_cast<std::size_t>(id >= 0 ? known.Find(id) : 0);
+  return id >= 0 && at < known.Ids.size() && known.Ids[at] == id
+    ? known.Feet[at]
+    : surface.ClosestPoint(band.Point[node]);
+}
+
+/// Shift of the surface along an axis of an element, in elements.
+double ShiftAlong(
+  const Band& band, int e, int axis, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
+{
+  const auto& element = band.Elements[e];
+  const auto& topology = TopologyOf(element.Count);
+  Vec3 thickness = Vec3::Zero();
+  double lateral = 0.0;
+  int lateralEdges = 0;
+  int axisEdges = 0;
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    const Vec3 edge = band.Point[element.Node[topology.Edges[i].Second]] -
+      band.Point[element.Node[topology.Edges[i].First]];
+    const bool along = topology.Edges[i].Axis == axis;
+    (along ? axisEdges : lateralEdges) += 1;
+    thickness += along ? edge : Vec3::Zero();
+    lateral += along ? 0.0 : edge.norm();
+  }
+  thickness /= axisEdges;
+  lateral /= lateralEdges;
+  // Not the first as the element has them: how it is numbered must not decide.
+  const int node = *std::min_element(element.Node.begin(), element.Node.begin() + element.Count);
+  const Vec3 normal = FootOf(band, node, known, surface).Normal;
+  const double sine = std::abs(normal.dot(thickness.normalized()));
+  const double tangent = sine / std::sqrt(std::max(1e-12, 1.0 - sine * sine));
+  return thickness.norm() * tangent / lateral;
+}
+
+/// Mean shift of the surface from skin to skin, in elements; 0 without thickness.
+double ColumnShift(const Band& band, const Columns& columns, const NodeFeet& known,
+  const nurbs::TrimmingSurface& surface)
+{
+  double shift = 0.0;
+  int count = 0;
+  std::vector<int> layers(band.NumberOfElements(), 0);
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    ++layers[columns.Column[e]];
+  }
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    if (band.Elements[e].Ring == 0 && columns.Axis[e] >= 0)
+    {
+      shift += std::min(
+        10.0, layers[columns.Column[e]] * ShiftAlong(band, e, columns.Axis[e], known, surface));
+      ++count;
+    }
+  }
+  return count > 0 ? shift / count : 0.0;
+}
+
+}
+
+void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
+{
+  const Band& band = near.Mesh;
+  if (ColumnShift(band, near.Structure, known, surface) > LargestColumnShift ||
+    !near.Structure.Complete(band, 2))
+  {
+    near.Structure = NoColumns(band, std::move(near.Structure.Part));
+  }
+  if (near.Structure.HasThickness())
+  {
+    return;
+  }
+  Columns chosen = near.Structure;
+  const auto shift = [&](int e, int axis) { return ShiftAlong(band, e, axis, known, surface); };
+  ChooseColumns(band, shift, LargestChosenShift, chosen);
+  if (chosen.Complete(band, 2))
+  {
+    near.Structure = std::move(chosen);
+  }
+}
+
+}

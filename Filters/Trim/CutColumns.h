@@ -1,0 +1,25 @@
+/**
+ * @file CutColumns.h
+ * @brief Columns that the cut can be followed by.
+ */
+#ifndef CutColumns_h
+#define CutColumns_h
+
+#include "NodeClassification.h"
+#include "TrimBand.h"
+#include "TrimmingSurface.h"
+
+namespace trim
+{
+
+/**
+ * Columns that the cut can be followed by: those through the sheet, else any.
+ *
+ * @param known closest points to nodes of the mesh.
+ * @param[in,out] near its structure has the columns through the sheet before.
+ */
+void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurface& surface);
+
+}
+
+#endif
