@@ -26,12 +26,14 @@ constexpr double BesideCut = 0.5;
 
 }
 
-NodeMover::NodeMover(
-  const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface, double precision)
+NodeMover::NodeMover(const Band& band, const Columns& columns,
+  const nurbs::TrimmingSurface& surface, double precision, bool slidesBehind)
   : TheBand(band)
   , TheColumns(columns)
   , Surface(surface)
   , Precision(precision)
+  , StatusBehind(
+      slidesBehind ? std::vector<unsigned char>(band.NumberOfNodes(), NodeKeep) : band.NodeStatus)
 {
 }
 
@@ -41,11 +43,16 @@ double NodeMover::Reach(int node) const
     LongestEdgeAt(this->TheBand, node);
 }
 
-NodeFreedom NodeMover::FreedomOf(int node) const
+NodeConstraint NodeMover::ConstraintOf(int node, bool onCut) const
+{
+  return ConstrainNode(
+    this->TheBand, this->TheColumns, onCut ? this->TheBand.NodeStatus : this->StatusBehind, node);
+}
+
+NodeFreedom NodeMover::FreedomOf(int node, bool onCut) const
 {
   NodeFreedom freedom;
-  freedom.Constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
+  freedom.Constraint = this->ConstraintOf(node, onCut);
   return freedom;
 }
 
@@ -87,11 +94,14 @@ void NodeMover::WalkRidge(int node, int firstEdge, const Visit& visit) const
     }
     walked += (this->TheBand.Point[to] - this->TheBand.Point[from]).norm();
     const auto next = ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, to);
-    if (next.Kind != ConstraintKind::Ridge || next.RidgeEdges.size() != 2 || next.SharpCorner)
+    // Where the ridge beyond the surface goes with what is cut off, the rest of it is one edge.
+    const auto on = std::find_if(
+      next.RidgeEdges.begin(), next.RidgeEdges.end(), [edge](int ridge) { return ridge != edge; });
+    if (next.Kind != ConstraintKind::Ridge || next.SharpCorner || on == next.RidgeEdges.end())
     {
       return;
     }
-    edge = next.RidgeEdges[0] == edge ? next.RidgeEdges[1] : next.RidgeEdges[0];
+    edge = *on;
     from = to;
   }
 }

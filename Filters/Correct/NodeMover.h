@@ -52,9 +52,11 @@ class NodeMover
 public:
   /**
    * @param precision absolute distance to which a position is on the surface.
+   * @param slidesBehind nodes behind the cut are held by the border beyond the surface, and slide
+   * along it, as the elements there are kept; else that is as if it went with what is cut off.
    */
   NodeMover(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
-    double precision);
+    double precision, bool slidesBehind = false);
 
   /// Type II: P1 on the surface, P2 on the skin facet, P3 = line(N, P2) with S (eqs. 16, 17).
   /// Nodes on a ridge slide along it, by type III.
@@ -98,7 +100,8 @@ public:
   /// The smallest node of a node's pillar.
   int PillarOf(int node) const { return this->TheColumns.Pillar[node]; }
 
-  NodeFreedom FreedomOf(int node) const;
+  /// @param onCut false: a node with kept elements alone round it, or eliminated ones.
+  NodeFreedom FreedomOf(int node, bool onCut = true) const;
 
   /// Tells where a node on the cut is: the feet of places near it are found from there.
   void StartFrom(const Vec3& x, NodeFreedom& freedom) const;
@@ -129,6 +132,8 @@ private:
   /// Below this sine of the angle between surface and facet their meeting line is not taken.
   static constexpr double SmallestSine = 0.05;
 
+  /// @param onCut false: by StatusBehind.
+  NodeConstraint ConstraintOf(int node, bool onCut) const;
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   /// Calls visit(from, to, walked) for the edges of a ridge from a node on, until that returns
   /// true or the ridge turns or ends; `walked` is the way to `from`.
@@ -160,6 +165,7 @@ private:
   const Columns& TheColumns;
   const nurbs::TrimmingSurface& Surface;
   double Precision;
+  std::vector<unsigned char> StatusBehind; ///< of nodes that are not on the cut
 };
 
 }

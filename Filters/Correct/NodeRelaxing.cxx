@@ -40,8 +40,7 @@ double SineRounding(const Band& band, int node)
 
 bool NodeMover::MayRelax(int node, bool onCut) const
 {
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
+  const NodeConstraint constraint = this->ConstraintOf(node, onCut);
   // Asked of the faces themselves: the constraint forgets those that are cut off.
   if (!this->TheColumns.IsOnBorder(this->TheBand, node))
   {

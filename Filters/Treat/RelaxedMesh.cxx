@@ -162,7 +162,7 @@ NodeFreedom& RelaxedMesh::FreedomOf(int node)
   auto& known = this->Freedoms[node];
   if (!known)
   {
-    known = std::make_unique<NodeFreedom>(this->Mover.FreedomOf(node));
+    known = std::make_unique<NodeFreedom>(this->Mover.FreedomOf(node, this->OnCut[node] != 0));
     this->TellStart(node);
   }
   return *known;

@@ -96,6 +96,9 @@ public:
   /// To be asked for different nodes by different threads.
   NodeFreedom& FreedomOf(int node);
 
+  /// To be told of a node that comes to the cut, or leaves it.
+  void ForgetFreedom(int node) { this->Freedoms[node].reset(); }
+
   /// Whether a node may be anywhere.
   bool IsFree(int node)
   {

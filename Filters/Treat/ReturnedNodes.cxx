@@ -245,7 +245,16 @@ private:
     this->TheMoves.Failed[node] = 0;
     this->TheMoves.Left[node] = 0;
     this->Given.Fixed[node] = 0;
-    this->Given.OnCut[node] = 1;
+    this->SetOnCut(node, 1);
+  }
+
+  void SetOnCut(int node, char onCut)
+  {
+    if (this->Given.OnCut[node] != onCut)
+    {
+      this->Given.OnCut[node] = onCut;
+      this->ForgetFreedom(node);
+    }
   }
 
   /// The same with the nodes round it relaxed.
@@ -268,7 +277,7 @@ private:
       this->Restore(before);
       this->TheMoves.Left[node] = 1;
       this->Given.Fixed[node] = 1;
-      this->Given.OnCut[node] = boundary;
+      this->SetOnCut(node, boundary);
     }
     return false;
   }

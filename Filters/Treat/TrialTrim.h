@@ -41,6 +41,7 @@ struct LadderOptions
   /// Whether what is nearly all beyond the surface may be kept so that a corner of the model need
   /// not move.
   bool KeepsCorners = true;
+  bool SlidesBehind = false; ///< see NodeMover
   Demands ForOffcut;
   bool FindsCloser = true;           ///< false: TrimmedBand::Closer is found later, if at all
   FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others

@@ -185,46 +185,81 @@ bool KeepsCorners(const TrimBand& near)
   return false;
 }
 
-/// What is kept for a corner of the model may leave nodes farther off than the corner would be, and
-/// whole columns do where the cut wanders through a block or along a wall; then it is decided again
+/// Decides again, by other options or without columns, where that leaves less off the surface.
+class OtherTrims
+{
+public:
+  OtherTrims(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
+    const BandOptions& options)
+    : Near(near)
+    , Surface(surface)
+    , Precision(precision)
+    , Options(options)
+  {
+  }
+
+  /// Most trims leave nothing; where many nodes are left, or for a high floor, no other trim helps.
+  bool AreWorthwhile() const
+  {
+    return !this->Near.NodesLeft.empty() && this->Near.NodesLeft.size() <= MostLeft &&
+      this->Options.Ladder.QualityFloor <= HighestFloor;
+  }
+
+  double Farthest() const { return MeasureLeft(this->Near).Farthest; }
+
+  void Try(const BandOptions& with, bool columns, const Progress& progress)
+  {
+    const auto measure = [this] { return MeasureShortcomings(this->Near, this->Options.Ladder); };
+    const auto climb = [&](const BandTrim& best)
+    {
+      const auto& shares = best.Shares;
+      this->Near.Structure =
+        columns ? best.Structure : NoColumns(this->Near.Mesh, best.Structure.Part);
+      this->Near.Shares =
+        columns ? shares : VolumeShares{ shares.Volume, shares.Element, shares.Element };
+      ClimbBand(this->Near, this->Surface, this->Precision, with, progress);
+    };
+    Shortcomings least = measure();
+    TryAnew(this->Near, climb, measure, least);
+  }
+
+private:
+  TrimBand& Near;
+  const nurbs::TrimmingSurface& Surface;
+  double Precision;
+  const BandOptions& Options;
+};
+
+/// Nodes behind the cut may have to slide along a border that lies beyond the surface. What is kept
+/// for a corner of the model may leave nodes farther off than the corner would be, and whole
+/// columns do where the cut wanders through a block or along a wall; then it is decided again
 /// without, every element for itself, and what comes nearest to the surface is taken.
 void DecideWithMesh(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
   const BandOptions& options, const Progress& progress)
 {
-  ClimbBand(near, surface, precision, options, Part(progress, 0.0, 0.4));
+  ClimbBand(near, surface, precision, options, Part(progress, 0.0, 0.3));
+  OtherTrims others(near, surface, precision, options);
+  if (!progress(-1.0) && near.Structure.HasColumns() && others.AreWorthwhile())
+  {
+    BandOptions sliding = options;
+    sliding.Ladder.SlidesBehind = true;
+    others.Try(sliding, true, Part(progress, 0.3, 0.4));
+  }
   if (!progress(-1.0) && near.Structure.HasColumns() && SquaresAstray(near, surface) > 0.0)
   {
     TryOtherColumns(near, surface, precision, options, Part(progress, 0.4, 0.5));
   }
-  // Most trims leave nothing, and are not measured again.
-  if (near.NodesLeft.empty() || near.NodesLeft.size() > MostLeft ||
-    options.Ladder.QualityFloor > HighestFloor)
-  {
-    return;
-  }
-  Shortcomings least = MeasureShortcomings(near, options.Ladder);
-  const auto tryAgain = [&](const BandOptions& with, bool columns, double begin, double end)
-  {
-    const auto climb = [&](const BandTrim& best)
-    {
-      const auto& shares = best.Shares;
-      near.Structure = columns ? best.Structure : NoColumns(near.Mesh, best.Structure.Part);
-      near.Shares =
-        columns ? shares : VolumeShares{ shares.Volume, shares.Element, shares.Element };
-      ClimbBand(near, surface, precision, with, Part(progress, begin, end));
-    };
-    TryAnew(
-      near, climb, [&] { return MeasureShortcomings(near, options.Ladder); }, least);
-  };
-  if (!progress(-1.0) && least.Farthest >= FarthestLeft && KeepsCorners(near))
+  if (!progress(-1.0) && others.AreWorthwhile() && others.Farthest() >= FarthestLeft &&
+    KeepsCorners(near))
   {
     BandOptions without = options;
     without.Ladder.KeepsCorners = false;
-    tryAgain(without, true, 0.5, 0.75);
+    others.Try(without, true, Part(progress, 0.5, 0.75));
   }
-  if (!progress(-1.0) && least.Farthest >= FarthestLeft && near.Structure.HasColumns())
+  if (!progress(-1.0) && others.AreWorthwhile() && others.Farthest() >= FarthestLeft &&
+    near.Structure.HasColumns())
   {
-    tryAgain(options, false, 0.75, 1.0);
+    others.Try(options, false, Part(progress, 0.75, 1.0));
   }
 }
 
