@@ -13,7 +13,11 @@
 namespace trim
 {
 
-using Tetrahedron = std::array<int, 4>; ///< local nodes of an element
+using Tetrahedron = std::array<int, 4>; ///< places in NodesFromFirst
+
+/// The nodes of an element from that which is the first one of the band on, in a positive order:
+/// into which tetrahedra an element is divided must not depend on how it is numbered.
+std::array<int, 8> NodesFromFirst(const BandElement& element);
 
 /// Six tetrahedra round the diagonal 0-6, and three in a wedge; positive in VTK's node order.
 constexpr std::array<Tetrahedron, 6> HexahedronTetrahedra = { { { 0, 1, 2, 6 }, { 0, 2, 3, 6 },

@@ -14,17 +14,17 @@ double Volume(const std::array<Vec3, 4>& p)
   return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6.0;
 }
 
-/// The edges of one element by its local nodes.
+/// The edges of one element by the places of its nodes in NodesFromFirst.
 struct ElementEdges
 {
-  const BandElement& Element;
+  std::array<int, 8> Node;
   const std::vector<unsigned char>& Status;
   const CutEdges& Edges;
 
-  bool IsEliminated(int i) const { return this->Status[this->Element.Node[i]] == NodeEliminate; }
+  bool IsEliminated(int i) const { return this->Status[this->Node[i]] == NodeEliminate; }
   double Beyond(int eliminated, int other) const
   {
-    return this->Edges.Beyond(this->Element.Node[eliminated], this->Element.Node[other]);
+    return this->Edges.Beyond(this->Node[eliminated], this->Node[other]);
   }
 };
 
@@ -70,8 +70,8 @@ double ShareOfTetrahedron(const Tetrahedron& tetrahedron, const ElementEdges& ed
 }
 
 template <std::size_t N>
-ElementVolumes Measure(const std::array<Tetrahedron, N>& tetrahedra, const Band& band,
-  const BandElement& element, const ElementEdges& edges)
+ElementVolumes Measure(
+  const std::array<Tetrahedron, N>& tetrahedra, const Band& band, const ElementEdges& edges)
 {
   ElementVolumes volumes;
   for (const auto& tetrahedron : tetrahedra)
@@ -79,7 +79,7 @@ ElementVolumes Measure(const std::array<Tetrahedron, N>& tetrahedra, const Band&
     std::array<Vec3, 4> p;
     for (int i = 0; i < 4; ++i)
     {
-      p[i] = band.Point[element.Node[tetrahedron[i]]];
+      p[i] = band.Point[edges.Node[tetrahedron[i]]];
     }
     const double volume = std::abs(Volume(p));
     volumes.Total += volume;
@@ -93,9 +93,9 @@ ElementVolumes Measure(const std::array<Tetrahedron, N>& tetrahedra, const Band&
 ElementVolumes MeasureEliminated(const Band& band, int element, const CutEdges& edges)
 {
   const auto& e = band.Elements[element];
-  const ElementEdges ofElement{ e, band.NodeStatus, edges };
-  return e.Count == 8 ? Measure(HexahedronTetrahedra, band, e, ofElement)
-                      : Measure(WedgeTetrahedra, band, e, ofElement);
+  const ElementEdges ofElement{ NodesFromFirst(e), band.NodeStatus, edges };
+  return e.Count == 8 ? Measure(HexahedronTetrahedra, band, ofElement)
+                      : Measure(WedgeTetrahedra, band, ofElement);
 }
 
 }
