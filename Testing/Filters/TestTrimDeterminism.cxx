@@ -8,9 +8,13 @@
 #include "RunTrim.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkSMPTools.h>
 #include <vtkTrimHexahedralGrid.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -107,6 +111,62 @@ void TestChoiceOfBackend()
   unsetenv("VTK_SMP_BACKEND_IN_USE");
 }
 
+/// The same elements, each numbered from another node on: round, and in turn upside down.
+vtkSmartPointer<vtkUnstructuredGrid> NumberOtherwise(vtkUnstructuredGrid* grid)
+{
+  auto other = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  other->SetPoints(grid->GetPoints());
+  other->Allocate(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCellPoints(c, nodes);
+    const auto corners = static_cast<int>(nodes->GetNumberOfIds()) / 2;
+    std::vector<vtkIdType> numbered(2 * corners);
+    for (int i = 0; i < corners; ++i)
+    {
+      const bool turned = c % 2 != 0;
+      const int from = static_cast<int>(c % 7);
+      const int corner = (turned ? from + 2 * corners - i : from + i) % corners;
+      numbered[i] = nodes->GetId(turned ? corner + corners : corner);
+      numbered[i + corners] = nodes->GetId(turned ? corner : corner + corners);
+    }
+    other->InsertNextCell(grid->GetCellType(c), 2 * corners, numbered.data());
+  }
+  return other;
+}
+
+/// How elements are numbered decides nothing about them.
+void TestNumberingOfElements()
+{
+  for (const char* meshName : { "sheet2", "perturbed", "block", "wedges", "dome" })
+  {
+    Mesh mesh = MakeMesh(meshName), other = mesh;
+    other.Grid = NumberOtherwise(mesh.Grid);
+    for (const char* kind : { "wavy", "contour", "cone" })
+    {
+      const Surface surface = MakeSurface(kind, mesh.Box, Placement());
+      const Outcome a = RunTrim(mesh, surface, TrimOptions());
+      const Outcome b = RunTrim(other, surface, TrimOptions());
+      vtkDataArray* fractions = a.Case.Whole->GetCellData()->GetArray("EliminatedFraction");
+      vtkDataArray* others = b.Case.Whole->GetCellData()->GetArray("EliminatedFraction");
+      int different = 0, cut = 0;
+      for (vtkIdType c = 0; c < fractions->GetNumberOfTuples(); ++c)
+      {
+        const double share = fractions->GetComponent(c, 0);
+        cut += share > 0 && share < 1;
+        different += share != others->GetComponent(c, 0);
+      }
+      if (cut == 0 || different > 0)
+      {
+        std::printf("FAIL %s %s: %d of %d shares depend on the numbering of the elements\n",
+          meshName, kind, different, cut);
+        ++Wrong;
+      }
+    }
+  }
+}
+
 /// One thread twice, and against others.
 void CompareThreads(const std::string& name, const Mesh& mesh, const Surface& surface,
   const TrimOptions& options, const std::vector<int>& numbers)
@@ -192,6 +252,7 @@ int main(int argc, char* argv[])
   {
     TestChoiceOfBackend();
     TestSmall();
+    TestNumberingOfElements();
   }
   if (part != "small")
   {
