@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -335,10 +336,37 @@ void CheckHighFloor()
 }
 }
 
+/// Blocks whose columns follow the cut, beside a corner of the model that it cuts off: nodes there
+/// slide along an edge that lies beyond the surface, or the whole cut would do without columns.
+void CheckCutCorners()
+{
+  struct Case
+  {
+    std::array<int, 3> Elements;
+    Vec3 Normal, Offset; ///< of the plane, from the middle
+  };
+  const Case cases[] = { { { 12, 12, 12 }, { 0.3, 1, 0.4 }, { 0.13, -0.21, 0.07 } },
+    { { 10, 10, 11 }, { -2, -1, -4 }, { -0.929, 0.093, 0.592 } },
+    { { 8, 6, 10 }, { -1, 2, 3 }, { -0.232, 0.34, 0.245 } } };
+  for (const Case& c : cases)
+  {
+    const auto [nx, ny, nz] = c.Elements;
+    const Mesh mesh = Block(nx, ny, nz);
+    const Surface plane = PlaneThrough(mesh.Box.Centre + c.Offset, c.Normal.normalized(), 100.0);
+    Report report("corner of a block of " + std::to_string(nx));
+    const Outcome outcome = RunAndJudge(mesh, plane, TrimOptions(), report);
+    Wrong += report.Failures();
+    const int left = CountLeft(outcome.Case.Trimmed);
+    std::printf("block of %d x %d x %d: %d nodes left\n", nx, ny, nz, left);
+    Expect(left == 0, "nodes are left beside the corner of a block");
+  }
+}
+
 int main()
 {
   CheckTargets();
   CheckHighFloor();
+  CheckCutCorners();
   CheckThickSheets();
   CheckHardCuts();
   CheckFewLeft();
