@@ -32,8 +32,7 @@ NodeMover::NodeMover(const Band& band, const Columns& columns,
   , TheColumns(columns)
   , Surface(surface)
   , Precision(precision)
-  , StatusBehind(
-      slidesBehind ? std::vector<unsigned char>(band.NumberOfNodes(), NodeKeep) : band.NodeStatus)
+  , AllKept(slidesBehind ? band.NumberOfNodes() : 0, NodeKeep)
 {
 }
 
@@ -45,8 +44,9 @@ double NodeMover::Reach(int node) const
 
 NodeConstraint NodeMover::ConstraintOf(int node, bool onCut) const
 {
+  const bool byStatus = onCut || this->AllKept.empty();
   return ConstrainNode(
-    this->TheBand, this->TheColumns, onCut ? this->TheBand.NodeStatus : this->StatusBehind, node);
+    this->TheBand, this->TheColumns, byStatus ? this->TheBand.NodeStatus : this->AllKept, node);
 }
 
 NodeFreedom NodeMover::FreedomOf(int node, bool onCut) const
@@ -93,7 +93,7 @@ void NodeMover::WalkRidge(int node, int firstEdge, const Visit& visit) const
       return;
     }
     walked += (this->TheBand.Point[to] - this->TheBand.Point[from]).norm();
-    const auto next = ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, to);
+    const NodeConstraint next = this->ConstraintOf(to);
     // Where the ridge beyond the surface goes with what is cut off, the rest of it is one edge.
     const auto on = std::find_if(
       next.RidgeEdges.begin(), next.RidgeEdges.end(), [edge](int ridge) { return ridge != edge; });
@@ -371,8 +371,7 @@ bool NodeMover::Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot
 
 std::vector<int> NodeMover::SlidingEdges(int node) const
 {
-  const auto constraint =
-    ConstrainNode(this->TheBand, this->TheColumns, this->TheBand.NodeStatus, node);
+  const NodeConstraint constraint = this->ConstraintOf(node);
   std::vector<int> edges;
   if (constraint.Kind == ConstraintKind::Ridge || constraint.Kind == ConstraintKind::Fixed)
   {

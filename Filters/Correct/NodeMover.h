@@ -132,8 +132,8 @@ private:
   /// Below this sine of the angle between surface and facet their meeting line is not taken.
   static constexpr double SmallestSine = 0.05;
 
-  /// @param onCut false: by StatusBehind.
-  NodeConstraint ConstraintOf(int node, bool onCut) const;
+  /// @param onCut see FreedomOf.
+  NodeConstraint ConstraintOf(int node, bool onCut = true) const;
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   /// Calls visit(from, to, walked) for the edges of a ridge from a node on, until that returns
   /// true or the ridge turns or ends; `walked` is the way to `from`.
@@ -165,7 +165,9 @@ private:
   const Columns& TheColumns;
   const nurbs::TrimmingSurface& Surface;
   double Precision;
-  std::vector<unsigned char> StatusBehind; ///< of nodes that are not on the cut
+  /// Status of the nodes as if there were no cut: it holds those that are not on it, if they slide
+  /// behind it; else empty.
+  std::vector<unsigned char> AllKept;
 };
 
 }

@@ -71,7 +71,6 @@ std::vector<char> Decision::Take(const std::vector<Fate>& fate)
   return kept;
 }
 
-/// Nodes near the cut whose elements are all in the band.
 /// Rounding must not decide: a share that equals the threshold stays (V^e <= 50 %: keep), but none
 /// of a column that lies beyond as a whole.
 bool Decision::StaysByVolume(int e) const
@@ -104,6 +103,7 @@ double Decision::RoundingOf(int column) const
   return std::min(rounding, CoarsestRounding);
 }
 
+/// Nodes near the cut whose elements are all in the band.
 void Decision::FindInnerNodes()
 {
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)

@@ -150,6 +150,24 @@ inline ElementPoints PointsOf(const Band& band, int element)
   return points;
 }
 
+/// A node of a band for another one.
+inline BandCells::Node TakeNode(const Band& band, int node, const Origin& from)
+{
+  return { band.GlobalNode[node], band.Point[node], band.NodeStatus[node], from };
+}
+
+/// An element of a band for another one, which has the node n of the band at numberOf(n).
+template <typename NumberOf>
+BandCells::Cell TakeElement(
+  const Band& band, int element, const Origin& from, const NumberOf& numberOf)
+{
+  const BandElement& own = band.Elements[element];
+  BandCells::Cell cell{ own.Global, own.Count, own.Ring, band.ElementStatus[element], own.Node,
+    from };
+  std::transform(own.Node.begin(), own.Node.begin() + own.Count, cell.Node.begin(), numberOf);
+  return cell;
+}
+
 /// Length of the longest edge at a node, where the mesh has it.
 inline double LongestEdgeAt(const Band& band, int node)
 {

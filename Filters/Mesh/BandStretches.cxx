@@ -17,18 +17,12 @@ void AppendCells(const Band& own, const BandStretch& stretch, BandCells& cells)
   for (int n = 0; n < own.NumberOfNodes(); ++n)
   {
     const Origin from{ stretch.Nodes[NodeWithoutLayer(own, n)], own.IsInsertedNode(n) };
-    cells.Nodes.push_back({ own.GlobalNode[n], own.Point[n], own.NodeStatus[n], from });
+    cells.Nodes.push_back(TakeNode(own, n, from));
   }
   for (int e = 0; e < own.NumberOfElements(); ++e)
   {
-    const auto& element = own.Elements[e];
     const Origin from{ stretch.Elements[ElementWithoutLayer(own, e)], own.IsInserted(e) };
-    cells.Cells.push_back(
-      { element.Global, element.Count, element.Ring, own.ElementStatus[e], element.Node, from });
-    for (int i = 0; i < element.Count; ++i)
-    {
-      cells.Cells.back().Node[i] += offset;
-    }
+    cells.Cells.push_back(TakeElement(own, e, from, [offset](int n) { return offset + n; }));
   }
 }
 
@@ -73,17 +67,11 @@ std::vector<Band> ExtractStretches(const Band& band, const std::vector<BandStret
     for (const int n : stretch.Nodes)
     {
       number[n] = static_cast<int>(cells.Nodes.size());
-      cells.Nodes.push_back({ band.GlobalNode[n], band.Point[n], band.NodeStatus[n] });
+      cells.Nodes.push_back(TakeNode(band, n, {}));
     }
     for (const int e : stretch.Elements)
     {
-      const auto& element = band.Elements[e];
-      cells.Cells.push_back(
-        { element.Global, element.Count, element.Ring, band.ElementStatus[e], element.Node });
-      for (int i = 0; i < element.Count; ++i)
-      {
-        cells.Cells.back().Node[i] = number[element.Node[i]];
-      }
+      cells.Cells.push_back(TakeElement(band, e, {}, [&number](int n) { return number[n]; }));
     }
     bands.emplace_back(std::move(cells), band.NumberOfRings(), band.SinglePrecision);
   }

@@ -335,10 +335,14 @@ void BuildGroups(const Band& band, Columns& columns)
 /// @param root of the axis chosen for a part, -1: none.
 void TellChosen(const Band& band, const std::vector<int>& part, int root, Columns& columns)
 {
-  for (std::size_t i = 0; i < part.size() && root >= 0; ++i)
+  if (root < 0)
   {
-    columns.ChosenByCut.resize(band.NumberOfNodes(), 0);
-    const auto& element = band.Elements[part[i]];
+    return;
+  }
+  columns.ChosenByCut.resize(band.NumberOfNodes(), 0);
+  for (const int e : part)
+  {
+    const auto& element = band.Elements[e];
     std::for_each(element.Node.begin(), element.Node.begin() + element.Count,
       [&columns](int n) { columns.ChosenByCut[n] = 1; });
   }

@@ -99,14 +99,11 @@ private:
     const Band& band = this->TheBand;
     for (int n = 0; n < band.NumberOfNodes(); ++n)
     {
-      cells.Nodes.push_back(
-        { band.GlobalNode[n], band.Point[n], band.NodeStatus[n], { n, false } });
+      cells.Nodes.push_back(TakeNode(band, n, { n, false }));
     }
     for (int e = 0; e < band.NumberOfElements(); ++e)
     {
-      const BandElement& element = band.Elements[e];
-      cells.Cells.push_back({ element.Global, element.Count, element.Ring, band.ElementStatus[e],
-        element.Node, { e, false } });
+      cells.Cells.push_back(TakeElement(band, e, { e, false }, [](int n) { return n; }));
     }
   }
 

@@ -1,6 +1,8 @@
 #include "StretchTrims.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <utility>
 
