@@ -276,6 +276,21 @@ double TurnCosine(
 namespace
 {
 
+/// At a step of the thickness the skin goes on between the layers. Where the side of the step goes
+/// with what is cut off, that leads beneath what is no more: the skin that stays holds the node.
+void KeepToSkin(
+  const Band& band, const std::vector<unsigned char>& nodeStatus, std::vector<int>& layerFaces)
+{
+  const bool skinStays = std::any_of(layerFaces.begin(), layerFaces.end(),
+    [&](int f) { return band.Faces[f].Exterior && !GoesWhole(band.Faces[f], nodeStatus); });
+  if (skinStays)
+  {
+    layerFaces.erase(std::remove_if(layerFaces.begin(), layerFaces.end(),
+                       [&band](int f) { return !band.Faces[f].Exterior; }),
+      layerFaces.end());
+  }
+}
+
 /// The constraint by these of the faces of a node.
 NodeConstraint ConstrainBy(const Band& band, const Columns& columns,
   const std::vector<unsigned char>& nodeStatus, int node, const std::vector<int>& faces)
@@ -305,6 +320,10 @@ NodeConstraint ConstrainBy(const Band& band, const Columns& columns,
   bool stays = false;
   if (sheet)
   {
+    if (!lateral.empty() && exterior.empty())
+    {
+      KeepToSkin(band, nodeStatus, constraint.Faces);
+    }
     const auto border = LateralEdges(band, columns, lateral, node);
     stays =
       nodeStatus[node] == NodeEliminate && StaysOnBorder(band, columns, nodeStatus, border, node);

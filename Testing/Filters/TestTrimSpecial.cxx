@@ -372,6 +372,14 @@ void TestKeptCorners()
       { "roundrect", -0.581, -0.326, 2.389, 0.548, 0.425, 2 } });
 }
 
+// Where the side of a step of the thickness goes with what is cut off, a node at its foot keeps to
+// the skin that stays, and does not go on between the layers.
+void TestFootOfStep()
+{
+  JudgeCuts(
+    MakeMesh("patched"), { { "torus", 0.207, -0.055, 1.716, 0.384, 0.407, 2, 2, false, true } });
+}
+
 // CAD programs write a body as a solid and its shells beside it: faces that are there more than
 // once trim as one.
 void TestRepeatedFaces()
@@ -584,6 +592,7 @@ int main()
   TestKeepPoint();
   TestBlocksJoinedAtEdges();
   TestKeptCorners();
+  TestFootOfStep();
   TestRepeatedFaces();
   TestWedgeOrder();
   TestJoints();
