@@ -24,10 +24,12 @@ add_library(NURBSTrimStages STATIC
   Classify/EndInside.cxx
   Classify/NodeClassification.cxx
   Classify/PieceSides.cxx
-  Decide/Decision.cxx
   Decide/CutEdges.cxx
+  Decide/Decision.cxx
   Decide/EliminatedFraction.cxx
   Decide/Manifold.cxx
+  Decide/MovingNodes.cxx
+  Decide/VolumeShares.cxx
   Correct/Facet.cxx
   Correct/Moves.cxx
   Correct/NodeConstraint.cxx
@@ -75,7 +77,7 @@ add_library(NURBSTrimStages STATIC
   Write/Summary.cxx
   Write/TrimmedGrid.cxx
   Write/ValueWeights.cxx
-  Trim/BandTrim.cxx
+  Trim/BandDecision.cxx
   Trim/CutColumns.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx

@@ -53,7 +53,7 @@ struct NodeClassification
 /**
  * @param piece the mesh among those of other ranks, whose nodes it may share.
  * @param tolerance absolute distance under which a node is on the surface.
- * @param aborted asked now and then by one thread; true ends the work.
+ * @param aborted asked now and then, by all threads; true ends the work.
  * Collective.
  *
  * @return false without an error if the work was ended, on any rank; false with one that gives a

@@ -21,13 +21,6 @@ struct FacetFoot
   double Outside = 0; ///< how far beyond the facet's own edges, in its parameters; 0: inside
 };
 
-/// The corner of a face that a node is; their number if it is none.
-inline int CornerOf(const BandFace& face, int node)
-{
-  return static_cast<int>(
-    std::find(face.Node.begin(), face.Node.begin() + face.Count, node) - face.Node.begin());
-}
-
 enum class FootSought
 {
   Any,

@@ -39,11 +39,7 @@ Vec3 FaceNormal(const Band& band, const BandFace& face)
 /// The edges of a face that meet at a node.
 std::array<int, 2> EdgesAt(const Band& band, const BandFace& face, int node)
 {
-  int at = 0;
-  while (face.Node[at] != node)
-  {
-    ++at;
-  }
+  const int at = CornerOf(face, node);
   return { band.FindEdge(node, face.Node[(at + 1) % face.Count]),
     band.FindEdge(node, face.Node[(at + face.Count - 1) % face.Count]) };
 }

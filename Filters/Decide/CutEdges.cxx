@@ -72,8 +72,7 @@ void CutEdges::ListEdges(const Band& band)
       for (Id e = begin; e < end; ++e)
       {
         const auto& element = band.Elements[e];
-        const auto* last = element.Node.begin() + element.Count;
-        const auto beyond = std::count_if(element.Node.begin(), last, eliminated);
+        const auto beyond = std::count_if(element.begin(), element.end(), eliminated);
         if (beyond == 0 || beyond == element.Count)
         {
           continue;

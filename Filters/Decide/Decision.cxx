@@ -1,13 +1,10 @@
 #include "Decision.h"
 
-#include "DisjointSets.h"
-#include "EliminatedFraction.h"
 #include "Jacobian.h"
 #include "Manifold.h"
+#include "MovingNodes.h"
 #include "SortUnique.h"
 #include "Status.h"
-
-#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -294,144 +291,6 @@ bool Decision::MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) 
     }
   }
   return false;
-}
-
-namespace
-{
-
-/// Nodes beyond the surface in a cut-out of a sheet that holds no whole element, and of which none
-/// goes, nor any beside it: there is no border that they could lie on, and moving them would spoil
-/// the elements for nothing.
-std::vector<char> FindShutCutOuts(
-  const Band& band, const Columns& columns, const std::vector<char>& touchesEliminated)
-{
-  std::vector<char> shut(band.NumberOfNodes(), 0);
-  bool any = false;
-  for (int n = 0; n < band.NumberOfNodes() && !any; ++n)
-  {
-    any = band.NodeStatus[n] == NodeEliminate && !touchesEliminated[n] &&
-      !columns.IsChosenByCut(n) && !columns.IsOnBorder(band, n);
-  }
-  if (!any)
-  {
-    return shut; // as a rule
-  }
-  std::vector<char> open(band.NumberOfNodes(), 0);
-  DisjointSets<int> cutOuts(band.NumberOfNodes());
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    const auto& element = band.Elements[e];
-    const auto begin = element.Node.begin(), end = begin + element.Count;
-    const bool beside = !columns.HasThickness(e) || band.ElementStatus[e] == ElementEliminate ||
-      std::any_of(begin, end, [&touchesEliminated](int n) { return touchesEliminated[n] != 0; });
-    int first = -1;
-    for (auto n = begin; n != end; ++n)
-    {
-      if (band.NodeStatus[*n] == NodeEliminate)
-      {
-        open[*n] |= beside;
-        first = first < 0 ? *n : first;
-        cutOuts.Unite(first, *n);
-      }
-    }
-  }
-  std::vector<char> ofRoot(band.NumberOfNodes(), 0);
-  for (int n = 0; n < band.NumberOfNodes(); ++n)
-  {
-    if (band.NodeStatus[n] == NodeEliminate)
-    {
-      ofRoot[cutOuts.Find(n)] |= open[n] || columns.IsChosenByCut(n) || columns.IsOnBorder(band, n);
-    }
-  }
-  for (int n = 0; n < band.NumberOfNodes(); ++n)
-  {
-    shut[n] = band.NodeStatus[n] == NodeEliminate && !ofRoot[cutOuts.Find(n)];
-  }
-  return shut;
-}
-
-}
-
-bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
-  double gap, VolumeShares& shares, std::array<int, 2>& missedEdge)
-{
-  const int count = band.NumberOfElements();
-  shares.Volume.assign(count, 0.0);
-  shares.Element.assign(count, 0.0);
-  const CutEdges edges(band, surface, gap);
-  missedEdge = edges.FindMissed();
-  if (missedEdge[0] >= 0)
-  {
-    return false;
-  }
-  vtkSMPTools::For(0, count, 64,
-    [&](Id begin, Id end)
-    {
-      for (Id e = begin; e < end; ++e)
-      {
-        const auto volumes = MeasureEliminated(band, static_cast<int>(e), edges);
-        shares.Volume[e] = volumes.Total;
-        shares.Element[e] = band.ElementStatus[e] == ElementKeep ? 0.0
-          : band.ElementStatus[e] == ElementEliminate            ? 1.0
-                                                                 : volumes.Fraction();
-      }
-    });
-  MeasureColumnShares(columns, shares);
-  return true;
-}
-
-void MeasureColumnShares(const Columns& columns, VolumeShares& shares)
-{
-  const std::size_t count = shares.Element.size();
-  std::vector<double> total(count, 0.0);
-  std::vector<double> eliminated(count, 0.0);
-  for (std::size_t e = 0; e < count; ++e)
-  {
-    total[columns.Column[e]] += shares.Volume[e];
-    eliminated[columns.Column[e]] += shares.Volume[e] * shares.Element[e];
-  }
-  shares.Column.resize(count);
-  for (std::size_t e = 0; e < count; ++e)
-  {
-    const int column = columns.Column[e];
-    shares.Column[e] = total[column] > 0.0 ? eliminated[column] / total[column] : 0.0;
-  }
-}
-
-std::vector<char> FindMovingNodes(
-  const Band& band, const Columns& columns, const std::vector<char>& kept)
-{
-  std::vector<char> touchesKept(band.NumberOfNodes(), 0), touchesEliminated = touchesKept;
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    const auto& element = band.Elements[e];
-    for (int i = 0; i < element.Count; ++i)
-    {
-      (kept[e] ? touchesKept : touchesEliminated)[element.Node[i]] = 1;
-    }
-  }
-  const std::vector<char> shut = FindShutCutOuts(band, columns, touchesEliminated);
-  std::vector<char> moving(band.NumberOfNodes(), 0);
-  for (int n = 0; n < band.NumberOfNodes(); ++n)
-  {
-    const bool beyond = band.NodeStatus[n] == NodeEliminate && !shut[n];
-    moving[n] =
-      touchesKept[n] && band.NodeStatus[n] != NodeOnSurface && (touchesEliminated[n] || beyond);
-  }
-  return moving;
-}
-
-std::vector<char> FindCutNodes(const Band& band, const std::vector<char>& kept)
-{
-  std::vector<char> onCut(band.NumberOfNodes(), 0);
-  for (const auto& face : band.Faces)
-  {
-    for (int i = 0; IsCutFace(face, kept) && i < face.Count; ++i)
-    {
-      onCut[face.Node[i]] = 1;
-    }
-  }
-  return onCut;
 }
 
 }

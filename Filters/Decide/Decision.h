@@ -12,6 +12,7 @@
 #include "Band.h"
 #include "Columns.h"
 #include "TrimmingSurface.h"
+#include "VolumeShares.h"
 
 #include <cstdint>
 #include <vector>
@@ -26,26 +27,6 @@ enum class Fate : signed char
   Keep,
   Eliminate
 };
-
-struct VolumeShares
-{
-  std::vector<double> Volume;  ///< of each band element
-  std::vector<double> Element; ///< V^e of each band element
-  std::vector<double> Column;  ///< share of the column of each band element
-};
-
-/**
- * V^e of all band elements and the shares of their columns.
- *
- * @param gap see CrossEdge.
- * @return false if an edge joins kept and eliminated nodes without meeting the surface;
- * missedEdge then holds its band nodes.
- */
-bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
-  double gap, VolumeShares& shares, std::array<int, 2>& missedEdge);
-
-/// The shares of other columns, from what is known of the elements.
-void MeasureColumnShares(const Columns& columns, VolumeShares& shares);
 
 /**
  * Decides by volume or by the fate set, then mends what cannot become a mesh: elements that
@@ -99,23 +80,6 @@ private:
   std::vector<signed char> Collapsing;   ///< by element
   std::vector<std::uint64_t> NotPinched; ///< by inner node: elements kept when it was none, as bits
 };
-
-/**
- * Nodes that have to lie on the new boundary: those that kept and eliminated elements share,
- * on either side of the surface, and eliminated nodes of kept elements, but for those in a cut-out
- * of a sheet that is not opened.
- */
-std::vector<char> FindMovingNodes(
-  const Band& band, const Columns& columns, const std::vector<char>& kept);
-
-/// A face between a kept element and an eliminated one.
-inline bool IsCutFace(const BandFace& face, const std::vector<char>& kept)
-{
-  return face.Element[1] >= 0 && kept[face.Element[0]] != kept[face.Element[1]];
-}
-
-/// The nodes of the faces between kept and eliminated elements.
-std::vector<char> FindCutNodes(const Band& band, const std::vector<char>& kept);
 
 }
 

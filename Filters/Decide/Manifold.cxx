@@ -25,11 +25,7 @@ std::vector<FanFace> BoundaryFan(const Band& band, const std::vector<char>& kept
     {
       continue;
     }
-    int at = 0;
-    while (face.Node[at] != node)
-    {
-      ++at;
-    }
+    const int at = CornerOf(face, node);
     fan.push_back({ face.Node[(at + face.Count - 1) % face.Count], face.Node[(at + 1) % face.Count],
       static_cast<int>(fan.size()) });
   }

@@ -1,5 +1,7 @@
 #include "BezierDecomposition.h"
 
+#include "KnotVector.h"
+
 #include <algorithm>
 
 namespace nurbs
@@ -31,11 +33,6 @@ KnotSpans FindSpans(int degree, int count, const std::vector<double>& knots)
   }
   spans.Kinds.front() = spans.Kinds.back() = SideKind::Border;
   return spans;
-}
-
-int LastKnotBefore(const std::vector<double>& knots, double next)
-{
-  return static_cast<int>(std::lower_bound(knots.begin(), knots.end(), next) - knots.begin()) - 1;
 }
 
 /**

@@ -37,10 +37,17 @@ struct BezierPatch
   int GridU = 1, GridV = 1, FirstLeaf = -1;
   int Loop = -1, LoopEdge = -1; ///< of a trim curve: which loop and which edge of it
 
-  double U(double s, double t) const { return this->U0 + (this->U1 - this->U0) * s + 0 * t; }
+  double U(double s, double) const { return this->U0 + (this->U1 - this->U0) * s; }
   double V(double s, double t) const
   {
     return this->V0 + (this->V1 - this->V0) * (this->Curve ? s : t);
+  }
+  /// Of parameters of the face, not for a curve: (s, t); within [0, 1] but for rounding if they lie
+  /// in the patch.
+  Vec2 Local(const Vec2& uv) const
+  {
+    return Vec2(
+      (uv.x() - this->U0) / (this->U1 - this->U0), (uv.y() - this->V0) / (this->V1 - this->V0));
   }
 };
 

@@ -36,11 +36,12 @@ void BlossomRow(Vec4* c, int degree, std::size_t stride, double x0, double x1)
 
 }
 
-BezierPatch CurveOnPatch(const BezierPatch& patch, const PageVector<Vec4>& pool, const Vec2& from,
-  const Vec2& to, PageVector<Vec4>& nets)
+BezierPatch CurveOnPatch(
+  const BezierPatch& patch, const Vec2& from, const Vec2& to, PageVector<Vec4>& nets)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
-  std::vector<Vec4> part(pool.begin() + patch.Net, pool.begin() + patch.Net + (p + 1) * (q + 1));
+  // A copy: the nets may move as they grow.
+  std::vector<Vec4> part(nets.begin() + patch.Net, nets.begin() + patch.Net + (p + 1) * (q + 1));
   for (int j = 0; j <= q; ++j)
   {
     BlossomRow(part.data() + j * (p + 1), p, 1, from.x(), to.x());

@@ -10,9 +10,13 @@
 
 namespace nurbs
 {
-/// Appends the curve over the straight line (s0, t0)-(s1, t1) of a patch, exact in degree p + q.
-BezierPatch CurveOnPatch(const BezierPatch& patch, const PageVector<Vec4>& pool, const Vec2& from,
-  const Vec2& to, PageVector<Vec4>& nets);
+/**
+ * The curve over a straight line in the parameters (s, t) of a patch, exact in degree p + q.
+ *
+ * @param[in,out] nets has the net of the patch; that of the curve is appended.
+ */
+BezierPatch CurveOnPatch(
+  const BezierPatch& patch, const Vec2& from, const Vec2& to, PageVector<Vec4>& nets);
 
 }
 

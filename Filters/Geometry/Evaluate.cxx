@@ -1,3 +1,4 @@
+#include "KnotVector.h"
 #include "NurbsSurface.h"
 
 #include <algorithm>
@@ -15,18 +16,6 @@ struct Basis
   int Span;
   double N[3][MaximumOrder]; ///< [derivative][function]
 };
-
-/// The span [u_k, u_{k+1}) of positive length that holds u; at a jump the one to its right.
-int FindSpan(int degree, int count, const std::vector<double>& knots, double u)
-{
-  const auto begin = knots.begin() + degree;
-  const auto end = knots.begin() + count;
-  if (u >= *end)
-  {
-    return static_cast<int>(std::lower_bound(begin, end, *end) - knots.begin()) - 1;
-  }
-  return static_cast<int>(std::upper_bound(begin, end, u) - knots.begin()) - 1;
-}
 
 /**
  * The Cox-de Boor triangle (eq. 2; NURBS Book, A2.2). Derivatives come from the functions of

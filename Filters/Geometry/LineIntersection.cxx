@@ -97,12 +97,8 @@ void LineSearch::Run()
     static_cast<float>(1e-6 * (middle.cwiseAbs().maxCoeff() + half.cwiseAbs().maxCoeff()) +
       this->Tolerance + this->Model.Gap);
   const Eigen::Vector3f m = middle.cast<float>(), e = half.cast<float>();
-  int stack[TreeStackSize];
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0)
+  const auto meetsBoxes = [&](const TreeNode& node)
   {
-    const TreeNode& node = this->Model.Nodes[stack[--size]];
     Eigen::Array4f c[3], h[3];
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -118,22 +114,14 @@ void LineSearch::Run()
       meets = meets &&
         ((c[j] * e[k] - c[k] * e[j]).abs() <= h[j] * std::abs(e[k]) + h[k] * std::abs(e[j]));
     }
-    for (int child = 0; child < 4; ++child)
+    return meets;
+  };
+  ForItemsPassing(this->Model.Nodes, meetsBoxes,
+    [this](int leaf)
     {
-      if (!meets[child] || node.Child[child] == TreeNode::Empty)
-      {
-        continue;
-      }
-      if (node.Child[child] >= 0)
-      {
-        stack[size++] = node.Child[child];
-      }
-      else
-      {
-        this->VisitLeaf(~node.Child[child]);
-      }
-    }
-  }
+      this->VisitLeaf(leaf);
+      return true;
+    });
 }
 
 bool LineSearch::MeetsBox(const LeafBox& box) const

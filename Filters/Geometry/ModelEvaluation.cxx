@@ -8,8 +8,8 @@ namespace nurbs
 Vec3 FacePoint(const SurfaceModel& model, int face, const Vec2& uv)
 {
   const BezierPatch& patch = model.Patches[model.PatchAt(face, uv.x(), uv.y())];
-  return BezierPoint(patch, model.Net(patch), (uv.x() - patch.U0) / (patch.U1 - patch.U0),
-    (uv.y() - patch.V0) / (patch.V1 - patch.V0));
+  const Vec2 local = patch.Local(uv);
+  return BezierPoint(patch, model.Net(patch), local.x(), local.y());
 }
 
 Vec3 UnitNormal(const SurfaceModel& model, const BezierPatch& patch, double s, double t)

@@ -11,8 +11,6 @@ namespace nurbs
 namespace
 {
 
-/// Beyond, squares of lengths leave what the float boxes of the tree can hold.
-constexpr double LargestCoordinate = 1e15;
 /// Weights and knots that keep products of derivatives far from overflow.
 constexpr double LargestWeight = 1e15, SmallestWeight = 1e-15, LargestKnot = 1e30;
 /// Beyond it nothing is left of a surface in double precision between two control points.

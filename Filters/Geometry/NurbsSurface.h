@@ -25,6 +25,10 @@ using Vec4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
 /// Highest degree the kernel evaluates; fixed-size work arrays are bounded by it.
 constexpr int MaximumDegree = 25;
 
+/// Coordinates of surfaces and grids have to stay below: beyond, squares of lengths leave what the
+/// float boxes of the tree can hold.
+constexpr double LargestCoordinate = 1e15;
+
 struct NurbsSurface
 {
   int DegreeU = 1;

@@ -8,7 +8,6 @@
 #define PageVector_h
 
 #include <cstddef>
-#include <memory>
 #include <new>
 #include <utility>
 #include <vector>

@@ -96,6 +96,46 @@ Eigen::AlignedBox3f BoxOfNet(const Vec4* net, int size);
 std::vector<TreeNode> BuildTree(
   std::vector<int>& order, const std::vector<Eigen::AlignedBox3f>& boxes);
 
+/// Deep enough for any tree: three more entries a level at most.
+constexpr int TreeStackSize = 256;
+
+/**
+ * Visits what hangs in the tree in boxes that pass, until it is told to stop.
+ *
+ * @param pass of a node: which of its four boxes do, as Eigen::Array<bool, 4, 1>.
+ * @param visit takes the index of an item and returns false to stop.
+ * @return false if it was stopped.
+ */
+template <typename Pass, typename Visit>
+bool ForItemsPassing(const std::vector<TreeNode>& nodes, const Pass& pass, Visit&& visit)
+{
+  int stack[TreeStackSize];
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const TreeNode& node = nodes[stack[--size]];
+    const Eigen::Array<bool, 4, 1> passes = pass(node);
+    for (int c = 0; c < 4; ++c)
+    {
+      const int child = node.Child[c];
+      if (child == TreeNode::Empty || !passes[c])
+      {
+        continue;
+      }
+      if (child >= 0)
+      {
+        stack[size++] = child;
+      }
+      else if (!visit(~child))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 }
 
 #endif

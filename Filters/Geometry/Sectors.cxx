@@ -196,11 +196,10 @@ void SectorFinder::AddLoopSector(const Contact& contact)
   const LoopPlace place = this->PlaceOnLoop(contact, sector.Parameters);
   sector.Parameters = place.At;
   const BezierPatch& patch = model.Patches[model.PatchAt(curve.Face, place.At.x(), place.At.y())];
-  const double s = (place.At.x() - patch.U0) / (patch.U1 - patch.U0);
-  const double t = (place.At.y() - patch.V0) / (patch.V1 - patch.V0);
+  const Vec2 local = patch.Local(place.At);
   SurfaceJet jet;
-  EvaluateBezier(patch, model.Net(patch), s, t, jet);
-  const Vec3 normal = UnitNormal(model, patch, s, t);
+  EvaluateBezier(patch, model.Net(patch), local.x(), local.y(), jet);
+  const Vec3 normal = UnitNormal(model, patch, local.x(), local.y());
   const Vec3 a = TangentAlong(patch, jet, place.Forward - place.At);
   const Vec3 b = TangentAlong(patch, jet, place.Backward - place.At);
   const bool left = model.Data[curve.Face].Loops.InsideIsLeft(curve.Loop);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace nurbs
@@ -219,11 +218,11 @@ SurfaceBlock SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int face, in
   block.Width = Vec2(grid.BreaksU[i + 1] - grid.BreaksU[i], grid.BreaksV[j + 1] - grid.BreaksV[j]);
   block.Middle = Vec2(grid.BreaksU[i], grid.BreaksV[j]) + 0.5 * block.Width;
   const BezierPatch& patch = model.Patches[model.PatchAt(face, block.Middle.x(), block.Middle.y())];
-  const double lengthU = patch.U1 - patch.U0, lengthV = patch.V1 - patch.V0;
+  const Vec2 middle = patch.Local(block.Middle);
   SurfaceJet jet;
-  EvaluateBezier(patch, model.Net(patch), (block.Middle.x() - patch.U0) / lengthU,
-    (block.Middle.y() - patch.V0) / lengthV, jet);
-  const double a = block.Width.x() / lengthU, b = block.Width.y() / lengthV;
+  EvaluateBezier(patch, model.Net(patch), middle.x(), middle.y(), jet);
+  const double a = block.Width.x() / (patch.U1 - patch.U0);
+  const double b = block.Width.y() / (patch.V1 - patch.V0);
   block.Center = jet.S;
   Vec3 x = a * jet.Su, z = x.cross(b * jet.Sv);
   x = x.norm() > 0 ? x.normalized() : Vec3::UnitX();
@@ -271,11 +270,9 @@ BlockReach SurfaceBlocks::MeasureReach(const SurfaceModel& model, int index) con
   const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
   const BezierPatch& middle =
     model.Patches[model.PatchAt(block.Face, block.Middle.x(), block.Middle.y())];
-  const double weight = middle.Rational
-    ? BezierWeight(middle, model.Net(middle),
-        (block.Middle.x() - middle.U0) / (middle.U1 - middle.U0),
-        (block.Middle.y() - middle.V0) / (middle.V1 - middle.V0))
-    : 1.0;
+  const Vec2 local = middle.Local(block.Middle);
+  const double weight =
+    middle.Rational ? BezierWeight(middle, model.Net(middle), local.x(), local.y()) : 1.0;
   Eigen::Matrix3d axes;
   axes << block.X.transpose().cast<double>(), block.Y.transpose().cast<double>(),
     block.Z.transpose().cast<double>();

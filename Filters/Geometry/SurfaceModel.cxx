@@ -121,12 +121,9 @@ void SurfaceModel::AddTrimCurve(
   }
   const Vec2 middle = 0.5 * (from + to);
   const BezierPatch patch = this->Patches[this->PatchAt(face, middle.x(), middle.y())];
-  const auto local = [&](const Vec2& x)
-  {
-    return Vec2(std::clamp((x.x() - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0),
-      std::clamp((x.y() - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0));
-  };
-  BezierPatch curve = CurveOnPatch(patch, this->Nets, local(from), local(to), this->Nets);
+  const auto local = [&patch](const Vec2& x) -> Vec2
+  { return patch.Local(x).cwiseMax(0.0).cwiseMin(1.0); };
+  BezierPatch curve = CurveOnPatch(patch, local(from), local(to), this->Nets);
   const Vec4* net = this->Net(curve);
   double extent = 0;
   for (int i = 1; i <= curve.DegreeU; ++i)
@@ -280,8 +277,7 @@ void SurfaceModel::FindTrimStates()
     }
     const Vec2 a(curve.U0, curve.V0), b(curve.U1, curve.V1), middle = 0.5 * (a + b);
     const BezierPatch& patch = this->Patches[this->PatchAt(curve.Face, middle.x(), middle.y())];
-    const Vec2 size(patch.U1 - patch.U0, patch.V1 - patch.V0), origin(patch.U0, patch.V0);
-    const Vec2 p = (a - origin).cwiseQuotient(size), q = (b - origin).cwiseQuotient(size);
+    const Vec2 p = patch.Local(a), q = patch.Local(b);
     const auto cell = [](double x, int n)
     { return std::clamp(static_cast<int>(std::floor(x * n)), 0, n - 1); };
     const Vec2 low = p.cwiseMin(q).array() - 1e-9, high = p.cwiseMax(q).array() + 1e-9;

@@ -142,9 +142,6 @@ struct TreePoint
   float Low[3], High[3];
 };
 
-/// Deep enough for any tree: three more entries a level at most.
-constexpr int TreeStackSize = 256;
-
 /**
  * Visits what hangs in the tree in boxes within a squared distance of p, until it is told to stop.
  *
@@ -156,31 +153,11 @@ bool ForItemsNear(
   const std::vector<TreeNode>& nodes, const Vec3& p, double squaredDistance, Visitor&& visit)
 {
   const TreePoint point(p);
-  int stack[TreeStackSize];
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0)
-  {
-    const TreeNode& node = nodes[stack[--size]];
-    const Eigen::Array4f distances = point.SquaredDistances(node);
-    for (int c = 0; c < 4; ++c)
-    {
-      const int child = node.Child[c];
-      if (child == TreeNode::Empty || !(distances[c] <= squaredDistance))
-      {
-        continue;
-      }
-      if (child >= 0)
-      {
-        stack[size++] = child;
-      }
-      else if (!visit(~child))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+  return ForItemsPassing(
+    nodes,
+    [&](const TreeNode& node) -> Eigen::Array<bool, 4, 1>
+    { return point.SquaredDistances(node).cast<double>() <= squaredDistance; },
+    std::forward<Visitor>(visit));
 }
 
 template <typename Visitor>

@@ -115,8 +115,9 @@ SurfacePoint TrimmingSurface::Implementation::StartAt(const Foot& guess) const
   {
     start.Patch = this->Model.PatchAt(guess.Face, guess.U, guess.V);
     const BezierPatch& patch = this->Model.Patches[start.Patch];
-    start.S = std::clamp((guess.U - patch.U0) / (patch.U1 - patch.U0), 0.0, 1.0);
-    start.T = std::clamp((guess.V - patch.V0) / (patch.V1 - patch.V0), 0.0, 1.0);
+    const Vec2 local = patch.Local(Vec2(guess.U, guess.V));
+    start.S = std::clamp(local.x(), 0.0, 1.0);
+    start.T = std::clamp(local.y(), 0.0, 1.0);
   }
   return start;
 }
@@ -318,29 +319,16 @@ bool ForLeavesMeeting(const SurfaceModel& model, const Box3& box, double gap, co
     low[axis] = static_cast<float>(center[axis] - half[axis] - slack);
     high[axis] = static_cast<float>(center[axis] + half[axis] + slack);
   }
-  int stack[TreeStackSize];
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0)
+  const auto meetsBoxes = [&](const TreeNode& node) -> Eigen::Array<bool, 4, 1>
   {
-    const TreeNode& node = model.Nodes[stack[--size]];
-    const Eigen::Array<bool, 4, 1> meets = (node.Low[0] <= high[0]) && (node.High[0] >= low[0]) &&
-      (node.Low[1] <= high[1]) && (node.High[1] >= low[1]) && (node.Low[2] <= high[2]) &&
-      (node.High[2] >= low[2]);
-    for (int c = 0; c < 4; ++c)
+    return (node.Low[0] <= high[0]) && (node.High[0] >= low[0]) && (node.Low[1] <= high[1]) &&
+      (node.High[1] >= low[1]) && (node.Low[2] <= high[2]) && (node.High[2] >= low[2]);
+  };
+  return ForItemsPassing(model.Nodes, meetsBoxes,
+    [&](int index)
     {
-      const int child = node.Child[c];
-      if (!meets[c] || child == TreeNode::Empty)
-      {
-        continue;
-      }
-      if (child >= 0)
-      {
-        stack[size++] = child;
-        continue;
-      }
       // Separating axes of the leaf's oriented box.
-      const LeafBox& leaf = model.BoxAt(~child);
+      const LeafBox& leaf = model.BoxAt(index);
       const Eigen::Vector3f d = (center - leaf.Center.cast<double>()).cast<float>();
       const Eigen::Vector3f h = half.cast<float>();
       const float rim = 1e-6f * (d.cwiseAbs().sum() + h.sum()) + static_cast<float>(slack);
@@ -349,14 +337,8 @@ bool ForLeavesMeeting(const SurfaceModel& model, const Box3& box, double gap, co
         const float x = axis.dot(d), reach = axis.cwiseAbs().dot(h) + rim;
         return x - reach > leaf.High[k] || x + reach < leaf.Low[k];
       };
-      if (!apart(leaf.X.cross(leaf.Y), 2) && !apart(leaf.X, 0) && !apart(leaf.Y, 1) &&
-        !visit(~child))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+      return apart(leaf.X.cross(leaf.Y), 2) || apart(leaf.X, 0) || apart(leaf.Y, 1) || visit(index);
+    });
 }
 
 }

@@ -30,6 +30,9 @@ struct BandElement
   std::array<int, 8> Node; ///< band nodes, in an order with positive Jacobian
   std::array<int, 6> Face; ///< band faces, by the slots of ElementTopology
   int Ring = 0;            ///< 0: meets the surface
+
+  const int* begin() const { return this->Node.data(); }
+  const int* end() const { return this->Node.data() + this->Count; }
 };
 
 struct BandFace
@@ -39,7 +42,16 @@ struct BandFace
   std::array<int, 2> Element{ -1, -1 };
   std::array<int, 2> Slot{ -1, -1 }; ///< slot of the face in each element
   bool Exterior = false;             ///< on the border of the mesh
+
+  const int* begin() const { return this->Node.data(); }
+  const int* end() const { return this->Node.data() + this->Count; }
 };
+
+/// The corner of a face that a node is; their number if it is none.
+inline int CornerOf(const BandFace& face, int node)
+{
+  return static_cast<int>(std::find(face.begin(), face.end(), node) - face.begin());
+}
 
 struct BandEdge
 {
@@ -138,16 +150,20 @@ private:
   Lists ElementLists, FaceLists, EdgeLists;
 };
 
+/// The nodes of an element where the nodes of its band are.
+template <typename Element>
+ElementPoints PointsAt(const std::vector<Vec3>& places, const Element& element)
+{
+  ElementPoints points;
+  std::transform(element.begin(), element.end(), points.begin(),
+    [&places](int node) -> const Vec3& { return places[node]; });
+  return points;
+}
+
 /// The nodes of an element where the mesh has them.
 inline ElementPoints PointsOf(const Band& band, int element)
 {
-  const auto& own = band.Elements[element];
-  ElementPoints points;
-  for (int i = 0; i < own.Count; ++i)
-  {
-    points[i] = band.Point[own.Node[i]];
-  }
-  return points;
+  return PointsAt(band.Point, band.Elements[element]);
 }
 
 /// A node of a band for another one.
@@ -164,7 +180,7 @@ BandCells::Cell TakeElement(
   const BandElement& own = band.Elements[element];
   BandCells::Cell cell{ own.Global, own.Count, own.Ring, band.ElementStatus[element], own.Node,
     from };
-  std::transform(own.Node.begin(), own.Node.begin() + own.Count, cell.Node.begin(), numberOf);
+  std::transform(own.begin(), own.end(), cell.Node.begin(), numberOf);
   return cell;
 }
 

@@ -255,7 +255,7 @@ std::vector<int> OrderCells(const BandCells& band)
       int c = 0;
       for (const auto& cell : band.Cells)
       {
-        add(*std::min_element(cell.Node.begin(), cell.Node.begin() + cell.Count), c++);
+        add(*std::min_element(cell.begin(), cell.end()), c++);
       }
     });
   const auto key = [&band](int c) { return CellKey(band.Cells[c], [](int node) { return node; }); };

@@ -39,6 +39,9 @@ struct BandCells
     unsigned char Status = 0;
     std::array<int, 8> Node; ///< places in Nodes
     Origin From = {};        ///< see Band::ElementOrigins
+
+    const int* begin() const { return this->Node.data(); }
+    const int* end() const { return this->Node.data() + this->Count; }
   };
   std::vector<Node> Nodes;
   std::vector<Cell> Cells;

@@ -7,9 +7,7 @@
 #include "Runs.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace trim
@@ -161,7 +159,7 @@ int NextAlong(const Band& band, int e, int root, ConcurrentSets<int>& axes)
 {
   const auto& element = band.Elements[e];
   const auto& topology = TopologyOf(element.Count);
-  const int first = *std::min_element(element.Node.begin(), element.Node.begin() + element.Count);
+  const int first = *std::min_element(element.begin(), element.end());
   for (int i = 0; i < topology.NumberOfEdges; ++i)
   {
     const int a = element.Node[topology.Edges[i].First];
@@ -343,8 +341,8 @@ void TellChosen(const Band& band, const std::vector<int>& part, int root, Column
   for (const int e : part)
   {
     const auto& element = band.Elements[e];
-    std::for_each(element.Node.begin(), element.Node.begin() + element.Count,
-      [&columns](int n) { columns.ChosenByCut[n] = 1; });
+    std::for_each(
+      element.begin(), element.end(), [&columns](int n) { columns.ChosenByCut[n] = 1; });
   }
 }
 

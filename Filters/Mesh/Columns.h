@@ -67,14 +67,12 @@ struct Columns
     return this->Part.empty() || this->Part[a] == this->Part[b];
   }
   bool HasThickness(int element) const { return this->Axis[element] >= 0; }
-  /// Any element.
-  bool HasColumns() const
+  bool AnyHasThickness() const
   {
     return std::any_of(
       this->Axis.begin(), this->Axis.end(), [](signed char axis) { return axis >= 0; });
   }
-  /// All elements.
-  bool HasThickness() const
+  bool AllHaveThickness() const
   {
     return std::all_of(
       this->Axis.begin(), this->Axis.end(), [](signed char axis) { return axis >= 0; });

@@ -33,7 +33,7 @@ void GatherRaw(vtkDataArray* source, const vtkIdType* ids, vtkIdType count, vtkD
     });
 }
 
-vtkSmartPointer<vtkAbstractArray> Gather(
+vtkSmartPointer<vtkAbstractArray> GatherTuples(
   vtkAbstractArray* source, const vtkIdType* ids, vtkIdType count)
 {
   auto target = vtkSmartPointer<vtkAbstractArray>::Take(source->NewInstance());
@@ -77,7 +77,7 @@ void GatherAttributes(
   for (int i = 0; i < source->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = source->GetAbstractArray(i);
-    const int index = target->AddArray(Gather(array, ids, count));
+    const int index = target->AddArray(GatherTuples(array, ids, count));
     for (const int role : RolesOf(source, array))
     {
       target->SetActiveAttribute(index, role);

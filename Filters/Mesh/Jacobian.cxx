@@ -224,14 +224,9 @@ std::array<Vec3, 3> UnitDeterminantGradient(const std::array<Vec3, 3>& edge, dou
   return by;
 }
 
-}
-
-namespace
-{
-
 /// Calls take(value) with the determinant at each integration point; returns their number.
 template <typename Take>
-int ForIntegrationPoints(const ElementPoints& points, int count, const Take& take)
+int ForDeterminants(const ElementPoints& points, int count, const Take& take)
 {
   const std::array<double, 2> gauss = { 0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0) };
   if (count == 8)
@@ -257,7 +252,7 @@ JacobianRange MeasureAtIntegrationPoints(const ElementPoints& points, int count)
 {
   JacobianRange range;
   range.IntegrationPoint = std::numeric_limits<double>::infinity();
-  const int samples = ForIntegrationPoints(points, count,
+  const int samples = ForDeterminants(points, count,
     [&range](double value)
     {
       range.IntegrationPoint = std::min(range.IntegrationPoint, value);
@@ -282,7 +277,7 @@ double VolumeOf(const ElementPoints& p, int count)
     return HexahedronVolume(p, Determinant);
   }
   double sum = 0.0;
-  const int samples = ForIntegrationPoints(p, count, [&sum](double value) { sum += value; });
+  const int samples = ForDeterminants(p, count, [&sum](double value) { sum += value; });
   return 0.5 * sum / samples;
 }
 

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <atomic>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace trim
@@ -46,8 +45,8 @@ public:
           {
             const int task = this->Order[i];
             this->WaitForMet(task, done);
+            const Release release{ done[task] };
             work(task);
-            done[task].store(1, std::memory_order_release);
           }
         }
       });
@@ -56,6 +55,13 @@ public:
 private:
   /// Tasks that a thread takes at once.
   static constexpr int AtOnce = 8;
+
+  /// Tells those that wait for a task, also if it throws: else they would wait for ever.
+  struct Release
+  {
+    std::atomic<char>& Done;
+    ~Release() { this->Done.store(1, std::memory_order_release); }
+  };
 
   void WaitForMet(int task, const std::vector<std::atomic<char>>& done) const
   {

@@ -3,6 +3,8 @@
 #include <vtkMultiProcessController.h>
 #include <vtkType.h>
 
+#include <limits>
+
 namespace trim
 {
 
@@ -40,6 +42,11 @@ std::vector<char> ControllerRanks::GatherBytes(
     offsets[i] = total;
     total += sizes[i];
     ends[i] = static_cast<std::size_t>(total);
+  }
+  // VTK hands MPI its numbers as ints, and else leaves what it is to fill as it is.
+  if (total > std::numeric_limits<int>::max())
+  {
+    throw TooMuchToGather("more than 2 GiB in one message");
   }
   std::vector<char> all(static_cast<std::size_t>(total));
   if (total > 0)

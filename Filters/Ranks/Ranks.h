@@ -11,12 +11,19 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace trim
 {
+
+/// Thrown by all ranks alike where together they have more to gather than one message holds.
+struct TooMuchToGather : std::length_error
+{
+  using std::length_error::length_error;
+};
 
 class Ranks
 {
@@ -30,7 +37,7 @@ public:
   virtual int Rank() const { return 0; }
   bool Alone() const { return this->Count() == 1; }
 
-  /// The lists of all ranks, rank by rank.
+  /// The lists of all ranks, rank by rank. Throws TooMuchToGather.
   template <typename T>
   std::vector<T> Gather(const std::vector<T>& mine) const
   {

@@ -6,10 +6,7 @@
 #include "PlaceText.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 
 namespace trim
 {

@@ -12,7 +12,6 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 #include <fcntl.h>
 #include <poll.h>

@@ -101,6 +101,9 @@ std::array<long, 4> PromisedLines(const std::string& line)
   return counts;
 }
 
+/// What FindIgesLoss says of a file of another form, of which the lines cannot be counted.
+constexpr const char* CompressedIges = "compressed";
+
 /// What an IGES file lacks; empty: nothing.
 std::string FindIgesLoss(std::istream& stream)
 {
@@ -127,7 +130,7 @@ std::string FindIgesLoss(std::istream& stream)
     }
     if (section == 'C' || section == 'B')
     {
-      return "compressed";
+      return CompressedIges;
     }
     const char* letters = "SGDP";
     if (const char* at = section ? std::strchr(letters, section) : nullptr)
@@ -140,7 +143,8 @@ std::string FindIgesLoss(std::istream& stream)
   return loss.str();
 }
 
-/// True if the last word of the file is the end mark of STEP.
+/// True if the end mark of STEP stands near the end of the file: what follows it, as a signature,
+/// is no loss.
 bool EndsLikeStep(std::istream& stream)
 {
   stream.clear();
@@ -226,7 +230,7 @@ CADFormat CheckCADFile(const std::string& path, std::string& error)
   else if (format == CADFormat::IGES)
   {
     const std::string loss = FindIgesLoss(stream);
-    if (loss == "compressed")
+    if (loss == CompressedIges)
     {
       error = file + " is compressed or binary IGES; export it as plain (fixed format) IGES";
     }

@@ -6,15 +6,11 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 
 namespace nurbs
 {
 namespace
 {
-/// Steps between two knots.
-constexpr int StepsPerSpan = 16;
-
 /// A stretch of a line between two samples, seen along the direction.
 struct Segment
 {
@@ -40,7 +36,7 @@ public:
   {
     for (size_t line = 0; line < lines.size(); ++line)
     {
-      const std::vector<CurveSample> samples = SampleCurve(lines[line].Curve, StepsPerSpan);
+      const std::vector<CurveSample> samples = SampleCurve(lines[line].Curve);
       for (size_t i = 0; i + 1 < samples.size(); ++i)
       {
         this->Segments.push_back({ line, i, samples[i].U, samples[i + 1].U,

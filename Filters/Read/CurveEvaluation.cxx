@@ -1,5 +1,7 @@
 #include "CurveEvaluation.h"
 
+#include "KnotVector.h"
+
 #include <algorithm>
 
 namespace nurbs
@@ -8,10 +10,8 @@ namespace nurbs
 Vec3 EvaluateCurve(const ConvertedCurve& curve, double u, Vec3* derivative)
 {
   const int degree = curve.Degree;
-  const auto begin = curve.Knots.begin();
-  // The last span begins before the end of the domain, however often that knot is repeated.
-  const auto above = std::upper_bound(begin + degree, begin + curve.Points.size(), u);
-  const int span = std::max(degree, static_cast<int>(above - begin) - 1);
+  const int span = FindSpan(
+    degree, static_cast<int>(curve.Points.size()), curve.Knots, std::max(u, curve.Knots[degree]));
   Vec4 points[MaximumDegree + 1];
   for (int i = 0; i <= degree; ++i)
   {
@@ -55,9 +55,10 @@ ConvertedCurve ReverseCurve(const ConvertedCurve& curve)
 }
 
 //------------------------------------------------------------------------------
-std::vector<CurveSample> SampleCurve(const ConvertedCurve& curve, int perSpan)
+std::vector<CurveSample> SampleCurve(const ConvertedCurve& curve)
 {
-  const int steps = curve.Degree == 1 ? 1 : perSpan;
+  constexpr int stepsPerSpan = 16;
+  const int steps = curve.Degree == 1 ? 1 : stepsPerSpan;
   const int count = static_cast<int>(curve.Points.size());
   std::vector<CurveSample> samples;
   for (int k = curve.Degree; k < count; ++k)

@@ -23,9 +23,9 @@ struct CurveSample
   Vec3 Point;
 };
 
-/// Points along the curve, both ends among them: at every knot, and between two knots evenly, at
-/// `perSpan` steps where the curve is not straight between them.
-std::vector<CurveSample> SampleCurve(const ConvertedCurve& curve, int perSpan);
+/// Points along the curve, both ends among them: at every knot, and between two knots evenly where
+/// the curve is not straight, close enough for the sense in which it turns.
+std::vector<CurveSample> SampleCurve(const ConvertedCurve& curve);
 }
 
 #endif

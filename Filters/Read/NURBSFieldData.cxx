@@ -224,7 +224,7 @@ bool ReadTrimLoops(vtkFieldData* fieldData, NurbsSurface& surface, std::string& 
   return true;
 }
 
-/// "block 3 (Face 3) of block 0 (Door)": how an error names a place in a composite.
+/// block 3 "Face 3" of block 0 "Door": how an error names a place in a composite.
 std::string BlockName(unsigned int index, vtkInformation* metaData, const std::string& parent)
 {
   std::ostringstream name;

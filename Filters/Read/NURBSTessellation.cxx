@@ -20,8 +20,6 @@ namespace nurbs
 {
 namespace
 {
-const double Pi = 3.14159265358979323846;
-
 /// How far the lines of the surface turn between two parameters u, in radians: the most of a few
 /// lines of constant v.
 double TurnAlongU(const NurbsSurface& surface, double first, double last)
@@ -54,7 +52,7 @@ double TurnAlongU(const NurbsSurface& surface, double first, double last)
  */
 std::vector<double> LinesAlongU(const NurbsSurface& surface, int resolution)
 {
-  const double longest = Pi / 24.0;
+  const double longest = M_PI / 24.0;
   const int most = 64; // for one span, whatever it does
   const double size = surface.LastU() - surface.FirstU();
   std::vector<double> lines{ surface.FirstU() };

@@ -1,5 +1,7 @@
 #include "SurfaceConstruction.h"
 
+#include "KnotVector.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,8 +11,6 @@ namespace nurbs
 {
 namespace
 {
-const double Pi = 3.14159265358979323846;
-
 Vec4 Weighted(const Vec3& point, double weight)
 {
   return Vec4(point.x(), point.y(), point.z(), weight);
@@ -70,13 +70,6 @@ ConvertedCurve MakeConic(
   return curve;
 }
 
-/// Index of the last knot not above t, within the domain of the knots.
-int FindSpan(const std::vector<double>& knots, double t)
-{
-  const auto above = std::upper_bound(knots.begin(), knots.end(), t);
-  return static_cast<int>(above - knots.begin()) - 1;
-}
-
 /// A bound of the part wanted, moved onto a border or knot that it all but equals.
 double Snap(const std::vector<double>& knots, int degree, int count, double t)
 {
@@ -96,7 +89,7 @@ double Snap(const std::vector<double>& knots, int degree, int count, double t)
 void InsertKnot(std::vector<double>& knots, int degree, std::vector<std::vector<Vec4>>& columns,
   double t, int multiplicity)
 {
-  const int k = FindSpan(knots, t);
+  const int k = LastKnotNotAbove(knots, t);
   for (std::vector<Vec4>& column : columns)
   {
     std::vector<Vec4> fresh;
@@ -187,7 +180,7 @@ double ParameterMap::operator()(double t) const
   {
     return t;
   }
-  const int span = FindSpan(this->Ends, t);
+  const int span = LastKnotNotAbove(this->Ends, t);
   const double first = this->Ends[span];
   const double last = this->Ends[span + 1];
   const double middle = 0.5 * (first + last);
@@ -219,9 +212,9 @@ ConvertedCurve MakeEllipse(
     return Weighted(centre + (std::cos(t) * a + std::sin(t) * b) / weight, weight);
   };
   ConvertedCurve curve =
-    MakeConic(PieceEnds(first, last, 0.5 * Pi), ParameterMap::Law::Circular, pointAt, middleOf);
+    MakeConic(PieceEnds(first, last, 0.5 * M_PI), ParameterMap::Law::Circular, pointAt, middleOf);
   // A whole turn closes to the last bit.
-  if (std::abs(last - first - 2.0 * Pi) < 1e-12)
+  if (std::abs(last - first - 2.0 * M_PI) < 1e-12)
   {
     curve.Points.back() = curve.Points.front();
   }

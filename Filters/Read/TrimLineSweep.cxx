@@ -18,9 +18,6 @@ constexpr double Negligible = 1e-9;
 /// The same for the chord between two samples of a curve.
 constexpr double NegligibleAngle = 1e-6;
 
-/// Steps between two knots, close enough for the sense in which a line turns.
-constexpr int StepsPerSpan = 16;
-
 /// Places along the lines at which the skin is asked for its normal.
 constexpr int PlaceCount = 32;
 /// How far round them, as a share of the diagonal of the lines' box.
@@ -37,7 +34,7 @@ std::vector<Polygon> MakePolygons(const std::vector<TrimLine>& lines)
   for (const TrimLine& line : lines)
   {
     polygons.emplace_back();
-    for (const CurveSample& sample : SampleCurve(line.Curve, StepsPerSpan))
+    for (const CurveSample& sample : SampleCurve(line.Curve))
     {
       polygons.back().push_back(sample.Point);
     }

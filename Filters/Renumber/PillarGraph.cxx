@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>

@@ -7,10 +7,10 @@
 
 #include "Band.h"
 #include "Columns.h"
-#include "Decision.h"
 #include "Findings.h"
 #include "Offcut.h"
 #include "TrimmedBand.h"
+#include "VolumeShares.h"
 
 #include <utility>
 #include <vector>

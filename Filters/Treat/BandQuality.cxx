@@ -2,7 +2,7 @@
 
 #include "CoincidentNodes.h"
 #include "ElementWorth.h"
-#include "Neighbourhood.h"
+#include "NodesOfElements.h"
 
 #include <vtkSMPTools.h>
 

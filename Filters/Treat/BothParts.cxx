@@ -102,7 +102,8 @@ BothParts ClimbForBothParts(
       return parts;
     }
     parts.Rest = FitOffcut(given, options, parts.Kept);
-    if (!demander.Add(parts, round < RoundsOfFates))
+    // Nobody would climb for what is added last.
+    if (round + 1 == MostRounds || !demander.Add(parts, round < RoundsOfFates))
     {
       break;
     }

@@ -117,7 +117,7 @@ private:
         for (const int e : this->TheBand.ElementsOfNode(from))
         {
           const auto& element = this->TheBand.Elements[e];
-          next.insert(next.end(), element.Node.begin(), element.Node.begin() + element.Count);
+          next.insert(next.end(), element.begin(), element.end());
         }
       }
       SortUnique(next);

@@ -88,7 +88,7 @@ struct ColumnChoices
     for (const int e : this->Trial.ElementsOf(column))
     {
       const auto& element = this->TheBand.Elements[e];
-      std::for_each(element.Node.begin(), element.Node.begin() + element.Count, action);
+      std::for_each(element.begin(), element.end(), action);
     }
   }
 

@@ -1,9 +1,8 @@
 #include "FailedReturns.h"
 
-#include "Neighbourhood.h"
+#include "NodesOfElements.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace trim
 {
@@ -16,8 +15,7 @@ void AppendShape(const Band& band, const RelaxedElement& shape, int e, FailedRet
   AppendBytes(static_cast<char>(shape.Count), key);
   if (shape.Count > 0 && shape.Count != band.Elements[e].Count)
   {
-    std::for_each(shape.Node.begin(), shape.Node.begin() + shape.Count,
-      [&key](int node) { AppendBytes(node, key); });
+    std::for_each(shape.begin(), shape.end(), [&key](int node) { AppendBytes(node, key); });
   }
 }
 

@@ -1,8 +1,8 @@
 #include "InsertedLayer.h"
 
-#include "Decision.h"
 #include "DirectionBehind.h"
 #include "Moves.h"
+#include "MovingNodes.h"
 #include "Status.h"
 
 #include <Eigen/QR>

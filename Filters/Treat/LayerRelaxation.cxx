@@ -15,19 +15,8 @@ namespace
 
 bool HasInserted(const Band& layered, const BandElement& element)
 {
-  return std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
-    [&layered](int n) { return layered.IsInsertedNode(n); });
-}
-
-/// The places of an element's nodes.
-ElementPoints PlacesOf(const RelaxedElement& element, const Moves& moves)
-{
-  ElementPoints points;
-  for (int i = 0; i < element.Count; ++i)
-  {
-    points[i] = moves.Position[element.Node[i]];
-  }
-  return points;
+  return std::any_of(
+    element.begin(), element.end(), [&layered](int n) { return layered.IsInsertedNode(n); });
 }
 
 /// The scaled Jacobian looks at corners only: the nodes of an element that is spoiled otherwise go
@@ -48,7 +37,7 @@ void UndoSpoiled(const Band& layered, const BandQuality& quality,
     {
       const auto& element = elements[e];
       const bool spoiled = HasInserted(layered, layered.Elements[e]) &&
-        quality.Spoils(static_cast<int>(e), PlacesOf(element, moves), element.Count);
+        quality.Spoils(static_cast<int>(e), PointsAt(moves.Position, element), element.Count);
       for (int i = 0; spoiled && i < element.Count; ++i)
       {
         changed |= goBack(element.Node[i]);

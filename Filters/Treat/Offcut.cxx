@@ -5,7 +5,6 @@
 #include "Relaxation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace trim
@@ -122,7 +121,7 @@ private:
     }
   }
 
-  /// Calls test(element, end, corner) for the nodes of a pillar in a column; false if one fails or
+  /// Calls test(element, node, end) for the nodes of a pillar in a column; false if one fails or
   /// an element does not have them.
   template <typename Test>
   bool AllOfPillar(int column, int pillar, const Test& test) const
@@ -167,12 +166,7 @@ private:
 
   ElementPoints Points(const RelaxedElement& element) const
   {
-    ElementPoints points;
-    for (int i = 0; i < element.Count; ++i)
-    {
-      points[i] = this->Result.NodeMoves.Position[element.Node[i]];
-    }
-    return points;
+    return PointsAt(this->Result.NodeMoves.Position, element);
   }
 
   double QualityOf(const RelaxedElement& element) const
@@ -292,7 +286,7 @@ private:
 
   bool Moved(const RelaxedElement& element) const
   {
-    return std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
+    return std::any_of(element.begin(), element.end(),
       [this](int n) { return this->Result.NodeMoves.Applied[n] != Correction::None; });
   }
 
@@ -493,18 +487,13 @@ private:
 
 ElementPoints PointsOf(const Offcut& offcut, const OffcutElement& element)
 {
-  ElementPoints points;
-  for (int i = 0; i < element.Count; ++i)
-  {
-    points[i] = offcut.NodeMoves.Position[element.Node[i]];
-  }
-  return points;
+  return PointsAt(offcut.NodeMoves.Position, element);
 }
 
 bool IsTouched(const Band& band, const Offcut& offcut, const OffcutElement& element)
 {
   return element.Count != band.Elements[element.Element].Count ||
-    std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
+    std::any_of(element.begin(), element.end(),
       [&offcut](int n) { return offcut.NodeMoves.Applied[n] != Correction::None; });
 }
 

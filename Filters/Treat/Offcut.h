@@ -25,6 +25,9 @@ struct OffcutElement
   int Element = -1;
   int Count = 0; ///< 8 or 6
   std::array<int, 8> Node;
+
+  const int* begin() const { return this->Node.data(); }
+  const int* end() const { return this->Node.data() + this->Count; }
 };
 
 struct Offcut

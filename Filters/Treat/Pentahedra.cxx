@@ -1,7 +1,7 @@
 #include "Pentahedra.h"
 
-#include "Decision.h"
 #include "DisjointSets.h"
+#include "MovingNodes.h"
 #include "NodeConstraint.h"
 
 #include <algorithm>
@@ -178,10 +178,8 @@ std::vector<ExposedEdge> FindExposed(const Band& band, const Columns& columns,
         for (int slot = 0; slot < 6; ++slot)
         {
           const auto& face = band.Faces[element.Face[slot]];
-          const auto end = face.Node.begin() + face.Count;
-          cutFaces += newBoundary[element.Face[slot]] &&
-            std::find(face.Node.begin(), end, a) != end &&
-            std::find(face.Node.begin(), end, b) != end;
+          cutFaces += newBoundary[element.Face[slot]] && CornerOf(face, a) < face.Count &&
+            CornerOf(face, b) < face.Count;
         }
         if (cutFaces == 2 && OnlyKeptAt(band, kept, e, a, b))
         {

@@ -239,7 +239,7 @@ private:
       if (after[i] < std::min(before[i], SpreadQuality))
       {
         const auto& element = this->Elements[elements[i]];
-        nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
+        nodes.insert(nodes.end(), element.begin(), element.end());
       }
     }
     return nodes;
@@ -275,7 +275,7 @@ private:
     for (const int e : this->TheBand.ElementsOfNode(node))
     {
       const auto& element = this->Elements[e];
-      std::for_each(element.Node.begin(), element.Node.begin() + element.Count, tell);
+      std::for_each(element.begin(), element.end(), tell);
     }
     for (const int edge : this->TheBand.EdgesOfNode(node))
     {

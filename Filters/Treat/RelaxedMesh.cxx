@@ -4,7 +4,6 @@
 #include "SortUnique.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -14,13 +13,7 @@ namespace trim
 
 ElementPoints RelaxedMesh::PointsOf(int element) const
 {
-  const auto& e = this->Elements[element];
-  ElementPoints points;
-  for (int i = 0; i < e.Count; ++i)
-  {
-    points[i] = this->TheMoves.Position[e.Node[i]];
-  }
-  return points;
+  return PointsAt(this->TheMoves.Position, this->Elements[element]);
 }
 
 double RelaxedMesh::Quality(int element) const
@@ -43,7 +36,7 @@ double RelaxedMesh::ShortestEdgeShare(int element) const
 bool RelaxedMesh::Uses(int element, int node) const
 {
   const auto& e = this->Elements[element];
-  return std::find(e.Node.begin(), e.Node.begin() + e.Count, node) != e.Node.begin() + e.Count;
+  return std::find(e.begin(), e.end(), node) != e.end();
 }
 
 std::vector<int> RelaxedMesh::ElementsAt(const std::vector<int>& nodes) const

@@ -23,6 +23,9 @@ struct RelaxedElement
 {
   int Count = 0; ///< 0: not kept
   std::array<int, 8> Node;
+
+  const int* begin() const { return this->Node.data(); }
+  const int* end() const { return this->Node.data() + this->Count; }
 };
 
 /// What there is to relax. All of it must outlive the relaxation.

@@ -2,8 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <utility>
-
 namespace trim
 {
 

@@ -2,6 +2,7 @@
 
 #include "CreaseNodes.h"
 #include "JointRelaxation.h"
+#include "MovingNodes.h"
 #include "SortUnique.h"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ bool TrialTrim::Differ(const TrimmedBand& a, const TrimmedBand& b, int e) const
     return true;
   }
   const auto& element = this->TheBand.Elements[e];
-  return std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
+  return std::any_of(element.begin(), element.end(),
     [&](int n)
     {
       return a.Moving[n] != b.Moving[n] || a.Unrelaxed.Position[n] != b.Unrelaxed.Position[n] ||
@@ -173,8 +174,7 @@ std::vector<char> TrialTrim::TakeRelaxed(
     if (this->Differ(from, trimmed, e))
     {
       const auto& element = this->TheBand.Elements[e];
-      std::for_each(element.Node.begin(), element.Node.begin() + element.Count,
-        [&differs](int n) { differs[n] = 1; });
+      std::for_each(element.begin(), element.end(), [&differs](int n) { differs[n] = 1; });
     }
   }
   std::vector<char> near(this->TheBand.NumberOfElements(), 0);

@@ -6,6 +6,7 @@
 #define TrialTrim_h
 
 #include "BandQuality.h"
+#include "Decision.h"
 #include "FailedReturns.h"
 #include "Progress.h"
 #include "Relaxation.h"

@@ -7,8 +7,8 @@
 
 #include "Band.h"
 #include "Columns.h"
-#include "Decision.h"
 #include "TrimmingSurface.h"
+#include "VolumeShares.h"
 
 namespace trim
 {

@@ -1,6 +1,6 @@
 #include "TrimmedBand.h"
 
-#include "Decision.h"
+#include "MovingNodes.h"
 
 namespace trim
 {

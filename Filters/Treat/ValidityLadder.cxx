@@ -149,9 +149,8 @@ private:
     for (int e = 0; e < this->TheChoices.TheBand.NumberOfElements(); ++e)
     {
       const auto& element = this->TheChoices.TheBand.Elements[e];
-      hasLeft[this->TheChoices.TheColumns.Column[e]] |=
-        std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
-          [&](int n) { return users[n] > 0 && this->TheChoices.IsLeft(trimmed, n); });
+      hasLeft[this->TheChoices.TheColumns.Column[e]] |= std::any_of(element.begin(), element.end(),
+        [&](int n) { return users[n] > 0 && this->TheChoices.IsLeft(trimmed, n); });
     }
     for (std::size_t c = 0; c < rungs.size(); ++c)
     {

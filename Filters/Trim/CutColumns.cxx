@@ -48,7 +48,7 @@ double ShiftAlong(
   thickness /= axisEdges;
   lateral /= lateralEdges;
   // Not the first as the element has them: how it is numbered must not decide.
-  const int node = *std::min_element(element.Node.begin(), element.Node.begin() + element.Count);
+  const int node = *std::min_element(element.begin(), element.end());
   const Vec3 normal = FootOf(band, node, known, surface).Normal;
   const double sine = std::abs(normal.dot(thickness.normalized()));
   const double tangent = sine / std::sqrt(std::max(1e-12, 1.0 - sine * sine));
@@ -88,7 +88,7 @@ void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurf
   {
     near.Structure = NoColumns(band, std::move(near.Structure.Part));
   }
-  if (near.Structure.HasThickness())
+  if (near.Structure.AllHaveThickness())
   {
     return;
   }

@@ -41,7 +41,7 @@ constexpr double HalfCrossingAngle = 0.2618;
 /// beyond 120 degrees the feet lie on two opposite walls.
 constexpr double SmallestTurnCosine = 0.940;
 constexpr double LargestTurnCosine = -0.5;
-constexpr double RightAngle = 1.5707963;
+constexpr double RightAngle = 0.5 * M_PI;
 /// Share of a ray within which a hit is its own start.
 constexpr double RayStart = 1e-3;
 
@@ -376,7 +376,7 @@ private:
   bool HasNode(int element, const Test& test) const
   {
     const auto& shape = this->Result.Near->Mesh.Elements[element];
-    return std::any_of(shape.Node.begin(), shape.Node.begin() + shape.Count, test);
+    return std::any_of(shape.begin(), shape.end(), test);
   }
 
   /// Whether a node of the element lies beyond the surface with only kept elements round it,

@@ -14,8 +14,7 @@ namespace trim
 /// A surface may be so many times as large as the grid: beyond, the rounding of its points nears
 /// the tolerance of nodes, and nothing is left to trim by.
 constexpr double LargestSurface = 1e6;
-/// Coordinates of the grid have to stay below, as those of surfaces (NurbsSurface.cxx).
-constexpr double LargestCoordinate = 1e15;
+using nurbs::LargestCoordinate;
 
 /// The largest absolute coordinate in a box.
 double LargestCoordinateOf(const nurbs::Box3& bounds);

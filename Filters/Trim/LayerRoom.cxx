@@ -2,7 +2,7 @@
 
 #include "InsertedLayer.h"
 #include "Manifold.h"
-#include "Neighbourhood.h"
+#include "NodesOfElements.h"
 
 #include <algorithm>
 #include <utility>

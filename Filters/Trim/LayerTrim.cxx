@@ -4,11 +4,10 @@
 #include "LayerRelaxation.h"
 #include "LayerRoom.h"
 #include "LayerSkin.h"
-#include "Neighbourhood.h"
+#include "NodesOfElements.h"
 #include "Shortfalls.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -26,7 +25,7 @@ constexpr int MostClimbs = 3;
 Columns ColumnsFor(const Band& band, bool isSheet)
 {
   Columns columns = FindColumns(band);
-  return isSheet && columns.HasThickness() && columns.Complete(band, 2)
+  return isSheet && columns.AllHaveThickness() && columns.Complete(band, 2)
     ? columns
     : NoColumns(band, std::move(columns.Part));
 }
@@ -53,18 +52,15 @@ class LayerSearch
 {
 public:
   LayerSearch(const TrimBand& near, const std::shared_ptr<const Band>& before, bool isSheet,
-    double largestShare, const nurbs::TrimmingSurface& surface, double precision,
-    const LadderOptions& options)
+    double largestShare, const BandTask& task)
     : Near(near)
     , Before(before)
     , IsSheet(isSheet)
-    , Surface(surface)
-    , Precision(precision)
-    , Options(options)
+    , Task(task)
     , TheColumns(ColumnsFor(near.Mesh, isSheet))
     , Reach(LargestOfColumns(near.Shares, this->TheColumns))
-    , TheDecision(near.Mesh, this->TheColumns, this->Reach, surface, largestShare, false)
-    , Mover(near.Mesh, this->TheColumns, surface, precision)
+    , TheDecision(near.Mesh, this->TheColumns, this->Reach, task.Surface, largestShare, false)
+    , Mover(near.Mesh, this->TheColumns, task.Surface, task.Precision)
     , Room(near.Mesh, this->TheColumns, this->Reach)
     , Fates(near.Mesh.NumberOfElements(), Fate::ByVolume)
   {
@@ -106,7 +102,8 @@ public:
   /// See ReturnToSkin.
   void ReturnToSkin(const Band& layered, TrimmedBand& trimmed) const
   {
-    const BandQuality quality(layered, this->Options.Treatment, this->Options.QualityFloor);
+    const LadderOptions& options = this->Task.Options.Ladder;
+    const BandQuality quality(layered, options.Treatment, options.QualityFloor);
     trim::ReturnToSkin(layered, this->TheColumns, this->Mover, this->Kept, quality, trimmed);
   }
 
@@ -122,19 +119,17 @@ private:
   {
     Band layered = this->MakeBand(cells);
     const Columns columns = ColumnsFor(layered, this->IsSheet);
-    const NodeMover mover(layered, columns, this->Surface, this->Precision);
-    const BandQuality quality(layered, this->Options.Treatment, this->Options.QualityFloor);
-    return RelaxLayer(layered, mover, quality, this->Options.QualityFloor, cells)
-      ? this->MakeBand(cells)
-      : layered;
+    const NodeMover mover(layered, columns, this->Task.Surface, this->Task.Precision);
+    const LadderOptions& options = this->Task.Options.Ladder;
+    const BandQuality quality(layered, options.Treatment, options.QualityFloor);
+    return RelaxLayer(layered, mover, quality, options.QualityFloor, cells) ? this->MakeBand(cells)
+                                                                            : layered;
   }
 
   const TrimBand& Near;
   const std::shared_ptr<const Band>& Before;
   bool IsSheet;
-  const nurbs::TrimmingSurface& Surface;
-  double Precision;
-  const LadderOptions& Options;
+  const BandTask& Task;
   Columns TheColumns;
   VolumeShares Reach;
   Decision TheDecision;
@@ -202,17 +197,16 @@ std::vector<int> NodesWithoutLayer(const Band& layered, const std::vector<int>& 
 }
 
 std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh, const LayerSearch& search,
-  bool isSheet, const nurbs::TrimmingSurface& surface, double precision, const BandOptions& options,
-  const Progress& progress)
+  bool isSheet, const BandTask& task, const Progress& progress)
 {
   auto layered = std::make_unique<TrimBand>(std::move(mesh));
   const Band& band = layered->Mesh;
   layered->Structure = ColumnsFor(band, isSheet);
   layered->Shares = SharesByFate(band, search.KeptUnderIt());
-  ClimbBand(*layered, surface, precision, options, progress);
-  TakeCloser(*layered, surface, precision, options);
+  ClimbBand(*layered, task, progress);
+  TakeCloser(*layered, task);
   search.ReturnToSkin(band, layered->Trimmed);
-  layered->NodesLeft = FindNodesLeft(*layered, surface, precision);
+  layered->NodesLeft = FindNodesLeft(*layered, task.Surface, task.Precision);
   layered->Shares = SharesOfOrigins(band, near.Shares);
   for (const Origin& origin : band.ElementOrigins)
   {
@@ -225,12 +219,11 @@ std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh, const 
 }
 
 std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
-  const std::shared_ptr<const Band>& before, double largestShare,
-  const nurbs::TrimmingSurface& surface, double precision, const BandOptions& options,
+  const std::shared_ptr<const Band>& before, double largestShare, const BandTask& task,
   const Progress& progress)
 {
-  const bool isSheet = near.Structure.HasThickness() && near.Structure.ChosenByCut.empty();
-  LayerSearch search(near, before, isSheet, largestShare, surface, precision, options.Ladder);
+  const bool isSheet = near.Structure.AllHaveThickness() && near.Structure.ChosenByCut.empty();
+  LayerSearch search(near, before, isSheet, largestShare, task);
   std::unique_ptr<TrimBand> best;
   std::size_t fewest = 0;
   for (int climb = 0; climb < MostClimbs && !progress(-1.0); ++climb)
@@ -242,8 +235,7 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
     }
     const Progress part =
       Part(progress, static_cast<double>(climb) / MostClimbs, (climb + 1.0) / MostClimbs);
-    auto layered =
-      ClimbWithLayer(near, std::move(*mesh), search, isSheet, surface, precision, options, part);
+    auto layered = ClimbWithLayer(near, std::move(*mesh), search, isSheet, task, part);
     const std::vector<int> faulty = FaultyElements(*layered);
     const std::vector<int> nodes = NodesWithoutLayer(layered->Mesh, faulty);
     if (!best || faulty.size() < fewest)

@@ -5,7 +5,7 @@
 #ifndef LayerTrim_h
 #define LayerTrim_h
 
-#include "BandTrim.h"
+#include "BandDecision.h"
 
 #include <memory>
 
@@ -21,8 +21,7 @@ namespace trim
  * @return null where there is no room for a layer.
  */
 std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
-  const std::shared_ptr<const Band>& before, double largestShare,
-  const nurbs::TrimmingSurface& surface, double precision, const BandOptions& options,
+  const std::shared_ptr<const Band>& before, double largestShare, const BandTask& task,
   const Progress& progress);
 
 }

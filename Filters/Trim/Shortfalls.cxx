@@ -30,8 +30,8 @@ struct FaultyElements
 
 /// @param isIn whether an element of the band belongs to the part.
 template <typename IsIn>
-std::vector<std::pair<int, Shortfall>> Gather(const TrimBand& near, const FaultyElements& faulty,
-  const std::vector<std::pair<int, float>>& left, const IsIn& isIn)
+std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
+  const FaultyElements& faulty, const std::vector<std::pair<int, float>>& left, const IsIn& isIn)
 {
   std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
   for (const auto& node : left)
@@ -117,7 +117,7 @@ std::vector<std::pair<int, Shortfall>> FindShortfalls(
 {
   const FaultyElements faulty{ near.Trimmed.BelowFloor, near.Trimmed.Invalid,
     FindStillInvalid(near.Mesh, near.Trimmed) };
-  return Gather(near, faulty, left, [&near](int e) { return near.Trimmed.Kept[e] != 0; });
+  return ListShortfalls(near, faulty, left, [&near](int e) { return near.Trimmed.Kept[e] != 0; });
 }
 
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
@@ -134,7 +134,7 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
       faulty.CameInvalid.push_back(element.Element);
     }
   }
-  return Gather(near, faulty, left, [&inOffcut](int e) { return inOffcut[e] != 0; });
+  return ListShortfalls(near, faulty, left, [&inOffcut](int e) { return inOffcut[e] != 0; });
 }
 
 std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)

@@ -39,7 +39,7 @@ void ScatterItems(
 }
 
 template <typename Value>
-std::vector<Value> Gather(const std::vector<Value>& whole, const std::vector<int>& places)
+std::vector<Value> ValuesAt(const std::vector<Value>& whole, const std::vector<int>& places)
 {
   std::vector<Value> own;
   for (std::size_t i = 0; i < places.size() && !whole.empty(); ++i)
@@ -52,7 +52,7 @@ std::vector<Value> Gather(const std::vector<Value>& whole, const std::vector<int
 /// The same where the values are items of the stretch.
 std::vector<int> GatherItems(const std::vector<int>& whole, const std::vector<int>& places)
 {
-  std::vector<int> own = Gather(whole, places);
+  std::vector<int> own = ValuesAt(whole, places);
   for (int& item : own)
   {
     item = static_cast<int>(std::lower_bound(places.begin(), places.end(), item) - places.begin());
@@ -79,11 +79,11 @@ void Renumber(const std::vector<int>& places, int count, std::array<int, N>& ite
 Columns ExtractColumns(const Columns& whole, const BandStretch& stretch)
 {
   Columns own;
-  own.Axis = Gather(whole.Axis, stretch.Elements);
+  own.Axis = ValuesAt(whole.Axis, stretch.Elements);
   own.Column = GatherItems(whole.Column, stretch.Elements);
   own.Pillar = GatherItems(whole.Pillar, stretch.Nodes);
-  own.Part = Gather(whole.Part, stretch.Elements);
-  own.ChosenByCut = Gather(whole.ChosenByCut, stretch.Nodes);
+  own.Part = ValuesAt(whole.Part, stretch.Elements);
+  own.ChosenByCut = ValuesAt(whole.ChosenByCut, stretch.Nodes);
   return own;
 }
 
@@ -195,7 +195,7 @@ StretchTrims::StretchTrims(TrimBand& whole)
     const BandStretch& stretch = this->Stretches[this->Own.size()];
     this->Own.emplace_back(std::move(band));
     this->Own.back().Structure = ExtractColumns(whole.Structure, stretch);
-    this->Own.back().SheetAxis = Gather(whole.SheetAxis, stretch.Elements);
+    this->Own.back().SheetAxis = ValuesAt(whole.SheetAxis, stretch.Elements);
   }
 }
 

@@ -255,8 +255,7 @@ std::string FindRepeatedElement(const Band& band, const Piece& piece)
   {
     const BandElement& one = band.Elements[e - 1];
     const BandElement& other = band.Elements[e];
-    if (one.Count == other.Count &&
-      std::is_permutation(one.Node.begin(), one.Node.begin() + one.Count, other.Node.begin()))
+    if (one.Count == other.Count && std::is_permutation(one.begin(), one.end(), other.begin()))
     {
       return "Cells " + std::to_string(piece.InputCell(one.Global)) + " and " +
         std::to_string(piece.InputCell(other.Global)) +
@@ -287,7 +286,8 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
       return false;
     }
     near->Structure = FindColumns(near->Mesh);
-    if (!piece.All.Any(!near->Structure.HasThickness() || !near->Structure.Complete(near->Mesh, 2)))
+    if (!piece.All.Any(
+          !near->Structure.AllHaveThickness() || !near->Structure.Complete(near->Mesh, 2)))
     {
       break;
     }
@@ -447,11 +447,12 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     {
       return result;
     }
+    const BandTask task{ surface, precision, options.OfBand };
     const Progress part = Part(progress, 0.4, 0.6);
     for (int s = 0; s < stretches.Count(); ++s)
     {
-      DecideBand(stretches[s], surface, precision, options.OfBand,
-        Part(part, stretches.ShareBefore(s), stretches.ShareBefore(s + 1)));
+      DecideBand(
+        stretches[s], task, Part(part, stretches.ShareBefore(s), stretches.ShareBefore(s + 1)));
     }
     stretches.Join();
     NumberInserted(mesh.NumberOfPoints, result.Near->Mesh);

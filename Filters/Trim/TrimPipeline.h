@@ -5,7 +5,7 @@
 #ifndef TrimPipeline_h
 #define TrimPipeline_h
 
-#include "BandTrim.h"
+#include "BandDecision.h"
 #include "MeshBlocks.h"
 #include "Progress.h"
 #include "SharedNodes.h"

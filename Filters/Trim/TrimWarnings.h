@@ -5,7 +5,7 @@
 #ifndef TrimWarnings_h
 #define TrimWarnings_h
 
-#include "BandTrim.h"
+#include "BandDecision.h"
 #include "SharedNodes.h"
 #include "TrimResult.h"
 

@@ -22,11 +22,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
-#include <cmath>
 #include <new>
 #include <sstream>
 #include <string>
-#include <utility>
 
 namespace
 {
@@ -191,16 +189,29 @@ int vtkTrimHexahedralGrid::RequestData(
     {
       throw; // the other ranks would wait for this one
     }
-    this->Inputs = std::make_unique<trim::TrimInputs>();
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      vtkUnstructuredGrid::GetData(outputVector, port)->Initialize();
-    }
-    return this->Refuse(ranks,
+    return this->GiveUp(outputVector, ranks,
       "The trim needs more memory than there is: close other data, or distribute the grid over "
       "several ranks.");
   }
+  catch (const trim::TooMuchToGather&)
+  {
+    return this->GiveUp(outputVector, ranks,
+      "There are more elements near the cut than the ranks can tell each other of: trim on one "
+      "rank, or coarsen the grid there.");
+  }
   return success;
+}
+
+//------------------------------------------------------------------------------
+int vtkTrimHexahedralGrid::GiveUp(
+  vtkInformationVector* outputVector, const trim::Ranks& ranks, const std::string& error)
+{
+  this->Inputs = std::make_unique<trim::TrimInputs>();
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkUnstructuredGrid::GetData(outputVector, port)->Initialize();
+  }
+  return this->Refuse(ranks, error);
 }
 
 //------------------------------------------------------------------------------

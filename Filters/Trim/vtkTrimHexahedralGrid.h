@@ -274,6 +274,9 @@ private:
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
   /// a line of its own to the one that says what to do.
   int Refuse(const trim::Ranks& ranks, const std::string& error);
+  /// The same amid the work: what was made so far, and what is kept of the inputs, goes.
+  int GiveUp(
+    vtkInformationVector* outputVector, const trim::Ranks& ranks, const std::string& error);
   trim::TrimOptions Options() const;
 };
 

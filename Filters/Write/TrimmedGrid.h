@@ -27,8 +27,9 @@ struct WriteOptions
 };
 
 /**
- * Fills `output` with the kept elements at their new positions, renumbered, with the arrays of
- * CONTRACT.md, the input's own arrays and the summary of all ranks' pieces. Collective.
+ * Fills `output` with the kept elements at their new positions, renumbered, with the arrays that
+ * vtkTrimHexahedralGrid.h lists, the input's own arrays and the summary of all ranks' pieces.
+ * Collective.
  */
 void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
   const Ranks& ranks, const TrimResult& result, const nurbs::TrimmingSurface& surface,

@@ -1,7 +1,7 @@
-/// @file Neighbourhood.h
+/// @file NodesOfElements.h
 /// @brief Elements at nodes and nodes of elements of the band, as lists.
-#ifndef Neighbourhood_h
-#define Neighbourhood_h
+#ifndef NodesOfElements_h
+#define NodesOfElements_h
 
 #include "Band.h"
 #include "SortUnique.h"
@@ -31,7 +31,7 @@ inline std::vector<int> NodesOf(const Band& band, const std::vector<int>& elemen
   for (const int e : elements)
   {
     const auto& element = band.Elements[e];
-    nodes.insert(nodes.end(), element.Node.begin(), element.Node.begin() + element.Count);
+    nodes.insert(nodes.end(), element.begin(), element.end());
   }
   SortUnique(nodes);
   return nodes;

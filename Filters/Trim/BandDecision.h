@@ -1,10 +1,10 @@
 /**
- * @file BandTrim.h
+ * @file BandDecision.h
  * @brief Trims the band of elements round the cut: by whole columns, or, where that leaves nodes
  * far off the surface, by single elements.
  */
-#ifndef BandTrim_h
-#define BandTrim_h
+#ifndef BandDecision_h
+#define BandDecision_h
 
 #include "Progress.h"
 #include "TrialTrim.h"
@@ -25,24 +25,28 @@ struct BandOptions
   bool MayInsert() const { return this->InsertLayer && !this->ProduceOffcut; }
 };
 
+/// What a band is trimmed by, and how; all of it outlives the trim.
+struct BandTask
+{
+  const nurbs::TrimmingSurface& Surface;
+  double Precision; ///< absolute distance up to which a node is on the surface
+  const BandOptions& Options;
+};
+
 /**
  * Kept part and, if it is asked for, offcut, of a stretch of the band.
  *
- * @param precision absolute distance up to which a node is on the surface.
  * @param progress where it ends the work, the result is of no use.
  * @param[in,out] near with structure and shares; both are others where these leave nodes far off,
  * and the mesh has a layer where one was inserted.
  */
-void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options, const Progress& progress);
+void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress);
 
 /// Kept part and offcut by the structure and shares of a band.
-void ClimbBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options, const Progress& progress);
+void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress);
 
 /// Takes TrimmedBand::Closer where all in all it leaves nodes less far off the surface.
-void TakeCloser(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options);
+void TakeCloser(TrimBand& near, const BandTask& task);
 
 }
 

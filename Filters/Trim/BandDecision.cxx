@@ -1,4 +1,4 @@
-#include "BandTrim.h"
+#include "BandDecision.h"
 
 #include "BandQuality.h"
 #include "BothParts.h"
@@ -133,26 +133,25 @@ void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, 
 /// columns of its own, or the elements are decided one by one, if that is better on the whole. If
 /// no node is left the border is the surface, however far elements had to reach: then nothing is
 /// better that leaves some, and elements one by one do.
-void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options, const Progress& progress)
+void TryOtherColumns(TrimBand& near, const BandTask& task, const Progress& progress)
 {
   std::vector<Columns> others;
   Columns sheets = FindJoinedSheets(near.Mesh);
-  if (sheets.HasColumns() && sheets.Complete(near.Mesh, 2))
+  if (sheets.AnyHasThickness() && sheets.Complete(near.Mesh, 2))
   {
     others.push_back(std::move(sheets));
   }
   const bool leavesNone =
-    near.NodesLeft.empty() && options.Ladder.CorrectionType != Correction::Eliminate;
+    near.NodesLeft.empty() && task.Options.Ladder.CorrectionType != Correction::Eliminate;
   if (!leavesNone)
   {
     others.push_back(NoColumns(near.Mesh, near.Structure.Part));
   }
   const auto measure = [&]
   {
-    Shortcomings sum = MeasureShortcomings(near, options.Ladder);
+    Shortcomings sum = MeasureShortcomings(near, task.Options.Ladder);
     sum.Squares += leavesNone && !near.NodesLeft.empty() ? std::numeric_limits<double>::infinity()
-                                                         : SquaresAstray(near, surface);
+                                                         : SquaresAstray(near, task.Surface);
     return sum;
   };
   Shortcomings least = measure();
@@ -163,9 +162,9 @@ void TryOtherColumns(TrimBand& near, const nurbs::TrimmingSurface& surface, doub
       near.Structure = std::move(other);
       near.Shares = before.Shares;
       MeasureColumnShares(near.Structure, near.Shares);
-      ClimbBand(near, surface, precision, options, progress);
+      ClimbBand(near, task, progress);
     };
-    if (!progress(-1.0) && SquaresAstray(near, surface) > 0.0)
+    if (!progress(-1.0) && SquaresAstray(near, task.Surface) > 0.0)
     {
       TryAnew(near, climb, measure, least);
     }
@@ -189,12 +188,9 @@ bool KeepsCorners(const TrimBand& near)
 class OtherTrims
 {
 public:
-  OtherTrims(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-    const BandOptions& options)
+  OtherTrims(TrimBand& near, const BandTask& task)
     : Near(near)
-    , Surface(surface)
-    , Precision(precision)
-    , Options(options)
+    , Task(task)
   {
   }
 
@@ -202,14 +198,15 @@ public:
   bool AreWorthwhile() const
   {
     return !this->Near.NodesLeft.empty() && this->Near.NodesLeft.size() <= MostLeft &&
-      this->Options.Ladder.QualityFloor <= HighestFloor;
+      this->Task.Options.Ladder.QualityFloor <= HighestFloor;
   }
 
   double Farthest() const { return MeasureLeft(this->Near).Farthest; }
 
   void Try(const BandOptions& with, bool columns, const Progress& progress)
   {
-    const auto measure = [this] { return MeasureShortcomings(this->Near, this->Options.Ladder); };
+    const auto measure = [this]
+    { return MeasureShortcomings(this->Near, this->Task.Options.Ladder); };
     const auto climb = [&](const BandTrim& best)
     {
       const auto& shares = best.Shares;
@@ -217,7 +214,7 @@ public:
         columns ? best.Structure : NoColumns(this->Near.Mesh, best.Structure.Part);
       this->Near.Shares =
         columns ? shares : VolumeShares{ shares.Volume, shares.Element, shares.Element };
-      ClimbBand(this->Near, this->Surface, this->Precision, with, progress);
+      ClimbBand(this->Near, { this->Task.Surface, this->Task.Precision, with }, progress);
     };
     Shortcomings least = measure();
     TryAnew(this->Near, climb, measure, least);
@@ -225,41 +222,39 @@ public:
 
 private:
   TrimBand& Near;
-  const nurbs::TrimmingSurface& Surface;
-  double Precision;
-  const BandOptions& Options;
+  const BandTask& Task;
 };
 
 /// Nodes behind the cut may have to slide along a border that lies beyond the surface. What is kept
 /// for a corner of the model may leave nodes farther off than the corner would be, and whole
 /// columns do where the cut wanders through a block or along a wall; then it is decided again
 /// without, every element for itself, and what comes nearest to the surface is taken.
-void DecideWithMesh(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options, const Progress& progress)
+void DecideWithMesh(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  ClimbBand(near, surface, precision, options, Part(progress, 0.0, 0.3));
-  OtherTrims others(near, surface, precision, options);
-  if (!progress(-1.0) && near.Structure.HasColumns() && others.AreWorthwhile())
+  ClimbBand(near, task, Part(progress, 0.0, 0.3));
+  OtherTrims others(near, task);
+  if (!progress(-1.0) && near.Structure.AnyHasThickness() && others.AreWorthwhile())
   {
-    BandOptions sliding = options;
+    BandOptions sliding = task.Options;
     sliding.Ladder.SlidesBehind = true;
     others.Try(sliding, true, Part(progress, 0.3, 0.4));
   }
-  if (!progress(-1.0) && near.Structure.HasColumns() && SquaresAstray(near, surface) > 0.0)
+  if (!progress(-1.0) && near.Structure.AnyHasThickness() &&
+    SquaresAstray(near, task.Surface) > 0.0)
   {
-    TryOtherColumns(near, surface, precision, options, Part(progress, 0.4, 0.5));
+    TryOtherColumns(near, task, Part(progress, 0.4, 0.5));
   }
   if (!progress(-1.0) && others.AreWorthwhile() && others.Farthest() >= FarthestLeft &&
     KeepsCorners(near))
   {
-    BandOptions without = options;
+    BandOptions without = task.Options;
     without.Ladder.KeepsCorners = false;
     others.Try(without, true, Part(progress, 0.5, 0.75));
   }
   if (!progress(-1.0) && others.AreWorthwhile() && others.Farthest() >= FarthestLeft &&
-    near.Structure.HasColumns())
+    near.Structure.AnyHasThickness())
   {
-    others.Try(options, false, Part(progress, 0.75, 1.0));
+    others.Try(task.Options, false, Part(progress, 0.75, 1.0));
   }
 }
 
@@ -267,12 +262,9 @@ void DecideWithMesh(TrimBand& near, const nurbs::TrimmingSurface& surface, doubl
 class LayerTrims
 {
 public:
-  LayerTrims(const TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-    const BandOptions& options)
+  LayerTrims(const TrimBand& near, const BandTask& task)
     : Near(near)
-    , Surface(surface)
-    , Precision(precision)
-    , Options(options)
+    , Task(task)
     , Before(std::make_shared<const Band>(near.Mesh))
   {
   }
@@ -293,9 +285,8 @@ private:
   void TryNext(const Progress& progress)
   {
     const double done = static_cast<double>(this->Tried) / LayerShares.size();
-    auto layered =
-      TrimWithLayer(this->Near, this->Before, LayerShares[this->Tried++], this->Surface,
-        this->Precision, this->Options, Part(progress, done, done + 1.0 / LayerShares.size()));
+    auto layered = TrimWithLayer(this->Near, this->Before, LayerShares[this->Tried++], this->Task,
+      Part(progress, done, done + 1.0 / LayerShares.size()));
     const Shortcomings now = layered ? MeasureLeft(*layered) : Shortcomings();
     if (layered && (!this->Best || now < this->Least))
     {
@@ -305,9 +296,7 @@ private:
   }
 
   const TrimBand& Near;
-  const nurbs::TrimmingSurface& Surface;
-  double Precision;
-  const BandOptions& Options;
+  const BandTask& Task;
   std::shared_ptr<const Band> Before;
   std::size_t Tried = 0;          ///< of LayerShares
   std::unique_ptr<TrimBand> Best; ///< of those tried
@@ -316,41 +305,38 @@ private:
 
 /// Elements that are invalid with all nodes on the surface, as they have faces of the cut on all
 /// sides of a corner: where a block is cut aslant to all its elements.
-std::size_t CountCutAslant(const TrimBand& near, const nurbs::TrimmingSurface& surface,
-  double precision, const BandOptions& options)
+std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
 {
-  if (near.Structure.HasColumns())
+  if (near.Structure.AnyHasThickness())
   {
     return 0;
   }
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
   LadderPosition foot;
-  ColumnChoices choices(given, options.Ladder, foot);
+  ColumnChoices choices(given, task.Options.Ladder, foot);
   return choices.Quality.FindInvalid(choices.Trial.Make(choices.At.Set, choices.Quality)).size();
 }
 
 }
 
-void ClimbBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options, const Progress& progress)
+void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
-  if (options.ProduceOffcut)
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  if (task.Options.ProduceOffcut)
   {
-    BothParts parts = ClimbForBothParts(given, options.Ladder, progress);
+    BothParts parts = ClimbForBothParts(given, task.Options.Ladder, progress);
     near.Trimmed = std::move(parts.Kept);
     near.Rest = std::move(parts.Rest);
   }
   else
   {
     LadderPosition foot;
-    near.Trimmed = ClimbLadder(given, options.Ladder, progress, foot);
+    near.Trimmed = ClimbLadder(given, task.Options.Ladder, progress, foot);
   }
-  near.NodesLeft = FindNodesLeft(near, surface, precision);
+  near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
 }
 
-void TakeCloser(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options)
+void TakeCloser(TrimBand& near, const BandTask& task)
 {
   const auto closer = std::move(near.Trimmed.Closer);
   if (!closer)
@@ -361,12 +347,12 @@ void TakeCloser(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   TrimmedBand trimmed = std::exchange(near.Trimmed, *closer);
   Offcut rest = std::move(near.Rest);
   auto left = std::move(near.NodesLeft);
-  if (options.ProduceOffcut)
+  if (task.Options.ProduceOffcut)
   {
-    const TrimCase given{ near.Mesh, near.Structure, near.Shares, surface, precision };
-    near.Rest = FitOffcut(given, options.Ladder, near.Trimmed);
+    const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+    near.Rest = FitOffcut(given, task.Options.Ladder, near.Trimmed);
   }
-  near.NodesLeft = FindNodesLeft(near, surface, precision);
+  near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
   if (!(MeasureLeft(near) < before))
   {
     near.Trimmed = std::move(trimmed);
@@ -375,19 +361,18 @@ void TakeCloser(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   }
 }
 
-void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double precision,
-  const BandOptions& options, const Progress& progress)
+void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  if (!options.MayInsert())
+  if (!task.Options.MayInsert())
   {
-    DecideWithMesh(near, surface, precision, options, progress);
-    TakeCloser(near, surface, precision, options);
+    DecideWithMesh(near, task, progress);
+    TakeCloser(near, task);
     return;
   }
-  LayerTrims layers(near, surface, precision, options);
+  LayerTrims layers(near, task);
   std::unique_ptr<TrimBand> layered;
   // There the ladder without a layer is long, and in vain.
-  const std::size_t aslant = CountCutAslant(near, surface, precision, options);
+  const std::size_t aslant = CountCutAslant(near, task);
   if (aslant >= ManyAslant)
   {
     Shortcomings without;
@@ -396,8 +381,8 @@ void DecideBand(TrimBand& near, const nurbs::TrimmingSurface& surface, double pr
   }
   if (!layered)
   {
-    DecideWithMesh(near, surface, precision, options, Part(progress, 0.5, 0.8));
-    TakeCloser(near, surface, precision, options);
+    DecideWithMesh(near, task, Part(progress, 0.5, 0.8));
+    TakeCloser(near, task);
     if (!progress(0.8) && !near.NodesLeft.empty())
     {
       layered = layers.FindBest(MeasureLeft(near), Part(progress, 0.8, 1.0));

@@ -1,0 +1,58 @@
+#include "VolumeShares.h"
+
+#include "CutEdges.h"
+#include "EliminatedFraction.h"
+#include "Status.h"
+
+#include <vtkSMPTools.h>
+
+namespace trim
+{
+
+bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
+  double gap, VolumeShares& shares, std::array<int, 2>& missedEdge)
+{
+  const int count = band.NumberOfElements();
+  shares.Volume.assign(count, 0.0);
+  shares.Element.assign(count, 0.0);
+  const CutEdges edges(band, surface, gap);
+  missedEdge = edges.FindMissed();
+  if (missedEdge[0] >= 0)
+  {
+    return false;
+  }
+  vtkSMPTools::For(0, count, 64,
+    [&](Id begin, Id end)
+    {
+      for (Id e = begin; e < end; ++e)
+      {
+        const auto volumes = MeasureEliminated(band, static_cast<int>(e), edges);
+        shares.Volume[e] = volumes.Total;
+        shares.Element[e] = band.ElementStatus[e] == ElementKeep ? 0.0
+          : band.ElementStatus[e] == ElementEliminate            ? 1.0
+                                                                 : volumes.Fraction();
+      }
+    });
+  MeasureColumnShares(columns, shares);
+  return true;
+}
+
+void MeasureColumnShares(const Columns& columns, VolumeShares& shares)
+{
+  const std::size_t count = shares.Element.size();
+  std::vector<double> total(count, 0.0);
+  std::vector<double> eliminated(count, 0.0);
+  for (std::size_t e = 0; e < count; ++e)
+  {
+    total[columns.Column[e]] += shares.Volume[e];
+    eliminated[columns.Column[e]] += shares.Volume[e] * shares.Element[e];
+  }
+  shares.Column.resize(count);
+  for (std::size_t e = 0; e < count; ++e)
+  {
+    const int column = columns.Column[e];
+    shares.Column[e] = total[column] > 0.0 ? eliminated[column] / total[column] : 0.0;
+  }
+}
+
+}
