@@ -7,7 +7,6 @@
 
 #include "Band.h"
 
-#include <algorithm>
 #include <array>
 
 namespace trim

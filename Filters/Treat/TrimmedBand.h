@@ -55,6 +55,9 @@ struct FinalElement
   std::array<int, 8> Node;
   ElementPoints Points;
   bool Touched = false; ///< has a moved node or was replaced
+
+  const int* begin() const { return this->Node.data(); }
+  const int* end() const { return this->Node.data() + this->Count; }
 };
 FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element);
 

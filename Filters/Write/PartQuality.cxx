@@ -103,7 +103,7 @@ struct MovedElement
 
 std::optional<MovedElement> MeasureIfMoved(const FinalElement& element, const Moves& moves)
 {
-  const bool moved = std::any_of(element.Node.begin(), element.Node.begin() + element.Count,
+  const bool moved = std::any_of(element.begin(), element.end(),
     [&moves](int n) { return moves.Applied[n] != Correction::None; });
   return moved ? std::optional<MovedElement>({ ScaledJacobian(element.Points, element.Count),
                    MeasureJacobian(element.Points, element.Count) })
