@@ -1,6 +1,7 @@
 #include "CutColumns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,33 +27,66 @@ nurbs::Foot FootOf(
     : surface.ClosestPoint(band.Point[node]);
 }
 
+/// The edges of an element along one of its axes, taken together.
+struct AxisEdges
+{
+  Vec3 Sum = Vec3::Zero();
+  double Length = 0.0;
+  int Count = 0;
+
+  void Add(const Vec3& edge)
+  {
+    this->Sum += edge;
+    this->Length += edge.norm();
+    ++this->Count;
+  }
+  Vec3 Mean() const { return this->Sum / this->Count; }
+};
+
+/// How many elements a way across an axis goes past, for each unit of its length. Each lateral axis
+/// counts with its own size: those of long elements differ.
+double ElementsAcross(
+  const std::array<AxisEdges, 3>& edges, const AxisEdges& others, int axis, const Vec3& direction)
+{
+  double squares = 0.0;
+  int lateral = 0;
+  for (int other = 0; other < 3; ++other)
+  {
+    if (other != axis && edges[other].Count > 0)
+    {
+      const Vec3 mean = edges[other].Mean();
+      squares += std::pow(direction.dot(mean) / mean.squaredNorm(), 2);
+      ++lateral;
+    }
+  }
+  return lateral == 2 ? std::sqrt(squares) : others.Count / others.Length;
+}
+
 /// Shift of the surface along an axis of an element, in elements.
 double ShiftAlong(
   const Band& band, int e, int axis, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
 {
   const auto& element = band.Elements[e];
   const auto& topology = TopologyOf(element.Count);
-  Vec3 thickness = Vec3::Zero();
-  double lateral = 0.0;
-  int lateralEdges = 0;
-  int axisEdges = 0;
+  std::array<AxisEdges, 3> edges;
+  AxisEdges others; // of a wedge: the sides of its triangles have no axis
   for (int i = 0; i < topology.NumberOfEdges; ++i)
   {
-    const Vec3 edge = band.Point[element.Node[topology.Edges[i].Second]] -
-      band.Point[element.Node[topology.Edges[i].First]];
-    const bool along = topology.Edges[i].Axis == axis;
-    (along ? axisEdges : lateralEdges) += 1;
-    thickness += along ? edge : Vec3::Zero();
-    lateral += along ? 0.0 : edge.norm();
+    const EdgeNodes& nodes = topology.Edges[i];
+    const Vec3 edge =
+      band.Point[element.Node[nodes.Second]] - band.Point[element.Node[nodes.First]];
+    (nodes.Axis >= 0 ? edges[nodes.Axis] : others).Add(edge);
   }
-  thickness /= axisEdges;
-  lateral /= lateralEdges;
+  const Vec3 thickness = edges[axis].Mean();
+  const Vec3 along = thickness.normalized();
   // Not the first as the element has them: how it is numbered must not decide.
   const int node = *std::min_element(element.begin(), element.end());
   const Vec3 normal = FootOf(band, node, known, surface).Normal;
-  const double sine = std::abs(normal.dot(thickness.normalized()));
-  const double tangent = sine / std::sqrt(std::max(1e-12, 1.0 - sine * sine));
-  return thickness.norm() * tangent / lateral;
+  const double sine = normal.dot(along);
+  const Vec3 across = normal - sine * along;
+  const double cosine = std::max(1e-6, across.norm());
+  return thickness.norm() * std::abs(sine) / cosine *
+    ElementsAcross(edges, others, axis, across / cosine);
 }
 
 /// Mean shift of the surface from skin to skin, in elements; 0 without thickness.
