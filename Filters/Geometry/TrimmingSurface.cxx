@@ -396,13 +396,19 @@ struct Tangents
   double Area; ///< its square, > 0
 };
 
-std::optional<Tangents> TangentsAt(const TrimmingSurface& surface, const Foot& foot)
+/// @param map applied to the surface.
+std::optional<Tangents> TangentsAt(const TrimmingSurface& surface, const Foot& foot,
+  const Eigen::Matrix3d& map = Eigen::Matrix3d::Identity())
 {
   if (foot.Face < 0 || foot.Face >= surface.NumberOfFaces())
   {
     return std::nullopt;
   }
-  const SurfaceJet jet = EvaluateJet(surface.Face(foot.Face), foot.U, foot.V);
+  SurfaceJet jet = EvaluateJet(surface.Face(foot.Face), foot.U, foot.V);
+  for (Vec3* derivative : { &jet.Su, &jet.Sv, &jet.Suu, &jet.Suv, &jet.Svv })
+  {
+    *derivative = map * *derivative;
+  }
   const Vec3 normal = jet.Su.cross(jet.Sv);
   const double area = normal.squaredNorm();
   return area > 0 ? std::optional<Tangents>({ jet, normal, area }) : std::nullopt;
@@ -412,8 +418,13 @@ std::optional<Tangents> TangentsAt(const TrimmingSurface& surface, const Foot& f
 
 double TrimmingSurface::RadiusOfCurvature(const Foot& foot) const
 {
+  return this->MappedRadiusOfCurvature(foot, Eigen::Matrix3d::Identity());
+}
+
+double TrimmingSurface::MappedRadiusOfCurvature(const Foot& foot, const Eigen::Matrix3d& map) const
+{
   const double infinity = std::numeric_limits<double>::infinity();
-  const auto tangents = TangentsAt(*this, foot);
+  const auto tangents = TangentsAt(*this, foot, map);
   if (!tangents)
   {
     return infinity;

@@ -35,6 +35,7 @@ Chain MeasureChain(const Band& band, int element, int axis)
 {
   Chain chain;
   chain.Length = AxisLength(band, element, axis);
+  int way = 0;
   const auto& topology = TopologyOf(band.Elements[element].Count);
   for (int slot = 0; slot < topology.NumberOfFaces; ++slot)
   {
@@ -46,7 +47,9 @@ Chain MeasureChain(const Band& band, int element, int axis)
     int leaving = slot;
     for (int step = 0;; ++step)
     {
-      const auto& face = band.Faces[band.Elements[current].Face[leaving]];
+      const int end = band.Elements[current].Face[leaving];
+      const auto& face = band.Faces[end];
+      chain.EndFace[way] = end;
       const int side = face.Element[0] == current ? 1 : 0;
       const int next = face.Element[side];
       if (next < 0 || step == LongestChain)
@@ -71,6 +74,7 @@ Chain MeasureChain(const Band& band, int element, int axis)
       leaving = OppositeFace(face.Slot[side]);
       current = next;
     }
+    ++way;
   }
   return chain;
 }

@@ -7,6 +7,8 @@
 
 #include "Band.h"
 
+#include <array>
+
 namespace trim
 {
 
@@ -19,6 +21,7 @@ struct Chain
   int Count = 1;      ///< elements
   double Length = 0;  ///< of a ring: infinite
   bool Closed = true; ///< ends at the exterior on both sides: a ring does not, nor one of too many
+  std::array<int, 2> EndFace{ -1, -1 }; ///< face of the band at which each way ends
 };
 
 Chain MeasureChain(const Band& band, int element, int axis);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace trim
@@ -15,6 +16,8 @@ namespace
 constexpr double LargestColumnShift = 3.5;
 /// Columns that the cut has chosen follow it farther: elements decided alone leave more nodes off.
 constexpr double LargestChosenShift = 4.0;
+/// Below, the surface is at right angles to an axis, and none of its columns can follow it.
+constexpr double SmallestCosine = 1e-6;
 
 /// The closest point to a node of the band; most are known from the classification.
 nurbs::Foot FootOf(
@@ -62,7 +65,7 @@ double ElementsAcross(
   return lateral == 2 ? std::sqrt(squares) : others.Count / others.Length;
 }
 
-/// Shift of the surface along an axis of an element, in elements.
+/// Shift of the surface along an axis of an element, in elements; infinite across it.
 double ShiftAlong(
   const Band& band, int e, int axis, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
 {
@@ -84,9 +87,10 @@ double ShiftAlong(
   const Vec3 normal = FootOf(band, node, known, surface).Normal;
   const double sine = normal.dot(along);
   const Vec3 across = normal - sine * along;
-  const double cosine = std::max(1e-6, across.norm());
-  return thickness.norm() * std::abs(sine) / cosine *
-    ElementsAcross(edges, others, axis, across / cosine);
+  const double cosine = across.norm();
+  return cosine > SmallestCosine ? thickness.norm() * std::abs(sine) / cosine *
+      ElementsAcross(edges, others, axis, across / cosine)
+                                 : std::numeric_limits<double>::infinity();
 }
 
 /// Mean shift of the surface from skin to skin, in elements; 0 without thickness.

@@ -1,5 +1,6 @@
 #include "FeasibilityCheck.h"
 
+#include "ElementChain.h"
 #include "ElementTopology.h"
 #include "OpenSeams.h"
 #include "Runs.h"
@@ -54,7 +55,6 @@ struct Probe
   std::array<Vec3, 8> Point;
   std::array<const Foot*, 8> Feet;
   Eigen::Matrix3d ToElements; ///< from a vector in space to one in elements
-  double Size = 0;            ///< of the element, in space
   Vec3 Skin = Vec3::Zero();   ///< unit normal of the skin, zero without thickness
   int Nearest = -1;           ///< node with the nearest foot that has a side
 
@@ -156,14 +156,35 @@ private:
       return false;
     }
     probe.ToElements = edges.inverse();
-    probe.Size = std::cbrt(volume);
     const int element = this->ElementOf(cell);
     const int axis = element < 0 ? -1 : this->Result.Near->SheetAxis[element];
-    if (axis >= 0)
+    if (axis >= 0 && this->MeetsSkin(probe, element, axis))
     {
       probe.Skin = edges.col((axis + 1) % 3).cross(edges.col((axis + 2) % 3)).normalized();
     }
     return true;
+  }
+
+  /// False where the surface cuts an element between two skins that lie whole on one side, as the
+  /// wall of a hole along a bar does: to the surface the element is one of a block.
+  bool MeetsSkin(const Probe& probe, int element, int axis) const
+  {
+    const Band& band = this->Result.Near->Mesh;
+    const auto& status = this->Result.Nodes.Status;
+    const bool oneSided = std::all_of(probe.Node.begin(), probe.Node.begin() + probe.Count,
+      [&](Id node) { return status[node] == status[probe.Node[0]]; });
+    if (oneSided)
+    {
+      return true;
+    }
+    const Chain chain = MeasureChain(band, element, axis);
+    std::array<bool, 3> met{};
+    for (const int f : chain.EndFace)
+    {
+      const auto& face = band.Faces[f];
+      std::for_each(face.begin(), face.end(), [&](int n) { met[band.NodeStatus[n]] = true; });
+    }
+    return met[NodeOnSurface] || met[NodeKeep] == met[NodeEliminate];
   }
 
   Feasibility Check(Id cell) const
@@ -268,7 +289,7 @@ private:
   {
     if (!probe.HasSkin())
     {
-      return this->Surface.RadiusOfCurvature(foot) / probe.Size;
+      return this->Surface.MappedRadiusOfCurvature(foot, probe.ToElements);
     }
     const Vec3 along = probe.Skin.cross(foot.Normal);
     const double sine = along.norm();

@@ -321,6 +321,45 @@ void TestKeepPoint()
   }
 }
 
+// A hole along the long sides of a block's elements is one hole whatever their length: columns of
+// another direction, in which the hole is no cut from skin to skin, lost it all, and it was warned
+// of what only is so across a skin.
+void TestLongElements()
+{
+  struct Bar
+  {
+    int Layers;
+    double Length; ///< of an element
+  };
+  for (const bool inside : { false, true })
+  {
+    vtkIdType columns = 0;
+    for (const Bar& bar : std::initializer_list<Bar>{
+           { 1, 2 }, { 2, 10 }, { 1, 40 }, { 4, 20 }, { 2, 100 }, { 12, 2 }, { 20, 2 } })
+    {
+      const std::string name = "block of elements 2 x 2 x " + std::to_string(bar.Length) +
+        (inside ? ", inside" : ", outside");
+      const Mesh mesh = Sheet(16, 12, bar.Layers, Vec3(2, 2, bar.Length));
+      Placement at;
+      at.X = -0.0625;
+      at.Y = -0.083;
+      at.Size = 0.525;
+      TrimOptions options;
+      options.InvertSide = inside;
+      Report report(name);
+      const Outcome outcome =
+        RunAndJudge(mesh, MakeSurface("cylinder", mesh.Box, at), options, report);
+      Wrong += report.Failures();
+      const vtkIdType cells = outcome.Case.Trimmed->GetNumberOfCells();
+      columns = columns > 0 ? columns : cells;
+      Expect(cells == columns * bar.Layers && CountLeft(outcome.Case.Trimmed) == 0,
+        name + ": " + std::to_string(cells) + " elements");
+      Expect(outcome.Warnings.empty(),
+        name + ": " + (outcome.Warnings.empty() ? "" : outcome.Warnings.front()));
+    }
+  }
+}
+
 struct Cut
 {
   const char* Kind;
@@ -590,6 +629,7 @@ int main()
   TestPatch();
   TestCrossingAtKnot();
   TestKeepPoint();
+  TestLongElements();
   TestBlocksJoinedAtEdges();
   TestKeptCorners();
   TestFootOfStep();

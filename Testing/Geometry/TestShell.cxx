@@ -413,6 +413,13 @@ void TestCurvature()
   check::That(
     std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)), Vec3(1, 2, 0))),
     "a plane is flat in each direction");
+
+  // The sphere becomes an ellipsoid with the half axes 1, 2 and 4.
+  const Eigen::Matrix3d map = Vec3(0.5, 1, 2).asDiagonal();
+  check::Near(sphere.MappedRadiusOfCurvature(sphere.ClosestPoint(Vec3(0, 3, 0)), map), 0.5, 1e-6,
+    "radius of an ellipsoid where it is the shortest axis that bends");
+  check::Near(sphere.MappedRadiusOfCurvature(sphere.ClosestPoint(Vec3(3, 0, 0)), map), 4, 1e-6,
+    "and where the other two do");
 }
 
 /// Many faces: a strip of planes over a wave, one shell.
