@@ -79,6 +79,7 @@ add_library(NURBSTrimStages STATIC
   Write/ValueWeights.cxx
   Trim/BandDecision.cxx
   Trim/CutColumns.cxx
+  Trim/ElementsAstray.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx
   Trim/LayerRoom.cxx

@@ -3,6 +3,7 @@
 #include "BandQuality.h"
 #include "BothParts.h"
 #include "ColumnChoices.h"
+#include "ElementsAstray.h"
 #include "LayerTrim.h"
 #include "Shortfalls.h"
 #include "Status.h"
@@ -79,37 +80,9 @@ Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& opti
   return sum;
 }
 
-/// Whole elements that went though they lie on the kept side, or stayed beyond, farther than one
-/// edge from the surface: the sum of their squared distances, in edges.
-double SquaresAstray(const TrimBand& near, const nurbs::TrimmingSurface& surface)
+ElementsAstray FindAstray(const TrimBand& near, const BandTask& task)
 {
-  const Band& band = near.Mesh;
-  double sum = 0.0;
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    const unsigned char side = near.Trimmed.Kept[e] ? ElementEliminate : ElementKeep;
-    if (band.ElementStatus[e] != side)
-    {
-      continue;
-    }
-    const auto& element = band.Elements[e];
-    const auto& topology = TopologyOf(element.Count);
-    Vec3 centre = Vec3::Zero();
-    for (int i = 0; i < element.Count; ++i)
-    {
-      centre += band.Point[element.Node[i]] / element.Count;
-    }
-    double longest = 0.0;
-    for (int i = 0; i < topology.NumberOfEdges; ++i)
-    {
-      const auto& edge = topology.Edges[i];
-      const Vec3 way = band.Point[element.Node[edge.Second]] - band.Point[element.Node[edge.First]];
-      longest = std::max(longest, way.norm());
-    }
-    const double distance = surface.ClosestPoint(centre).Distance / longest;
-    sum += distance > 1.0 ? distance * distance : 0.0;
-  }
-  return sum;
+  return FindElementsAstray(near, task.Surface, task.Options.Ladder.CorrectionType);
 }
 
 /// Trims a band once more, as `climb` does that is given what there is; what was before comes back
@@ -131,8 +104,8 @@ void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, 
 
 /// Where columns take elements along that lie far from the surface, each sheet of a joint gets
 /// columns of its own, or the elements are decided one by one, if that is better on the whole. If
-/// no node is left the border is the surface, however far elements had to reach: then nothing is
-/// better that leaves some, and elements one by one do.
+/// no node is left and nothing lost the border is the surface, however far elements had to reach:
+/// then nothing is better that leaves some, and elements one by one do.
 void TryOtherColumns(TrimBand& near, const BandTask& task, const Progress& progress)
 {
   std::vector<Columns> others;
@@ -141,8 +114,8 @@ void TryOtherColumns(TrimBand& near, const BandTask& task, const Progress& progr
   {
     others.push_back(std::move(sheets));
   }
-  const bool leavesNone =
-    near.NodesLeft.empty() && task.Options.Ladder.CorrectionType != Correction::Eliminate;
+  const bool leavesNone = near.NodesLeft.empty() && !FindAstray(near, task).MissesWhole() &&
+    task.Options.Ladder.CorrectionType != Correction::Eliminate;
   if (!leavesNone)
   {
     others.push_back(NoColumns(near.Mesh, near.Structure.Part));
@@ -151,7 +124,7 @@ void TryOtherColumns(TrimBand& near, const BandTask& task, const Progress& progr
   {
     Shortcomings sum = MeasureShortcomings(near, task.Options.Ladder);
     sum.Squares += leavesNone && !near.NodesLeft.empty() ? std::numeric_limits<double>::infinity()
-                                                         : SquaresAstray(near, task.Surface);
+                                                         : FindAstray(near, task).Sum();
     return sum;
   };
   Shortcomings least = measure();
@@ -164,7 +137,7 @@ void TryOtherColumns(TrimBand& near, const BandTask& task, const Progress& progr
       MeasureColumnShares(near.Structure, near.Shares);
       ClimbBand(near, task, progress);
     };
-    if (!progress(-1.0) && SquaresAstray(near, task.Surface) > 0.0)
+    if (!progress(-1.0) && FindAstray(near, task).Any())
     {
       TryAnew(near, climb, measure, least);
     }
@@ -239,8 +212,7 @@ void DecideWithMesh(TrimBand& near, const BandTask& task, const Progress& progre
     sliding.Ladder.SlidesBehind = true;
     others.Try(sliding, true, Part(progress, 0.3, 0.4));
   }
-  if (!progress(-1.0) && near.Structure.AnyHasThickness() &&
-    SquaresAstray(near, task.Surface) > 0.0)
+  if (!progress(-1.0) && near.Structure.AnyHasThickness() && FindAstray(near, task).Any())
   {
     TryOtherColumns(near, task, Part(progress, 0.4, 0.5));
   }

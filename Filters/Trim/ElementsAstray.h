@@ -1,0 +1,48 @@
+/**
+ * @file ElementsAstray.h
+ * @brief Elements whose fate is not that of their side of the surface, farther than the border
+ * reaches.
+ */
+#ifndef ElementsAstray_h
+#define ElementsAstray_h
+
+#include "TrimBand.h"
+#include "TrimmingSurface.h"
+
+#include <cstddef>
+
+namespace trim
+{
+
+/// What is not where the cut has it, whatever the nodes do.
+struct ElementsAstray
+{
+  /// Whole elements that went though they lie on the kept side, or stayed beyond, farther than one
+  /// edge from the surface: the sum of their squared distances, in edges.
+  double Squares = 0.0;
+  /// Of all that went or stayed so, those that share no node with one of the other fate: no border
+  /// reaches them.
+  std::size_t Lost = 0;
+
+  /// How much more or less is kept than lies on the kept side, in cut elements.
+  double Volume = 0.0;
+  std::size_t Cut = 0; ///< elements
+
+  /// Whether more than rounded corners and chords of the surface went or stayed.
+  bool MissesWhole() const
+  {
+    return this->Lost > 0 || this->Volume > LargestMiss * static_cast<double>(this->Cut);
+  }
+  bool Any() const { return this->Squares > 0.0 || this->MissesWhole(); }
+  double Sum() const { return this->Squares + static_cast<double>(this->Lost) + this->Volume; }
+
+  /// Share of the cut elements; nine of ten trims that leave no node miss less than a third of it.
+  static constexpr double LargestMiss = 0.1;
+};
+
+ElementsAstray FindElementsAstray(
+  const TrimBand& near, const nurbs::TrimmingSurface& surface, Correction type);
+
+}
+
+#endif
