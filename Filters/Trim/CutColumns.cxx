@@ -1,7 +1,6 @@
 #include "CutColumns.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -30,66 +29,43 @@ nurbs::Foot FootOf(
     : surface.ClosestPoint(band.Point[node]);
 }
 
-/// The edges of an element along one of its axes, taken together.
-struct AxisEdges
-{
-  Vec3 Sum = Vec3::Zero();
-  double Length = 0.0;
-  int Count = 0;
-
-  void Add(const Vec3& edge)
-  {
-    this->Sum += edge;
-    this->Length += edge.norm();
-    ++this->Count;
-  }
-  Vec3 Mean() const { return this->Sum / this->Count; }
-};
-
-/// How many elements a way across an axis goes past, for each unit of its length. Each lateral axis
-/// counts with its own size: those of long elements differ.
-double ElementsAcross(
-  const std::array<AxisEdges, 3>& edges, const AxisEdges& others, int axis, const Vec3& direction)
-{
-  double squares = 0.0;
-  int lateral = 0;
-  for (int other = 0; other < 3; ++other)
-  {
-    if (other != axis && edges[other].Count > 0)
-    {
-      const Vec3 mean = edges[other].Mean();
-      squares += std::pow(direction.dot(mean) / mean.squaredNorm(), 2);
-      ++lateral;
-    }
-  }
-  return lateral == 2 ? std::sqrt(squares) : others.Count / others.Length;
-}
-
-/// Shift of the surface along an axis of an element, in elements; infinite across it.
+/// Shift of the surface along an axis of an element, in elements as they are in the direction of
+/// the shift; infinite across the axis.
 double ShiftAlong(
   const Band& band, int e, int axis, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
 {
   const auto& element = band.Elements[e];
   const auto& topology = TopologyOf(element.Count);
-  std::array<AxisEdges, 3> edges;
-  AxisEdges others; // of a wedge: the sides of its triangles have no axis
-  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  const auto edge = [&](int i)
   {
     const EdgeNodes& nodes = topology.Edges[i];
-    const Vec3 edge =
-      band.Point[element.Node[nodes.Second]] - band.Point[element.Node[nodes.First]];
-    (nodes.Axis >= 0 ? edges[nodes.Axis] : others).Add(edge);
+    return Vec3(band.Point[element.Node[nodes.Second]] - band.Point[element.Node[nodes.First]]);
+  };
+  Vec3 thickness = Vec3::Zero();
+  int axisEdges = 0;
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    if (topology.Edges[i].Axis == axis)
+    {
+      thickness += edge(i);
+      ++axisEdges;
+    }
   }
-  const Vec3 thickness = edges[axis].Mean();
-  const Vec3 along = thickness.normalized();
+  thickness /= axisEdges;
   // Not the first as the element has them: how it is numbered must not decide.
   const int node = *std::min_element(element.begin(), element.end());
   const Vec3 normal = FootOf(band, node, known, surface).Normal;
+  const Vec3 along = thickness.normalized();
   const double sine = normal.dot(along);
   const Vec3 across = normal - sine * along;
   const double cosine = across.norm();
-  return cosine > SmallestCosine ? thickness.norm() * std::abs(sine) / cosine *
-      ElementsAcross(edges, others, axis, across / cosine)
+  double squares = 0.0;
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    squares += topology.Edges[i].Axis == axis ? 0.0 : std::pow(edge(i).dot(across), 2);
+  }
+  const double lateral = std::sqrt(2.0 * squares / (topology.NumberOfEdges - axisEdges)) / cosine;
+  return cosine > SmallestCosine ? thickness.norm() * std::abs(sine) / (cosine * lateral)
                                  : std::numeric_limits<double>::infinity();
 }
 

@@ -28,13 +28,16 @@ struct ElementsAstray
   double Volume = 0.0;
   std::size_t Cut = 0; ///< elements
 
-  /// Whether more than rounded corners and chords of the surface went or stayed.
+  /// Whether more than corners and chords of the surface went or stayed: what a border on the
+  /// surface reaches round is not lost, and the volume tells.
   bool MissesWhole() const
   {
-    return this->Lost > 0 || this->Volume > LargestMiss * static_cast<double>(this->Cut);
+    return this->Volume > LargestMiss * static_cast<double>(this->Cut) ||
+      (this->Lost > 0 && this->Volume > 0.5 * static_cast<double>(this->Lost));
   }
   bool Any() const { return this->Squares > 0.0 || this->MissesWhole(); }
-  double Sum() const { return this->Squares + static_cast<double>(this->Lost) + this->Volume; }
+  /// The volume of an element counts as a node left by two edges.
+  double Sum() const { return this->Squares + 4.0 * this->Volume; }
 
   /// Share of the cut elements; nine of ten trims that leave no node miss less than a third of it.
   static constexpr double LargestMiss = 0.1;

@@ -368,24 +368,58 @@ struct Cut
   bool Reversed = false, Invert = false;
 };
 
+Outcome JudgeCut(const Mesh& mesh, const Cut& cut)
+{
+  Placement at;
+  at.X = cut.X;
+  at.Y = cut.Y;
+  at.Angle = cut.Angle;
+  at.Lean = cut.Lean;
+  at.Size = cut.Size;
+  at.Reversed = cut.Reversed;
+  TrimOptions options;
+  options.CorrectionType = cut.Type;
+  options.Optimization = cut.Optimization;
+  options.InvertSide = cut.Invert;
+  Report report("special cut of " + mesh.Name + " by " + cut.Kind);
+  Outcome outcome = RunAndJudge(mesh, MakeSurface(cut.Kind, mesh.Box, at), options, report);
+  Wrong += report.Failures();
+  return outcome;
+}
+
 void JudgeCuts(const Mesh& mesh, const std::vector<Cut>& cuts)
 {
   for (const Cut& cut : cuts)
   {
-    Placement at;
-    at.X = cut.X;
-    at.Y = cut.Y;
-    at.Angle = cut.Angle;
-    at.Lean = cut.Lean;
-    at.Size = cut.Size;
-    at.Reversed = cut.Reversed;
-    TrimOptions options;
-    options.CorrectionType = cut.Type;
-    options.Optimization = cut.Optimization;
-    options.InvertSide = cut.Invert;
-    Report report("special cut of " + mesh.Name + " by " + cut.Kind);
-    RunAndJudge(mesh, MakeSurface(cut.Kind, mesh.Box, at), options, report);
-    Wrong += report.Failures();
+    JudgeCut(mesh, cut);
+  }
+}
+
+// What whole columns cannot follow, a hole or an island within a block, is not lost with them: all
+// of it was, or most, without a node off the surface.
+void TestIslands()
+{
+  struct Island
+  {
+    const char* Mesh;
+    Cut By;
+    vtkIdType Least; ///< elements
+  };
+  for (const Island& island : std::initializer_list<Island>{
+         { "bar", { "trimmedface", 0.598, -0.681, 5.799, 0.25, 0.627, 2, 2, true }, 20 },
+         { "bar", { "rectangle", -0.496, 0.608, 0.154, 0.488, 0.395, 2, 2, true, true }, 70 },
+         { "bar", { "contour", -0.106, 0.171, 1.814, 0.297, 0.408, 2 }, 110 },
+         { "bar", { "cone", -0.077, 0.586, 1.466, 0.241, 0.557, 2, 2, true }, 400 },
+         { "twist", { "sphere", 0.464, -0.677, 1.447, 0.42, 0.609, 2, 2, false, true }, 10 },
+         { "twist", { "contour", -0.224, 0.185, 0.026, 0, 0.364, 2 }, 60 },
+         { "ball", { "cylinder", 0.28, 0.24, 1.333, 0.364, 0.398, 2 }, 130 } })
+  {
+    const Mesh mesh = MakePart(island.Mesh);
+    const Outcome outcome = JudgeCut(mesh, island.By);
+    const vtkIdType cells = outcome.Case.Trimmed->GetNumberOfCells();
+    Expect(cells >= island.Least,
+      std::string("an island in ") + island.Mesh + " by " + island.By.Kind + ": " +
+        std::to_string(cells) + " elements of " + std::to_string(island.Least) + " or more");
   }
 }
 
@@ -630,6 +664,7 @@ int main()
   TestCrossingAtKnot();
   TestKeepPoint();
   TestLongElements();
+  TestIslands();
   TestBlocksJoinedAtEdges();
   TestKeptCorners();
   TestFootOfStep();

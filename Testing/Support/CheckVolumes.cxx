@@ -100,6 +100,39 @@ void CheckPlaneVolume(const Evidence& e, const Vec3& point, const Vec3& normal, 
   }
 }
 
+void CheckKeptVolume(const Evidence& e, double share, Report& report)
+{
+  constexpr double elements = 2; // of which a few may all be corners
+  double due = 0, given = 0, cut = 0;
+  int count = 0;
+  for (Id c = 0; c < static_cast<Id>(e.In.Elements.size()); ++c)
+  {
+    const double volume = std::abs(VolumeOf(e.In.Corners(c), e.In.Elements[c].Size));
+    due += volume * (1 - e.Fraction[c]);
+    cut += e.ElementStatus[c] == 2 ? volume : 0;
+    count += e.ElementStatus[c] == 2;
+  }
+  for (Id c = 0; c < static_cast<Id>(e.Out.Elements.size()); ++c)
+  {
+    given += std::abs(VolumeOf(e.Out.Corners(c), e.Out.Elements[c].Size));
+  }
+  const double limit = count > 0 ? (share + elements / count) * cut : 0;
+  if (count > 0 && !(std::abs(given - due) <= limit))
+  {
+    report.Fail("volume kept", std::to_string(due) + " is to be kept", given, limit);
+  }
+}
+
+void CheckNothingKept(const Evidence& e, Report& report)
+{
+  const auto whole = std::count(e.ElementStatus.begin(), e.ElementStatus.end(), 0);
+  if (e.Out.Elements.empty() && whole > 0)
+  {
+    report.Fail("volume kept", "no element, of those that lie whole on the kept side",
+      static_cast<double>(whole), 0);
+  }
+}
+
 namespace
 {
 bool IsRelaxed(const Evidence& e, Id point)

@@ -152,6 +152,16 @@ void CheckNumbering(const Evidence& evidence, Report& report);
 void CheckPlaneVolume(
   const Evidence& evidence, const Vec3& point, const Vec3& normal, Report& report);
 
+/**
+ * The volume kept against what lies on the kept side, by the filter's own fractions: what differs
+ * by more than corners and chords of the surface, is lost or stayed.
+ *
+ * @param share of the cut elements that these may take.
+ */
+void CheckKeptVolume(const Evidence& evidence, double share, Report& report);
+/// Where nothing is left no element lay whole on the kept side.
+void CheckNothingKept(const Evidence& evidence, Report& report);
+
 /// All of the above that apply without further knowledge.
 void JudgeAll(const Evidence& evidence, Report& report);
 

@@ -274,6 +274,14 @@ std::vector<Fault> GeometryFaults()
       [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 2, 0.4), -0.8, -0.5, 0); } },
     { "coincident nodes", "two nodes at one place",
       [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 2, 0), 0, 1, 0); } },
+    { "volume kept", "the border far before the surface",
+      [](Grid* t, Grid*)
+      {
+        for (vtkIdType i = 0; i < t->GetNumberOfPoints(); ++i)
+        {
+          Shift(t, i, t->GetPoint(i)[0] == CutAt ? -0.8 : 0, 0, 0);
+        }
+      } },
     { "summary", "volume off",
       [](Grid* t, Grid*) { SetValue(t->GetFieldData(), "Volume", 0, 10.87); } },
     { "summary", "bandwidth off",
@@ -361,6 +369,7 @@ int Run(const Mesh& mesh, const Surface& cut, const Fault* fault)
   if (evidence.Usable)
   {
     CheckPlaneVolume(evidence, Vec3(CutAt, 0, 0), Vec3::UnitX(), report);
+    CheckKeptVolume(evidence, 0.15, report);
   }
   if (!fault)
   {
