@@ -32,13 +32,15 @@ struct ElementsAstray
   /// surface reaches round is not lost, and the volume tells.
   bool MissesWhole() const
   {
-    return this->Volume > LargestMiss * static_cast<double>(this->Cut) ||
+    return this->Volume > FewCorners + LargestMiss * static_cast<double>(this->Cut) ||
       (this->Lost > 0 && this->Volume > 0.5 * static_cast<double>(this->Lost));
   }
   bool Any() const { return this->Squares > 0.0 || this->MissesWhole(); }
   /// The volume of an element counts as a node left by two edges.
   double Sum() const { return this->Squares + 4.0 * this->Volume; }
 
+  /// Elements that a single corner of the model may take with it.
+  static constexpr double FewCorners = 2.0;
   /// Share of the cut elements; nine of ten trims that leave no node miss less than a third of it.
   static constexpr double LargestMiss = 0.1;
 };
