@@ -1,7 +1,9 @@
 #include "Shortfalls.h"
 
 #include "BandQuality.h"
+#include "Facet.h"
 #include "NodeConstraint.h"
+#include "SortUnique.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -13,6 +15,13 @@ namespace
 
 /// A node farther off than this share of its longest edge makes a step in the new boundary.
 constexpr double BesideShare = 0.05;
+
+/// Share of an edge by which a node on the border may be beside it, and of a facet, in its
+/// parameters, by which it may lie beyond its edges.
+constexpr double BorderTolerance = 1e-5;
+constexpr double BorderSlack = 1e-4;
+/// How far along the border a node slides at most, in edges.
+constexpr int LongestSlide = 5;
 
 /// Distance up to which a node lies on the surface as exactly as the mesh can store it.
 double StoredPrecision(const Band& band, int node, double precision)
@@ -63,6 +72,49 @@ std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
     }
   }
   return found;
+}
+
+/// The faces of the border at some nodes.
+std::vector<int> BorderFaces(
+  const Band& band, const Columns& columns, const std::vector<int>& nodes)
+{
+  std::vector<int> faces;
+  for (const int n : nodes)
+  {
+    for (const int f : band.FacesOfNode(n))
+    {
+      if (band.Faces[f].Exterior && !columns.IsLayerFace(band, f))
+      {
+        faces.push_back(f);
+      }
+    }
+  }
+  SortUnique(faces);
+  return faces;
+}
+
+/// Whether a node of the border went to a place off it: what was before it there is in no part.
+bool LeftBorder(const Band& band, const Columns& columns, int node, const Vec3& place)
+{
+  const double tolerance =
+    BorderTolerance * LongestEdgeAt(band, node) + 2.0 * SpacingAt(band, node);
+  std::vector<int> nodes{ node };
+  for (int step = 0; step < LongestSlide; ++step)
+  {
+    const std::vector<int> faces = BorderFaces(band, columns, nodes);
+    for (const int f : faces)
+    {
+      Vec3 on;
+      if (FacetSearch(Facet(band, band.Faces[f])).FindInside(place, BorderSlack, on) &&
+        (on - place).norm() <= tolerance)
+      {
+        return false;
+      }
+      nodes.insert(nodes.end(), band.Faces[f].begin(), band.Faces[f].end());
+    }
+    SortUnique(nodes);
+  }
+  return true;
 }
 
 }
@@ -139,20 +191,23 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
 
 std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
 {
-  const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
-  const std::vector<char> inOffcut = FindUsed(near.Mesh, near.Rest);
+  const Band& band = near.Mesh;
+  const std::vector<int> users = CountUsers(band, near.Trimmed);
+  const std::vector<char> inOffcut = FindUsed(band, near.Rest);
   // Else the constraint of a node forgets the sides that go whole with what is cut off.
-  const std::vector<unsigned char> allKept(near.Mesh.NumberOfNodes(), NodeKeep);
+  const std::vector<unsigned char> allKept(band.NumberOfNodes(), NodeKeep);
   std::vector<std::pair<int, bool>> lost;
-  for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    if (!near.Structure.IsOnBorder(near.Mesh, n) || users[n] == 0 ||
-      near.Trimmed.NodeMoves.Applied[n] == Correction::None)
+    const auto& moves = users[n] > 0 ? near.Trimmed.NodeMoves : near.Rest.NodeMoves;
+    if ((users[n] == 0 && !inOffcut[n]) || moves.Applied[n] == Correction::None ||
+      !near.Structure.IsOnBorder(band, n))
     {
       continue;
     }
-    const auto constraint = ConstrainNode(near.Mesh, near.Structure, allKept, n);
-    if (!inOffcut[n] || constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed)
+    const auto constraint = ConstrainNode(band, near.Structure, allKept, n);
+    const bool wasCorner = constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed;
+    if ((users[n] > 0 && wasCorner) || LeftBorder(band, near.Structure, n, moves.Position[n]))
     {
       lost.emplace_back(n, true);
     }

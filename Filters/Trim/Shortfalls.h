@@ -32,9 +32,8 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left);
 
 /**
- * Nodes at the border of the model that moved for the kept part, though the offcut has no
- * element there to follow, or would have needed the corner: kept part and offcut do not add up
- * to the whole at them. Ascending band nodes, each with true.
+ * Nodes at which kept part and offcut do not add up to the whole: corners that moved for the kept
+ * part, and nodes of the model's border that left it. Ascending band nodes, each with true.
  */
 std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near);
 
