@@ -20,6 +20,8 @@ constexpr double BesideShare = 0.05;
 /// parameters, by which it may lie beyond its edges.
 constexpr double BorderTolerance = 1e-5;
 constexpr double BorderSlack = 1e-4;
+/// Faces that meet under less than 45 degrees belong to one side of the model.
+constexpr double SameSideCosine = 0.7071;
 /// How far along the border a node slides at most, in edges.
 constexpr int LongestSlide = 5;
 
@@ -74,47 +76,61 @@ std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
   return found;
 }
 
-/// The faces of the border at some nodes.
-std::vector<int> BorderFaces(
-  const Band& band, const Columns& columns, const std::vector<int>& nodes)
+/// Some exterior faces and those next to them on the same side of the model.
+std::vector<int> SideAround(const Band& band, const std::vector<int>& faces)
 {
-  std::vector<int> faces;
-  for (const int n : nodes)
+  std::vector<int> around = faces;
+  for (const int f : faces)
   {
-    for (const int f : band.FacesOfNode(n))
+    const auto& face = band.Faces[f];
+    const Vec3 normal = Facet(band, face).NormalAt(0);
+    for (const int n : face)
     {
-      if (band.Faces[f].Exterior && !columns.IsLayerFace(band, f))
+      for (const int other : band.FacesOfNode(n))
       {
-        faces.push_back(f);
+        const auto& next = band.Faces[other];
+        if (next.Exterior &&
+          TurnCosine(face, normal, next, Facet(band, next).NormalAt(0)) > SameSideCosine)
+        {
+          around.push_back(other);
+        }
       }
     }
   }
-  SortUnique(faces);
-  return faces;
+  SortUnique(around);
+  return around;
 }
 
-/// Whether a node of the border went to a place off it: what was before it there is in no part.
-bool LeftBorder(const Band& band, const Columns& columns, int node, const Vec3& place)
+/// Whether a node on an exterior face is still on that side of the model at another place.
+bool StaysOnSide(const Band& band, int face, const Vec3& place, double tolerance)
+{
+  std::vector<int> faces{ face };
+  for (int step = 0; step < LongestSlide; ++step)
+  {
+    const bool holds = std::any_of(faces.begin(), faces.end(),
+      [&](int f)
+      {
+        Vec3 on;
+        return FacetSearch(Facet(band, band.Faces[f])).FindInside(place, BorderSlack, on) &&
+          (on - place).norm() <= tolerance;
+      });
+    if (holds)
+    {
+      return true;
+    }
+    faces = SideAround(band, faces);
+  }
+  return false;
+}
+
+/// Whether a node went off a side of the model: what was behind it there is in no part.
+bool LeftBorder(const Band& band, int node, const Vec3& place)
 {
   const double tolerance =
     BorderTolerance * LongestEdgeAt(band, node) + 2.0 * SpacingAt(band, node);
-  std::vector<int> nodes{ node };
-  for (int step = 0; step < LongestSlide; ++step)
-  {
-    const std::vector<int> faces = BorderFaces(band, columns, nodes);
-    for (const int f : faces)
-    {
-      Vec3 on;
-      if (FacetSearch(Facet(band, band.Faces[f])).FindInside(place, BorderSlack, on) &&
-        (on - place).norm() <= tolerance)
-      {
-        return false;
-      }
-      nodes.insert(nodes.end(), band.Faces[f].begin(), band.Faces[f].end());
-    }
-    SortUnique(nodes);
-  }
-  return true;
+  const auto faces = band.FacesOfNode(node);
+  return std::any_of(faces.begin(), faces.end(),
+    [&](int f) { return band.Faces[f].Exterior && !StaysOnSide(band, f, place, tolerance); });
 }
 
 }
@@ -207,7 +223,7 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
     }
     const auto constraint = ConstrainNode(band, near.Structure, allKept, n);
     const bool wasCorner = constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed;
-    if ((users[n] > 0 && wasCorner) || LeftBorder(band, near.Structure, n, moves.Position[n]))
+    if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, moves.Position[n]))
     {
       lost.emplace_back(n, true);
     }
