@@ -106,7 +106,7 @@ std::vector<Vec3> SamplePolygons(vtkDataObject* data)
   for (vtkPolyData* leaf : polygons)
   {
     const vtkIdType own = leaf->GetNumberOfPoints();
-    const vtkIdType samples = 1 + Samples * own / all;
+    const vtkIdType samples = own > 0 ? 1 + Samples * own / all : 0;
     for (vtkIdType i = 0; i < samples; ++i)
     {
       points.emplace_back(leaf->GetPoint(i * own / samples));

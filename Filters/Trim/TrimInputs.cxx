@@ -15,6 +15,7 @@
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace trim
@@ -55,6 +56,24 @@ vtkUnstructuredGrid* TakeOnlyGrid(
       ", but a grid of hexahedra is needed: give an unstructured grid.";
   }
   return grid;
+}
+
+/// Whether a surface has neither points to be seen nor a definition, as on ranks that have no part
+/// of it, or behind a source that failed.
+bool IsEmpty(vtkDataObject* surface)
+{
+  if (surface->GetNumberOfElements(vtkDataObject::POINT) > 0)
+  {
+    return false;
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(surface);
+  if (!composite)
+  {
+    return !nurbs::HasNURBSFieldData(surface->GetFieldData());
+  }
+  const auto leaves = vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes);
+  return std::none_of(leaves.begin(), leaves.end(),
+    [](vtkDataObject* leaf) { return nurbs::HasNURBSFieldData(leaf->GetFieldData()); });
 }
 
 /// The grid itself, or, where its points are in another layout than one array, as numpy and
@@ -178,7 +197,7 @@ bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
   }
   this->SurfaceData = nullptr;
   this->TheSurface = nullptr;
-  if (data->GetNumberOfElements(vtkDataObject::POINT) == 0)
+  if (IsEmpty(data))
   {
     this->OwnFaces.clear(); // other ranks may have the surface
   }

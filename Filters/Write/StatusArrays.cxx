@@ -23,7 +23,7 @@ namespace
 /// Points or cells for a thread at a time.
 constexpr Id Grain = 30000;
 
-/// The nodes in use that were moved.
+/// The nodes in use that were moved, and not back to where they were.
 template <typename Flags>
 MovedNodes Collect(const Band& band, const Moves& moves, const Flags& used)
 {
@@ -32,7 +32,8 @@ MovedNodes Collect(const Band& band, const Moves& moves, const Flags& used)
   moved.TheBand = &band;
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    if (used[n] && moves.Applied[n] != Correction::None)
+    const bool isElsewhere = band.IsInsertedNode(n) || moves.Position[n] != band.Point[n];
+    if (used[n] && moves.Applied[n] != Correction::None && isElsewhere)
     {
       moved.Nodes.push_back(n);
     }

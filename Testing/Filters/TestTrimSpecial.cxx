@@ -15,6 +15,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkTrimHexahedralGrid.h>
 
 #include <cmath>
@@ -633,6 +634,26 @@ void TestUnusedPoints()
   Expect(wrong == 0, "unused points: " + std::to_string(wrong) + " on the wrong side");
 }
 
+// The polygons are for the eye alone: without them the surface is the same.
+void TestNoPolygons()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  const Outcome expected = RunTrim(mesh, surface, TrimOptions());
+  const auto bare = vtkSmartPointer<vtkPolyData>::New();
+  bare->SetFieldData(surface.Data->GetFieldData());
+  vtkNew<vtkMultiBlockDataSet> shell;
+  shell->SetBlock(0, bare);
+  for (vtkDataObject* data :
+    { static_cast<vtkDataObject*>(bare), static_cast<vtkDataObject*>(shell) })
+  {
+    surface.Data = data;
+    const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
+    Expect(outcome.Clean() && FirstDifference(outcome.Case.Trimmed, expected.Case.Trimmed).empty(),
+      "a surface without polygons");
+  }
+}
+
 // A composite of one grid is that grid.
 void TestBlockAlone()
 {
@@ -676,6 +697,7 @@ int main()
   TestWholeFraction();
   TestUnusedPoints();
   TestBlockAlone();
+  TestNoPolygons();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
