@@ -72,8 +72,8 @@ std::string IgesText::Text() const
 {
   const std::string unit = std::to_string(this->UnitName.size()) + "H" + this->UnitName;
   const std::vector<std::string> global =
-    Wrap(std::string("1H,,1H;,4HTest,8HTest.igs,9HNURBSTrim,4HTest,32,308,15,308,15,4HTest,1.,") +
-        std::to_string(this->UnitFlag) + "," + unit +
+    Wrap(std::string("1H,,1H;,4HTest,8HTest.igs,9HNURBSTrim,4HTest,32,308,15,308,15,4HTest,") +
+        this->Scale + "," + std::to_string(this->UnitFlag) + "," + unit +
         ",1,0.1,15H20261121.050000,1.E-7,1000.,4HTest,4HTest,11,0,15H20261121.050000;",
       72);
   std::ostringstream text;

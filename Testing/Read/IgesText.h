@@ -24,9 +24,11 @@ public:
   };
 
   /// @param unit flag and name of the unit: 1 "INCH", 2 "MM", 6 "M", ...
-  explicit IgesText(int unitFlag = 2, std::string unitName = "MM")
+  /// @param scale of the model, as the file gives it.
+  explicit IgesText(int unitFlag = 2, std::string unitName = "MM", std::string scale = "1.")
     : UnitFlag(unitFlag)
     , UnitName(std::move(unitName))
+    , Scale(std::move(scale))
   {
   }
 
@@ -43,6 +45,7 @@ public:
 private:
   int UnitFlag;
   std::string UnitName;
+  std::string Scale;
   std::vector<std::string> Directory;
   std::vector<std::string> Parameters;
 };

@@ -403,6 +403,19 @@ void TestGroup()
 }
 }
 
+/// A scale of the model is nowhere applied, and that is said.
+void TestScale()
+{
+  const std::string path = OutputPath("scale.igs");
+  IgesText iges(2, "MM", "0.5");
+  iges.Add(128, SurfaceParameters(WavySurface(1, 1, { 0, 0, 1, 1 }, { 0, 0, 1, 1 }, false)));
+  iges.Write(path);
+  const ReadResult read = ReadFile(path);
+  CHECK(read.Errors.empty() && !read.Surfaces.empty(), "a file with a scale");
+  CHECK(read.Warnings.size() == 1 && read.Warnings[0].find("a scale of 0.5") != std::string::npos,
+    "a scale that nothing is said of");
+}
+
 int main()
 {
   TestSplines();
@@ -419,5 +432,6 @@ int main()
   TestNames();
   TestGroup();
   TestMiscounted();
+  TestScale();
   return Failures != 0;
 }

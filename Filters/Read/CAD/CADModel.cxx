@@ -8,6 +8,7 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
 #include <IGESGeom_BSplineSurface.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
@@ -38,15 +39,20 @@
 #include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <new>
+#include <sstream>
 #include <unordered_map>
 
 namespace nurbs
 {
 namespace
 {
+/// By which a scale may differ from 1 as it is written.
+constexpr double LargestScaleRounding = 1e-9;
+
 /// Takes OpenCASCADE's printers away while it lives.
 class Silence
 {
@@ -373,6 +379,10 @@ bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::s
     return false;
   }
   StraightenIgesConics(reader.Model());
+  if (const auto drawn = Handle(IGESData_IGESModel)::DownCast(reader.Model()))
+  {
+    model.DrawnScale = drawn->GlobalSection().Scale();
+  }
   if (!progress(0.3))
   {
     return false;
@@ -395,6 +405,21 @@ bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::s
   CountUntransferred(reader, process, model);
   return true;
 }
+}
+
+//------------------------------------------------------------------------------
+void TellScale(const std::string& path, const CADModel& model, std::string& remarks)
+{
+  if (std::abs(model.DrawnScale - 1.0) <= LargestScaleRounding || model.DrawnScale == 0.0)
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << (remarks.empty() ? "CAD file \"" + path + "\": " : remarks + "; ")
+       << "the file gives its model a scale of " << model.DrawnScale
+       << ", and its coordinates are taken as they are: if the surface comes out in another size, "
+          "export it at a scale of 1";
+  remarks = text.str();
 }
 
 //------------------------------------------------------------------------------

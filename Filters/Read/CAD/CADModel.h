@@ -38,6 +38,7 @@ struct CADModel
   int Untransferred = 0;               ///< surfaces in the file of which OpenCASCADE made no face
   int UntransferredCurves = 0;         ///< curves in the file that gave no edge
   std::vector<std::string> References; ///< other files that an assembly keeps its parts in
+  double DrawnScale = 1.0; ///< of the model in an IGES file, which nothing applies to its places
 };
 
 /**
@@ -58,6 +59,9 @@ bool CatchFailures(const std::string& path, std::string& error, const std::funct
 /// wrong with one face or curve is not to lose the others.
 std::string CatchReason(const std::function<std::string()>& work);
 
+/// Appends to what there is to say of a file that its scale is not applied; nothing if it is 1.
+void TellScale(const std::string& path, const CADModel& model, std::string& remarks);
+
 /**
  * Reads a file and takes items from it.
  *
@@ -76,7 +80,12 @@ bool ReadItems(const std::string& path, std::vector<Item>& items, std::string& e
       CADModel model;
       const auto transferProgress = [&](double share)
       { return !progress || progress(transferShare * share); };
-      return ReadCADModel(path, model, error, transferProgress) && take(model);
+      if (!ReadCADModel(path, model, error, transferProgress) || !take(model))
+      {
+        return false;
+      }
+      TellScale(path, model, error);
+      return true;
     });
   if (!success)
   {
