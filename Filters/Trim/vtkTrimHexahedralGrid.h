@@ -31,8 +31,8 @@
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
  *   surface, 3 invalid, 4 invalid as it came;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
- * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a node of the model's border
- *   moved for port 0 alone, so that the parts do not add up to the whole; 0 elsewhere.
+ * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a corner of the model moved or
+ *   a node left its border, so that the parts do not add up to the whole; 0 elsewhere.
  *
  * Each value of the last four comes with one warning: how many, where, and what to do.
  *
