@@ -530,8 +530,31 @@ private:
     std::sort(this->CellsAtSeams.begin(), this->CellsAtSeams.end());
   }
 
+  /// Whether the nodes of a face lie on the two sides by turns: the surface passes between those
+  /// that are opposite each other, on both sides of one or the other diagonal.
+  bool HasMixedFace(const Probe& probe) const
+  {
+    const auto& topology = TopologyOf(probe.Count);
+    const auto& status = this->Result.Nodes.Status;
+    for (int f = 0; f < topology.NumberOfFaces; ++f)
+    {
+      const auto& face = topology.Faces[f];
+      const auto at = [&](int i) { return status[probe.Node[face.Node[i]]]; };
+      if (face.Count == 4 && at(0) == at(2) && at(1) == at(3) && at(0) != at(1) &&
+        at(0) != NodeOnSurface && at(1) != NodeOnSurface)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   bool IsCrossedTwice(const Probe& probe) const
   {
+    if (this->HasMixedFace(probe))
+    {
+      return true;
+    }
     const auto& topology = TopologyOf(probe.Count);
     for (int i = 0; i < topology.NumberOfEdges && !this->CrossedTwice.empty(); ++i)
     {

@@ -27,7 +27,7 @@ constexpr Text FeasibilityTexts[] = {
     " elements hold a cut-out, or a part of one, that is smaller than an element and is not "
     "opened: refine the mesh there." },
   { Feasibility::CrossedTwice,
-    " elements have an edge that the surface crosses more than once: what lies between the "
+    " elements have an edge or face that the surface crosses more than once: what lies between the "
     "crossings is lost. Refine the mesh there or straighten the surface." },
   { Feasibility::Narrow,
     " elements lie at a hole or slot narrower than three elements, which comes out coarse: refine "
