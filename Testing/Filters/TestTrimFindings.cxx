@@ -263,13 +263,13 @@ void TestAligned()
 }
 
 // Through the whole sheet, with straight walls; what is between them goes.
-Surface Slot(const Mesh& sheet, double width)
+Surface Slot(const Mesh& sheet, double width, double angle = 0.02)
 {
   Frame box = sheet.Box;
   box.ElementSize = width / 3.4;
   Placement at;
   at.X = 0.013;
-  at.Angle = 0.02;
+  at.Angle = angle;
   Surface slot = MakeSurface("slot", box, at);
   const double inside = slot.Signed(sheet.Box.Centre + Vec3(0.013 * sheet.Box.HalfX, 0, 0));
   at.Reversed = inside < 0;
@@ -285,6 +285,11 @@ void TestSlots()
   const auto thin = ExpectWarned("thin slot", RunTrim(sheet, Slot(sheet, 0.2), {}));
   const int lost = thin.count(NotOpened) ? thin.at(NotOpened) : 0;
   Expect(lost > 10, "thin slot: not opened in " + std::to_string(lost) + " elements");
+  // Along the diagonals of elements, whose other two nodes lie beside it: no edge is crossed twice,
+  // but faces are.
+  auto mixed = ExpectWarned("strip", RunTrim(sheet, Slot(sheet, 0.8, 45 * Degree), {}));
+  Expect(mixed[CrossedTwice] > 10,
+    "strip: crossed twice in " + std::to_string(mixed[CrossedTwice]) + " elements");
 }
 
 void TestStretched()
