@@ -71,8 +71,11 @@ double Excess(const TrimBand& near, int e)
   return (shape.Touched ? VolumeOf(shape.Points, shape.Count) : whole) - due;
 }
 
-void MeasureVolume(const TrimBand& near, ElementsAstray& astray)
+}
+
+ElementsAstray MeasureVolumeAstray(const TrimBand& near)
 {
+  ElementsAstray astray;
   const Band& band = near.Mesh;
   double cut = 0.0;
   double excess = 0.0;
@@ -86,8 +89,7 @@ void MeasureVolume(const TrimBand& near, ElementsAstray& astray)
     excess += Excess(near, e);
   }
   astray.Volume = cut > 0.0 ? std::abs(excess) / cut * static_cast<double>(astray.Cut) : 0.0;
-}
-
+  return astray;
 }
 
 ElementsAstray FindElementsAstray(
@@ -96,11 +98,8 @@ ElementsAstray FindElementsAstray(
   const Band& band = near.Mesh;
   const std::array<std::vector<char>, 2> has = { NodesOfFate(near, false),
     NodesOfFate(near, true) };
-  ElementsAstray sum;
-  if (type != Correction::Eliminate) // there the border is no surface
-  {
-    MeasureVolume(near, sum);
-  }
+  // By type I the border is no surface.
+  ElementsAstray sum = type == Correction::Eliminate ? ElementsAstray() : MeasureVolumeAstray(near);
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
     const unsigned char side = near.Trimmed.Kept[e] ? ElementEliminate : ElementKeep;

@@ -45,6 +45,9 @@ struct ElementsAstray
   static constexpr double LargestMiss = 0.1;
 };
 
+/// The volume alone, of a trim whose border is the surface.
+ElementsAstray MeasureVolumeAstray(const TrimBand& near);
+
 ElementsAstray FindElementsAstray(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, Correction type);
 

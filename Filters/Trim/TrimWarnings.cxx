@@ -1,10 +1,12 @@
 #include "TrimWarnings.h"
 
+#include "ElementsAstray.h"
 #include "Place.h"
 #include "PlaceText.h"
 #include "Status.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -192,6 +194,56 @@ void WarnOfCornersLost(TrimResult& result)
   }
 }
 
+/// Whether some finding tells already of what is lost or stays.
+bool IsLossTold(const Piece& piece, const TrimResult& result)
+{
+  const auto& found = result.Found.Feasibilities;
+  const bool own = std::any_of(found.begin(), found.end(),
+    [](const auto& item)
+    { return item.second != Feasibility::Inclined && item.second != Feasibility::Curved; });
+  return piece.All.Any(own) || !result.Near->NodesLeft.empty();
+}
+
+/// The cut element of which most is lost or stayed.
+int FindMostAstray(const TrimBand& near)
+{
+  int most = -1;
+  double largest = 0.0;
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  {
+    const double beyond = near.Shares.Element[e];
+    const double astray = near.Trimmed.Kept[e] ? beyond : 1.0 - beyond;
+    if (near.Mesh.ElementStatus[e] == ElementToTreat && astray > largest)
+    {
+      largest = astray;
+      most = e;
+    }
+  }
+  return most;
+}
+
+/// A strip or an island may be too little for elements of its own, though others are kept.
+void WarnOfVolumeAstray(const Piece& piece, const BandOptions& options, TrimResult& result)
+{
+  const TrimBand& near = *result.Near;
+  const bool isSurface =
+    options.Ladder.CorrectionType != Correction::Eliminate && !near.Mesh.BeforeLayer;
+  if (IsLossTold(piece, result) || !isSurface)
+  {
+    return;
+  }
+  const ElementsAstray astray = MeasureVolumeAstray(near);
+  const int most = FindMostAstray(near);
+  if (astray.MissesWhole() && most >= 0)
+  {
+    result.Warnings.push_back("The volume of " + std::to_string(std::lround(astray.Volume)) +
+      " cut elements is lost, or stays beyond the surface, as it is too little for elements of its "
+      "own: refine the mesh there (EliminatedFraction tells which). The element with most of it is "
+      "at " +
+      nurbs::PlaceText(near.Mesh.Point[near.Mesh.Elements[most].Node[0]]) + ".");
+  }
+}
+
 /// A surface that parts no element, and is not hidden within one either.
 /// @return whether it was warned of.
 bool WarnIfMissed(const Piece& piece, const std::string& unitsHint, TrimResult& result)
@@ -215,14 +267,18 @@ bool WarnIfMissed(const Piece& piece, const std::string& unitsHint, TrimResult& 
   return true;
 }
 
-void WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
+/// @return whether it was warned of.
+bool WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
 {
-  if (!piece.All.Any(std::any_of(result.Kept.begin(), result.Kept.end(), [](char k) { return k; })))
+  const bool isLeft =
+    piece.All.Any(std::any_of(result.Kept.begin(), result.Kept.end(), [](char k) { return k; }));
+  if (!isLeft)
   {
     result.Warnings.push_back(
       "No element is left, as what the surface spares of the grid is too "
       "little for one: refine the mesh, move the surface, or turn the side with InvertSide.");
   }
+  return !isLeft;
 }
 
 }
@@ -230,9 +286,10 @@ void WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
 void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& options,
   const std::string& unitsHint, TrimResult& result)
 {
-  if (!WarnIfMissed(piece, unitsHint, result))
+  bool told = WarnIfMissed(piece, unitsHint, result);
+  if (!told)
   {
-    WarnIfNothingIsLeft(piece, result);
+    told = WarnIfNothingIsLeft(piece, result);
   }
   WarnOfFeasibilities(mesh, piece, result);
   if (result.Near)
@@ -242,6 +299,10 @@ void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& opt
     WarnOfCornersLost(result);
     WarnOfNodesLeft(options, result);
     WarnOfNodesBeside(result);
+    if (!told)
+    {
+      WarnOfVolumeAstray(piece, options, result);
+    }
   }
 }
 

@@ -292,6 +292,27 @@ void TestSlots()
     "strip: crossed twice in " + std::to_string(mixed[CrossedTwice]) + " elements");
 }
 
+// Of the second sheet a strip is spared, of which no element is made.
+void TestStripLost()
+{
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  const Surface plane = PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100);
+  const Outcome outcome = RunTrim(sheets, plane, {});
+  bool told = false;
+  for (const std::string& warning : outcome.Warnings)
+  {
+    told = told || warning.find("The volume of 6 cut elements") != std::string::npos;
+  }
+  Expect(told && outcome.Warnings.size() == 1,
+    "strip lost: " +
+      (outcome.Warnings.empty() ? std::string("nothing told") : outcome.Warnings.front()));
+  TrimOptions rest;
+  rest.InvertSide = true;
+  const Outcome other = RunTrim(sheets, plane, rest);
+  Expect(other.Warnings.empty(), "the other side of a strip: something is told");
+}
+
 void TestStretched()
 {
   // Radius 6 in elements of 1 x 4: a hole of three elements across in one direction.
@@ -430,6 +451,7 @@ int main()
   TestSmallHoles();
   TestAligned();
   TestSlots();
+  TestStripLost();
   TestStretched();
   TestShortfalls();
   TestMirrored();
