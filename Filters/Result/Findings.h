@@ -22,7 +22,7 @@ enum class Feasibility : unsigned char
   Curved = 1,
   Inclined = 2,     ///< the surface and the skin meet under less than 45 degrees
   Narrow = 3,       ///< a hole or slot narrower than three elements
-  CrossedTwice = 4, ///< the surface crosses an edge of the element more than once
+  CrossedTwice = 4, ///< the surface crosses an edge or face of the element more than once
   NotOpened = 5,    ///< a cut-out that is too small to be opened: the element stays whole
   OpenSeam = 6      ///< a face of the element lies on another without common nodes
 };
