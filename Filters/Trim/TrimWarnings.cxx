@@ -286,11 +286,7 @@ bool WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
 void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& options,
   const std::string& unitsHint, TrimResult& result)
 {
-  bool told = WarnIfMissed(piece, unitsHint, result);
-  if (!told)
-  {
-    told = WarnIfNothingIsLeft(piece, result);
-  }
+  const bool told = WarnIfMissed(piece, unitsHint, result) || WarnIfNothingIsLeft(piece, result);
   WarnOfFeasibilities(mesh, piece, result);
   if (result.Near)
   {
