@@ -1,5 +1,6 @@
 #include "NURBSTessellation.h"
 
+#include "LoopThinning.h"
 #include "NURBSFieldData.h"
 #include "SurfaceConstruction.h"
 #include "TrimmedParameterGrid.h"

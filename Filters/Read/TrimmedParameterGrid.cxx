@@ -1,7 +1,8 @@
 #include "TrimmedParameterGrid.h"
 
+#include "EarClipping.h"
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -10,11 +11,6 @@ namespace nurbs
 {
 namespace
 {
-double Cross(const Vec2& a, const Vec2& b, const Vec2& c)
-{
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
 /// Distance of x to the closest of the sorted values.
 double Clearance(const std::vector<double>& sorted, double x)
 {
@@ -87,25 +83,6 @@ std::vector<double> ClearLines(
   lines.front() -= margin;
   lines.back() += margin;
   return lines;
-}
-
-/// Are the corners between two corners of a loop within the tolerance of their chord?
-bool IsChord(
-  const std::vector<Vec2>& loop, size_t first, size_t last, const Vec2& unit, double tolerance)
-{
-  const Vec2 origin = loop[first].cwiseQuotient(unit);
-  const Vec2 chord = loop[last % loop.size()].cwiseQuotient(unit) - origin;
-  for (size_t k = first + 1; k < last; ++k)
-  {
-    const Vec2 arm = loop[k].cwiseQuotient(unit) - origin;
-    const double along =
-      chord.squaredNorm() > 0.0 ? std::clamp(arm.dot(chord) / chord.squaredNorm(), 0.0, 1.0) : 0.0;
-    if ((arm - along * chord).norm() > tolerance)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 /// Where a loop crosses a line of the grid.
@@ -429,73 +406,4 @@ ParameterPolygons DivideTrimmedRectangle(const std::vector<double>& linesU,
   return ParameterGrid(linesU, linesV, loops).Divide();
 }
 
-//------------------------------------------------------------------------------
-std::vector<std::vector<Vec2>> ThinLoops(
-  const std::vector<std::vector<Vec2>>& loops, const Vec2& unit, double tolerance)
-{
-  std::vector<std::vector<Vec2>> thinned;
-  for (const std::vector<Vec2>& loop : loops)
-  {
-    std::vector<Vec2> thin;
-    const size_t n = loop.size();
-    for (size_t anchor = 0; anchor < n;)
-    {
-      thin.push_back(loop[anchor]);
-      // The farthest corner that a chord reaches, not more than a third of the loop away so
-      // that a loop stays a loop.
-      size_t end = anchor + 1;
-      while (end < n && end + 1 - anchor <= std::max<size_t>(1, n / 3) &&
-        IsChord(loop, anchor, end + 1, unit, tolerance))
-      {
-        ++end;
-      }
-      anchor = end;
-    }
-    thinned.push_back(thin.size() < 3 ? loop : thin);
-  }
-  return thinned;
-}
-
-//------------------------------------------------------------------------------
-void TriangulatePolygon(const std::vector<Vec2>& points, const std::vector<int>& polygon,
-  std::vector<std::vector<int>>& triangles)
-{
-  std::vector<int> rest = polygon;
-  size_t at = 0;
-  size_t failures = 0;
-  while (rest.size() > 3)
-  {
-    const size_t n = rest.size();
-    const size_t before = (at + n - 1) % n;
-    const size_t after = (at + 1) % n;
-    const Vec2& a = points[rest[before]];
-    const Vec2& b = points[rest[at]];
-    const Vec2& c = points[rest[after]];
-    bool ear = Cross(a, b, c) > 0.0;
-    for (size_t k = 0; ear && k < n; ++k)
-    {
-      const Vec2& p = points[rest[k]];
-      ear = k == before || k == at || k == after || p == a || p == b || p == c ||
-        Cross(a, b, p) < 0.0 || Cross(b, c, p) < 0.0 || Cross(c, a, p) < 0.0;
-    }
-    // A round without an ear: the polygon is degenerate or crosses itself; go on regardless.
-    if (ear || failures >= n)
-    {
-      triangles.push_back({ rest[before], rest[at], rest[after] });
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(at));
-      // Go on at the next but one corner, so that the ears are spread round the polygon.
-      at = (at + 1) % rest.size();
-      failures = 0;
-    }
-    else
-    {
-      at = after;
-      ++failures;
-    }
-  }
-  if (rest.size() == 3)
-  {
-    triangles.push_back(rest);
-  }
-}
 }

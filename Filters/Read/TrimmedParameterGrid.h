@@ -34,16 +34,6 @@ ParameterPolygons DivideRectangle(
 ParameterPolygons DivideTrimmedRectangle(const std::vector<double>& linesU,
   const std::vector<double>& linesV, const std::vector<std::vector<Vec2>>& loops);
 
-/**
- * Loops with fewer corners, for drawing: those left out are within `tolerance` of the chord that
- * takes their place, u and v measured in units of `unit`. Corners that are kept are not moved.
- */
-std::vector<std::vector<Vec2>> ThinLoops(
-  const std::vector<std::vector<Vec2>>& loops, const Vec2& unit, double tolerance);
-
-/// Ear clipping of one simple polygon, counter-clockwise; n-2 triangles are appended.
-void TriangulatePolygon(const std::vector<Vec2>& points, const std::vector<int>& polygon,
-  std::vector<std::vector<int>>& triangles);
 }
 
 #endif

@@ -1,8 +1,8 @@
 #include "CADFaceConversion.h"
 
 #include "CADWires.h"
+#include "LoopThinning.h"
 #include "ParameterPolygon.h"
-#include "TrimmedParameterGrid.h"
 
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
