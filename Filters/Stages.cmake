@@ -26,6 +26,7 @@ add_library(NURBSTrimStages STATIC
   Classify/PieceSides.cxx
   Decide/CutEdges.cxx
   Decide/Decision.cxx
+  Decide/ElementTetrahedra.cxx
   Decide/EliminatedFraction.cxx
   Decide/Manifold.cxx
   Decide/MovingNodes.cxx

@@ -39,6 +39,17 @@ inline ElementStatus StatusOfElement(const unsigned char* nodeStatus, int count)
   return !eliminate ? ElementKeep : keep ? ElementToTreat : ElementEliminate;
 }
 
+/// Whether the four nodes of a face lie on the two sides by turns: the surface passes between
+/// those that are opposite each other, on both sides of one or the other diagonal.
+/// @param statusOf node statuses by the place of the node in the face.
+template <typename StatusOf>
+bool LieByTurns(const StatusOf& statusOf)
+{
+  const auto first = statusOf(0), second = statusOf(1);
+  return first == statusOf(2) && second == statusOf(3) && first != second &&
+    first != NodeOnSurface && second != NodeOnSurface;
+}
+
 }
 
 #endif

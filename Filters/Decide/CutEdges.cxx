@@ -34,32 +34,14 @@ std::vector<std::array<int, 2>> EdgesOf(const std::array<Tetrahedron, N>& tetrah
 
 }
 
-std::array<int, 8> NodesFromFirst(const BandElement& element)
-{
-  const auto& node = element.Node;
-  const int corners = element.Count / 2; // of one end
-  const auto first =
-    static_cast<int>(std::min_element(node.begin(), node.begin() + element.Count) - node.begin());
-  // Seen from the other end they go round the other way.
-  const bool turned = first >= corners;
-  std::array<int, 8> nodes = node;
-  for (int i = 0; i < corners; ++i)
-  {
-    const int corner = (first + (turned ? corners - i : i)) % corners;
-    nodes[i] = node[turned ? corner + corners : corner];
-    nodes[i + corners] = node[turned ? corner : corner + corners];
-  }
-  return nodes;
-}
-
 CutEdges::CutEdges(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
   : Status(band.NodeStatus)
 {
-  this->ListEdges(band);
+  this->ListEdges(band, surface);
   this->Cross(band, surface, gap);
 }
 
-void CutEdges::ListEdges(const Band& band)
+void CutEdges::ListEdges(const Band& band, const nurbs::TrimmingSurface& surface)
 {
   constexpr Id length = 1000;
   const auto ofHexahedron = EdgesOf(HexahedronTetrahedra);
@@ -77,7 +59,7 @@ void CutEdges::ListEdges(const Band& band)
         {
           continue;
         }
-        const std::array<int, 8> nodes = NodesFromFirst(element);
+        const std::array<int, 8> nodes = OrderForTetrahedra(band, element, surface);
         for (const auto& [i, j] : element.Count == 8 ? ofHexahedron : ofWedge)
         {
           const std::array<int, 2> edge{ nodes[i], nodes[j] };

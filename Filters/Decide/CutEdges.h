@@ -8,22 +8,11 @@
 #define CutEdges_h
 
 #include "Band.h"
+#include "ElementTetrahedra.h"
 #include "TrimmingSurface.h"
 
 namespace trim
 {
-
-using Tetrahedron = std::array<int, 4>; ///< places in NodesFromFirst
-
-/// The nodes of an element from that which is the first one of the band on, in a positive order:
-/// into which tetrahedra an element is divided must not depend on how it is numbered.
-std::array<int, 8> NodesFromFirst(const BandElement& element);
-
-/// Six tetrahedra round the diagonal 0-6, and three in a wedge; positive in VTK's node order.
-constexpr std::array<Tetrahedron, 6> HexahedronTetrahedra = { { { 0, 1, 2, 6 }, { 0, 2, 3, 6 },
-  { 0, 3, 7, 6 }, { 0, 7, 4, 6 }, { 0, 4, 5, 6 }, { 0, 5, 1, 6 } } };
-constexpr std::array<Tetrahedron, 3> WedgeTetrahedra = { { { 0, 1, 2, 5 }, { 0, 1, 5, 4 },
-  { 0, 4, 5, 3 } } };
 
 class CutEdges
 {
@@ -42,7 +31,7 @@ public:
   std::array<int, 2> FindMissed() const;
 
 private:
-  void ListEdges(const Band& band);
+  void ListEdges(const Band& band, const nurbs::TrimmingSurface& surface);
   void Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap);
 
   const std::vector<unsigned char>& Status;

@@ -14,7 +14,7 @@ double Volume(const std::array<Vec3, 4>& p)
   return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6.0;
 }
 
-/// The edges of one element by the places of its nodes in NodesFromFirst.
+/// The edges of one element by the places of its nodes in OrderForTetrahedra.
 struct ElementEdges
 {
   std::array<int, 8> Node;
@@ -90,10 +90,11 @@ ElementVolumes Measure(
 
 }
 
-ElementVolumes MeasureEliminated(const Band& band, int element, const CutEdges& edges)
+ElementVolumes MeasureEliminated(
+  const Band& band, int element, const nurbs::TrimmingSurface& surface, const CutEdges& edges)
 {
   const auto& e = band.Elements[element];
-  const ElementEdges ofElement{ NodesFromFirst(e), band.NodeStatus, edges };
+  const ElementEdges ofElement{ OrderForTetrahedra(band, e, surface), band.NodeStatus, edges };
   return e.Count == 8 ? Measure(HexahedronTetrahedra, band, ofElement)
                       : Measure(WedgeTetrahedra, band, ofElement);
 }

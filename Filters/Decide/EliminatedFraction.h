@@ -21,7 +21,8 @@ struct ElementVolumes
 };
 
 /// Volumes of one element.
-ElementVolumes MeasureEliminated(const Band& band, int element, const CutEdges& edges);
+ElementVolumes MeasureEliminated(
+  const Band& band, int element, const nurbs::TrimmingSurface& surface, const CutEdges& edges);
 
 }
 

@@ -26,7 +26,7 @@ bool MeasureShares(const Band& band, const Columns& columns, const nurbs::Trimmi
     {
       for (Id e = begin; e < end; ++e)
       {
-        const auto volumes = MeasureEliminated(band, static_cast<int>(e), edges);
+        const auto volumes = MeasureEliminated(band, static_cast<int>(e), surface, edges);
         shares.Volume[e] = volumes.Total;
         shares.Element[e] = band.ElementStatus[e] == ElementKeep ? 0.0
           : band.ElementStatus[e] == ElementEliminate            ? 1.0

@@ -530,23 +530,16 @@ private:
     std::sort(this->CellsAtSeams.begin(), this->CellsAtSeams.end());
   }
 
-  /// Whether the nodes of a face lie on the two sides by turns: the surface passes between those
-  /// that are opposite each other, on both sides of one or the other diagonal.
+  /// Whether the surface crosses a face twice, for all its nodes tell.
   bool HasMixedFace(const Probe& probe) const
   {
-    const auto& topology = TopologyOf(probe.Count);
+    const auto& faces = TopologyOf(probe.Count).Faces;
     const auto& status = this->Result.Nodes.Status;
-    for (int f = 0; f < topology.NumberOfFaces; ++f)
-    {
-      const auto& face = topology.Faces[f];
-      const auto at = [&](int i) { return status[probe.Node[face.Node[i]]]; };
-      if (face.Count == 4 && at(0) == at(2) && at(1) == at(3) && at(0) != at(1) &&
-        at(0) != NodeOnSurface && at(1) != NodeOnSurface)
-      {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(faces.begin(), faces.end(),
+      [&](const FaceNodes& face) {
+        return face.Count == 4 &&
+          LieByTurns([&](int i) { return status[probe.Node[face.Node[i]]]; });
+      });
   }
 
   bool IsCrossedTwice(const Probe& probe) const

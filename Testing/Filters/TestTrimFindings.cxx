@@ -276,6 +276,39 @@ Surface Slot(const Mesh& sheet, double width, double angle = 0.02)
   return MakeSurface("slot", box, at);
 }
 
+/// Share of an element of an upright sheet beyond a surface that goes straight through it.
+double SampleShare(vtkCell* element, const Surface& surface)
+{
+  constexpr int count = 40;
+  double box[6];
+  element->GetBounds(box);
+  int beyond = 0;
+  for (int i = 0; i < count * count; ++i)
+  {
+    const double u = (i % count + 0.5) / count, v = (i / count + 0.5) / count;
+    beyond += surface.Signed(Vec3(box[0] + u * (box[1] - box[0]), box[2] + v * (box[3] - box[2]),
+                0.5 * (box[4] + box[5]))) > 0;
+  }
+  return static_cast<double>(beyond) / (count * count);
+}
+
+/// EliminatedFraction of elements with a face that the surface crosses twice.
+void ExpectShares(const std::string& name, vtkUnstructuredGrid* whole, const Surface& surface)
+{
+  vtkDataArray* found = whole->GetCellData()->GetArray("Feasibility");
+  vtkDataArray* shares = whole->GetCellData()->GetArray("EliminatedFraction");
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    if (found->GetComponent(c, 0) == CrossedTwice)
+    {
+      const double share = shares->GetComponent(c, 0);
+      const double sampled = SampleShare(whole->GetCell(c), surface);
+      Expect(std::abs(share - sampled) < 0.02,
+        name + ": a share of " + std::to_string(share) + " for " + std::to_string(sampled));
+    }
+  }
+}
+
 void TestSlots()
 {
   const Mesh sheet = Sheet(30, 30, 1, Vec3(1, 1, 0.4));
@@ -287,9 +320,16 @@ void TestSlots()
   Expect(lost > 10, "thin slot: not opened in " + std::to_string(lost) + " elements");
   // Along the diagonals of elements, whose other two nodes lie beside it: no edge is crossed twice,
   // but faces are.
-  auto mixed = ExpectWarned("strip", RunTrim(sheet, Slot(sheet, 0.8, 45 * Degree), {}));
-  Expect(mixed[CrossedTwice] > 10,
-    "strip: crossed twice in " + std::to_string(mixed[CrossedTwice]) + " elements");
+  for (const double angle : { 45.0, 135.0 })
+  {
+    const std::string name = "strip at " + std::to_string(angle);
+    const Surface strip = Slot(sheet, 0.8, angle * Degree);
+    const Outcome outcome = RunTrim(sheet, strip, {});
+    auto mixed = ExpectWarned(name, outcome);
+    Expect(mixed[CrossedTwice] > 10,
+      name + ": crossed twice in " + std::to_string(mixed[CrossedTwice]) + " elements");
+    ExpectShares(name, outcome.Case.Whole, strip);
+  }
 }
 
 // Of the second sheet a strip is spared, of which no element is made.
