@@ -83,6 +83,7 @@ add_library(NURBSTrimStages STATIC
   Trim/ElementsAstray.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx
+  Trim/InputTimes.cxx
   Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
   Trim/OpenSeams.cxx

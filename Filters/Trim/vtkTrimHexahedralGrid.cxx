@@ -4,6 +4,7 @@
 #include "ControllerRanks.h"
 #include "GhostCells.h"
 #include "InputScale.h"
+#include "InputTimes.h"
 #include "NameClashes.h"
 #include "NodeOrdering.h"
 #include "OffcutGrid.h"
@@ -154,6 +155,20 @@ trim::TrimOptions vtkTrimHexahedralGrid::Options() const
   options.OfBand.ProduceOffcut = this->ProduceOffcut;
   options.OfBand.InsertLayer = this->InsertLayer;
   return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkTrimHexahedralGrid::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Superclass::RequestInformation(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  // VTK passes on the times of the grid alone.
+  trim::TellTimes(
+    inputVector[0]->GetInformationObject(0), inputVector[1]->GetInformationObject(0), outputVector);
+  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -1,9 +1,10 @@
 """Every way to bring a surface to the second port gives the same trim: a source, a .vtp file,
-a composite data set of one, and a shell of faces."""
+a series of them in time, a composite data set of one, and a shell of faces."""
 import os
 
 from paraview.simple import (GroupDatasets, NURBSSurfaceSource, SaveData,
                              XMLPolyDataReader)
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from Checks import (OUTPUT_DIRECTORY, check, check_equal, fetch, plane_at, same_grids, sheet,
                     summary, trim, wave_at)
@@ -43,6 +44,23 @@ def check_shell():
     check(shell["MaximumDistanceToSurface"] < 1e-8, "nodes off the shell")
 
 
+def check_times():
+    """A surface that moves in time trims a mesh that does not, anew at each of its times."""
+    places = (8.3, 10.3, 12.3)
+    paths = [os.path.join(OUTPUT_DIRECTORY, "plane%d.vtp" % i) for i in range(len(places))]
+    for path, place in zip(paths, places):
+        SaveData(path, plane_at(place), DataMode="Binary")
+    result = trim(sheet(), XMLPolyDataReader(FileName=paths))
+    trimmed = result.GetClientSideObject()
+    times = trimmed.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    check_equal(times, (0.0, 1.0, 2.0), "times of the result")
+    for time, place in enumerate(places):
+        result.UpdatePipeline(time)
+        same_grids(trimmed.GetOutputDataObject(0), fetch(trim(sheet(), plane_at(place))),
+                   "time %d" % time)
+
+
 check_files(fetch(trim(sheet(), wave_at(10.3))))
 check_composite_output()
 check_shell()
+check_times()
