@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <sstream>
 #include <system_error>
 
 namespace nurbs
@@ -23,10 +24,10 @@ struct Separators
 };
 const Separators Semicolons{ ";", true };
 const Separators Commas{ ",", true };
-const Separators Blanks{ " \t\r", false };
-const Separators SemicolonsOrBlanks{ "; \t\r", false };
-const Separators CommasOrBlanks{ ", \t\r", false };
-const Separators Any{ ",; \t\r", false };
+const Separators Blanks{ " \t", false };
+const Separators SemicolonsOrBlanks{ "; \t", false };
+const Separators CommasOrBlanks{ ", \t", false };
+const Separators Any{ ",; \t", false };
 
 std::string WithoutBlanksAround(const std::string& text)
 {
@@ -166,6 +167,22 @@ bool IsUTF16(std::istream& stream)
 {
   const int first = stream.peek();
   return first == 0xFF || first == 0xFE;
+}
+
+/// The rest of a file with line ends of one kind: some spreadsheets end lines with a carriage
+/// return alone.
+std::istringstream TakeLines(std::istream& stream)
+{
+  std::string text;
+  for (char c; stream.get(c);)
+  {
+    const bool ofTwo = c == '\r' && stream.peek() == '\n';
+    if (!ofTwo)
+    {
+      text += c == '\r' ? '\n' : c;
+    }
+  }
+  return std::istringstream(text);
 }
 
 /// Not strtod: a decimal point whatever the locale.
@@ -308,12 +325,13 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     return false;
   }
   SkipByteOrderMark(stream);
+  std::istringstream lines = TakeLines(stream);
   std::string line;
   Layout layout;
   Points read;
   bool headerMayCome = true;
   Paragraphs paragraphs;
-  for (size_t number = 1; std::getline(stream, line); ++number)
+  for (size_t number = 1; std::getline(lines, line); ++number)
   {
     const std::vector<std::string> values = SplitLine(line, Any);
     if (values.empty())

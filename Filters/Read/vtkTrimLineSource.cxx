@@ -6,6 +6,7 @@
 #include "CurveChain.h"
 #include "FirstRank.h"
 #include "NURBSTessellation.h"
+#include "PlaceText.h"
 #include "PropertyLimits.h"
 #include "SheetSkin.h"
 #include "TrimLineFile.h"
@@ -41,6 +42,21 @@ FileStamp StampOf(const std::string& path, int lengthUnit)
   std::error_code unread;
   return { path, std::filesystem::last_write_time(path, unread),
     std::filesystem::file_size(path, unread), lengthUnit };
+}
+
+/// What the user has to know of a direction that nobody gave; empty: somebody did.
+std::string DescribeFound(const nurbs::Sweep& wanted, const nurbs::Sweep& used, bool onSheet)
+{
+  if (!wanted.Direction.isZero(0.0))
+  {
+    return {};
+  }
+  const std::string direction =
+    "; Direction was not given and found to be " + nurbs::PlaceText(used.Direction);
+  return onSheet ? direction +
+      ", as the skin of Sheet faces near the line: a line round a wall, where the skin "
+      "turns, goes along no one direction; give one, or cut by a plane"
+                 : direction;
 }
 
 /// The sweep as it was used, for those who want to know.
@@ -359,7 +375,8 @@ int vtkTrimLineSource::RequestData(
   {
     if (first)
     {
-      vtkErrorMacro(<< "The trim line is not valid: " << defect << ".");
+      vtkErrorMacro(<< "The trim line is not valid: " << defect
+                    << DescribeFound(wanted, sweep, sheet != nullptr) << ".");
     }
     return 1;
   }

@@ -440,6 +440,7 @@ void TestFile()
   for (const std::string text : { "x,y,z\n0,0,0\n4,0,0.5\n4,3,0\n-1e1,3,0\n0,0,0\n",
          "\xEF\xBB\xBF"
          "0,0,0\n4,0,0.5\n4,3,0\n-10,3,0\n",
+         "0,0,0\r4,0,0.5\r4,3,0\r-10,3,0\r",
          "# contour\r\n0; 0; 0\r\n+4;0;.5\r\n\r\n4 3\t0\r\n-10 3 0",
          "\"0\",\"0\",\"0\"\n\"4\",\"0\",\"0.5\"\n4,3,0\n-10,3,0\n0.0001,0,0\n",
          "\"Point ID\",\"Points:0\",\"Points:1\",\"Points:2\",\"Points_Magnitude\"\n0,0,0,0,0\n"
@@ -573,6 +574,23 @@ void TestBadInput()
   CheckError("encloses no area",
     [](Source* s) {
       Give(s, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, true);
+    });
+  // Round the wall of a tube, whose skin faces everywhere.
+  CheckError("Direction was not given and found to be",
+    [](Source* s)
+    {
+      const auto onTube = [](const Vec3& p)
+      {
+        const double angle = 0.1 * M_PI * p.x();
+        return Vec3((6 + p.z()) * std::cos(angle), (6 + p.z()) * std::sin(angle), p.y());
+      };
+      s->SetInputData(MakeSheet(onTube));
+      Points circle;
+      for (int i = 0; i < 20; ++i)
+      {
+        circle.push_back(onTube(Vec3(i, 6, 0.4)));
+      }
+      Give(s, circle, true);
     });
   // An eight, whose lobes cross where the chords do by symmetry; a polyline over itself, and one
   // that goes back the way it came.
