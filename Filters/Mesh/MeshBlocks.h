@@ -110,9 +110,23 @@ std::vector<Id> FindCells(
     {
       return;
     }
+    if (search == CellSearch::WholeRuns)
+    {
+      for (Id c = first; c < last; ++c)
+      {
+        cells.push_back(c);
+      }
+      return;
+    }
+    // All boxes come first, so that the processor waits for the points of several cells at once.
+    std::array<Box3, MeshBlocks::CellsPerRun> boxes;
     for (Id c = first; c < last; ++c)
     {
-      if (search == CellSearch::WholeRuns || test(CellBox(mesh, c)))
+      boxes[c - first] = CellBox(mesh, c);
+    }
+    for (Id c = first; c < last; ++c)
+    {
+      if (test(boxes[c - first]))
       {
         cells.push_back(c);
       }
