@@ -221,8 +221,8 @@ std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks
         {
           continue;
         }
-        const int run = blocks.FirstRunOf(i);
-        const unsigned char side = run == MeshBlocks::NoRun ? unknown : sides[run];
+        const int cluster = blocks.FirstClusterOf(i);
+        const unsigned char side = cluster == MeshBlocks::NoCluster ? unknown : sides[cluster];
         status[i] = side == NodeUnknown ? ofRoot[sets.Find(i)] : side;
         if (status[i] == NodeUnknown)
         {
@@ -238,6 +238,26 @@ std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks
   return all;
 }
 
+template <typename Index>
+void AssignSidesOfClusters(const MeshBlocks& blocks, const std::vector<unsigned char>& ofRoot,
+  SideSets<Index>& sets, NodeClassification& result)
+{
+  constexpr unsigned char unknown = NodeUnknown;
+  const auto sideOf = [&](Id cluster)
+  { return sets.IsFarCluster(cluster) ? ofRoot[sets.FindCluster(cluster)] : unknown; };
+  result.ClusterSide.resize(blocks.NumberOfClusters());
+  vtkSMPTools::For(0, blocks.NumberOfClusterRuns(), 10000,
+    [&](Id begin, Id end)
+    {
+      for (Id run = begin; run < end; ++run)
+      {
+        unsigned char* const sides = &result.ClusterSide[2 * run];
+        sides[0] = sideOf(2 * run);
+        sides[1] = blocks.IsOneCluster(run) ? sides[0] : sideOf(2 * run + 1);
+      }
+    });
+}
+
 /// Gives nodes the side of their set, and far clusters theirs. Returns, by root, the sets that have
 /// none: parts of the mesh that the surface does not meet.
 template <typename Index>
@@ -245,16 +265,7 @@ std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
   const MeshBlocks& blocks, const std::vector<unsigned char>& ofRoot, SideSets<Index>& sets,
   NodeClassification& result)
 {
-  constexpr unsigned char unknown = NodeUnknown;
-  result.ClusterSide.assign(sets.NumberOfRuns(), NodeUnknown);
-  vtkSMPTools::For(0, sets.NumberOfRuns(), 10000,
-    [&](Id begin, Id end)
-    {
-      for (Id run = begin; run < end; ++run)
-      {
-        result.ClusterSide[run] = sets.IsFarCluster(run) ? ofRoot[sets.FindCluster(run)] : unknown;
-      }
-    });
+  AssignSidesOfClusters(blocks, ofRoot, sets, result);
   std::vector<std::pair<Id, OutermostNodes>> farParts;
   std::unordered_map<Index, std::size_t> partOfRoot;
   for (const Id i : AssignSidesOfNodes(mesh, blocks, ofRoot, sets, result))

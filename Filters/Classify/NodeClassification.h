@@ -45,7 +45,8 @@ struct NodeClassification
   PageVector<unsigned char> Status;                  ///< of every node
   std::vector<std::pair<Id, float>> SignedDistances; ///< of nodes that were projected, ascending
   std::vector<Id> CandidateCells;                    ///< whose boxes meet the surface, ascending
-  /// Of each run of MeshBlocks::CellsPerCluster cells: the side of all its cells, if that is known.
+  /// Of each cluster of the mesh: the side of all its cells, if that is known. An empty second one
+  /// of a run has that of the first.
   std::vector<unsigned char> ClusterSide;
   NodeFeet Near; ///< of the nodes of CandidateCells
 };

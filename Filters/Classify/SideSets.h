@@ -4,7 +4,7 @@
  * them.
  *
  * A cluster of the mesh that the surface does not meet is in one set as a whole, so only nodes of
- * other runs of cells are looked at one by one.
+ * other cells are looked at one by one.
  */
 #ifndef SideSets_h
 #define SideSets_h
@@ -21,7 +21,7 @@
 namespace trim
 {
 
-/// A set is told by its root: a run of cells, or a node behind all runs. All threads may ask.
+/// A set is told by its root: a cluster, or a node behind all clusters. All threads may ask.
 template <typename Index>
 class SideSets
 {
@@ -30,12 +30,16 @@ public:
   SideSets(const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& candidates)
     : Mesh(mesh)
     , Blocks(blocks)
-    , IsFar(blocks.IsCluster)
+    , IsFar(blocks.NumberOfClusters())
     , Sets(this->Size())
   {
+    for (Id cluster = 0; cluster < blocks.NumberOfClusters(); ++cluster)
+    {
+      this->IsFar[cluster] = blocks.AreClusters(cluster / 2);
+    }
     for (const Id c : candidates)
     {
-      this->IsFar[c / MeshBlocks::CellsPerCluster] = 0;
+      this->IsFar[blocks.ClusterOf(c)] = 0;
     }
     this->UniteCells(candidates);
     this->UniteClusters();
@@ -43,62 +47,60 @@ public:
 
   Index Size() const
   {
-    return static_cast<Index>(this->NumberOfRuns() + this->Mesh.NumberOfPoints);
+    return static_cast<Index>(this->Blocks.NumberOfClusters() + this->Mesh.NumberOfPoints);
   }
   /// The set of a node; it changes as sets are united.
   Index Find(Id node) { return this->Sets.Find(this->SetOf(node)); }
   void Unite(Id a, Id b) { this->Sets.Unite(this->SetOf(a), this->SetOf(b)); }
 
-  /// Whether all cells of a run lie on one side; its set.
-  bool IsFarCluster(Id run) const { return this->IsFar[run] != 0; }
-  Index FindCluster(Id run) { return this->Sets.Find(static_cast<Index>(run)); }
-  Id NumberOfRuns() const { return static_cast<Id>(this->IsFar.size()); }
+  /// Whether all cells of a cluster lie on one side; its set.
+  bool IsFarCluster(Id cluster) const { return this->IsFar[cluster] != 0; }
+  Index FindCluster(Id cluster) { return this->Sets.Find(static_cast<Index>(cluster)); }
 
 private:
-  /// The set of a node before any are united: its first run of cells, if that is a far cluster, or
-  /// one of its own.
+  /// The set of a node before any are united: its first cluster, if that is far, or one of its own.
   Index SetOf(Id node) const
   {
-    const int run = this->Blocks.FirstRunOf(node);
-    return run == MeshBlocks::NoRun || !this->IsFar[run]
-      ? static_cast<Index>(this->NumberOfRuns() + node)
-      : static_cast<Index>(run);
+    const int cluster = this->Blocks.FirstClusterOf(node);
+    return cluster == MeshBlocks::NoCluster || !this->IsFar[cluster]
+      ? static_cast<Index>(this->Blocks.NumberOfClusters() + node)
+      : static_cast<Index>(cluster);
   }
 
   template <typename Action>
-  void ForCells(Id run, const Action& action) const
+  void ForCells(Id cluster, const Action& action) const
   {
     std::array<Id, 8> nodes;
-    const Id end = std::min(this->Mesh.NumberOfCells, (run + 1) * MeshBlocks::CellsPerCluster);
-    for (Id c = run * MeshBlocks::CellsPerCluster; c < end; ++c)
+    const Id end = std::min(this->Mesh.NumberOfCells, this->Blocks.FirstCellOfCluster(cluster + 1));
+    for (Id c = this->Blocks.FirstCellOfCluster(cluster); c < end; ++c)
     {
       action(c, nodes, this->Mesh.Cell(c, nodes));
     }
   }
 
-  /// Joins the nodes of each cell that the surface does not meet, outside of clusters.
+  /// Joins the nodes of each cell that the surface does not meet, outside of far clusters.
   void UniteCells(const std::vector<Id>& candidates)
   {
-    vtkSMPTools::For(0, this->NumberOfRuns(), LightGrain,
+    vtkSMPTools::For(0, this->Blocks.NumberOfClusters(), LightGrain,
       [&](Id begin, Id end)
       {
         auto next = std::lower_bound(
-          candidates.begin(), candidates.end(), begin * MeshBlocks::CellsPerCluster);
-        for (Id run = begin; run < end; ++run)
+          candidates.begin(), candidates.end(), this->Blocks.FirstCellOfCluster(begin));
+        for (Id cluster = begin; cluster < end; ++cluster)
         {
-          if (!this->IsFar[run])
+          if (!this->IsFar[cluster])
           {
-            this->UniteCellsOf(run, candidates, next);
+            this->UniteCellsOf(cluster, candidates, next);
           }
         }
       });
   }
 
-  /// @param[in,out] next the first candidate not before the run.
+  /// @param[in,out] next the first candidate not before the cluster.
   void UniteCellsOf(
-    Id run, const std::vector<Id>& candidates, std::vector<Id>::const_iterator& next)
+    Id cluster, const std::vector<Id>& candidates, std::vector<Id>::const_iterator& next)
   {
-    this->ForCells(run,
+    this->ForCells(cluster,
       [&](Id c, const std::array<Id, 8>& nodes, int count)
       {
         if (next != candidates.end() && *next == c)
@@ -160,7 +162,7 @@ private:
 
   const HexMesh& Mesh;
   const MeshBlocks& Blocks;
-  std::vector<char> IsFar; ///< of each run of cells
+  std::vector<char> IsFar; ///< of each cluster
   ConcurrentSets<Index> Sets;
 };
 

@@ -57,7 +57,7 @@ void FindUnusedNodes(const HexMesh& mesh, MeshBlocks& blocks)
 {
   for (Id p = 0; p < mesh.NumberOfPoints; ++p)
   {
-    if (blocks.FirstRunOf(p) == MeshBlocks::NoRun)
+    if (blocks.FirstClusterOf(p) == MeshBlocks::NoCluster)
     {
       blocks.UnusedNodes.push_back(p);
     }
@@ -85,39 +85,32 @@ public:
   std::vector<std::pair<int, int>> Links;
   Id NumberOfNodes = 0; ///< that no cell had used before
 
-  void JoinCluster(int run)
+  void JoinRun(int run)
   {
     const std::size_t first = this->Links.size();
-    const int own = MeshBlocks::NoRun - run;
-    std::array<int, 8> known; // earlier run at each corner of the cell before: most are the same
-    known.fill(own);
+    const Id begin = run * MeshBlocks::CellsPerClusterRun;
+    const Id end = std::min(this->Mesh.NumberOfCells, begin + MeshBlocks::CellsPerClusterRun);
+    Id firstLength = MeshBlocks::CellsPerClusterRun;
+    int cluster = 2 * run;
+    std::array<int, 8> known; // earlier cluster at corners of the cell before: most are the same
+    known.fill(MeshBlocks::NoCluster - cluster);
     std::array<Id, 8> nodes{}, before{};
     int countBefore = 0;
-    bool isCluster = true;
-    const Id begin = run * MeshBlocks::CellsPerCluster;
-    const Id end = std::min(this->Mesh.NumberOfCells, begin + MeshBlocks::CellsPerCluster);
-    std::atomic<int>* const runs = this->Blocks.RunOfNode.data();
     for (Id c = begin; c < end; ++c)
     {
       const int count = this->Mesh.Cell(c, nodes);
-      isCluster &= c == begin || ShareNode(nodes, count, before, countBefore);
-      for (int i = 0; i < count; ++i)
+      if (c > begin && !ShareNode(nodes, count, before, countBefore))
       {
-        const int seen = runs[nodes[i]].load(std::memory_order_relaxed);
-        if (seen != own && seen != known[i])
-        {
-          known[i] = this->JoinNode(runs[nodes[i]], seen, own);
-          if (isCluster && known[i] != own)
-          {
-            this->AddLink(run, MeshBlocks::NoRun - known[i], first);
-          }
-        }
+        firstLength = firstLength == MeshBlocks::CellsPerClusterRun ? c - begin : 0;
+        cluster = 2 * run + 1;
+        known.fill(MeshBlocks::NoCluster - cluster);
       }
+      this->JoinCell(nodes, count, cluster, firstLength > 0, known);
       before = nodes;
       countBefore = count;
     }
-    this->Blocks.IsCluster[run] = isCluster;
-    if (!isCluster)
+    this->Blocks.FirstLength[run] = static_cast<unsigned char>(firstLength);
+    if (firstLength == 0)
     {
       this->Links.resize(first);
     }
@@ -126,7 +119,28 @@ public:
   }
 
 private:
-  /// Runs are told by how far they lie before NoRun. Returns the first that the node has now.
+  /// @param isCluster links to earlier clusters are to be added.
+  void JoinCell(const std::array<Id, 8>& nodes, int count, int cluster, bool isCluster,
+    std::array<int, 8>& known)
+  {
+    std::atomic<int>* const clusters = this->Blocks.ClusterOfNode.data();
+    const int own = MeshBlocks::NoCluster - cluster;
+    for (int i = 0; i < count; ++i)
+    {
+      const int seen = clusters[nodes[i]].load(std::memory_order_relaxed);
+      if (seen != own && seen != known[i])
+      {
+        known[i] = this->JoinNode(clusters[nodes[i]], seen, own);
+        if (isCluster && known[i] != own)
+        {
+          this->AddLink(cluster, MeshBlocks::NoCluster - known[i]);
+        }
+      }
+    }
+  }
+
+  /// Clusters are told by how far they are before NoCluster. Returns the first that the node has
+  /// now.
   int JoinNode(std::atomic<int>& node, int seen, int own)
   {
     if (this->Alone && seen == 0)
@@ -141,18 +155,24 @@ private:
     this->NumberOfNodes += seen == 0;
     if (seen != 0 && seen < own)
     {
-      this->Later.emplace_back(MeshBlocks::NoRun - seen, MeshBlocks::NoRun - own);
+      this->Later.emplace_back(MeshBlocks::NoCluster - seen, MeshBlocks::NoCluster - own);
     }
     return std::max(seen, own);
   }
 
-  void AddLink(int run, int earlier, std::size_t first)
+  void AddLink(int cluster, int earlier)
   {
-    const std::pair<int, int> link(run, earlier);
-    if (std::find(this->Links.begin() + first, this->Links.end(), link) == this->Links.end())
+    // Those of a cluster are the last ones.
+    const std::pair<int, int> link(cluster, earlier);
+    for (auto known = this->Links.rbegin(); known != this->Links.rend() && known->first == cluster;
+         ++known)
     {
-      this->Links.push_back(link);
+      if (*known == link)
+      {
+        return;
+      }
     }
+    this->Links.push_back(link);
   }
 
   const HexMesh& Mesh;
@@ -317,11 +337,11 @@ void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshB
 void MeasureAndJoin(
   const HexMesh& mesh, Id block, MeshBlocks& blocks, Joiner& joiner, LargestCells& largest)
 {
-  constexpr Id clusters = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerCluster;
-  const auto end = std::min(static_cast<Id>(blocks.IsCluster.size()), (block + 1) * clusters);
-  for (Id run = block * clusters; run < end; ++run)
+  constexpr Id runs = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerClusterRun;
+  const Id end = std::min(blocks.NumberOfClusterRuns(), (block + 1) * runs);
+  for (Id run = block * runs; run < end; ++run)
   {
-    joiner.JoinCluster(static_cast<int>(run));
+    joiner.JoinRun(static_cast<int>(run));
   }
   if (mesh.PointsDouble)
   {
@@ -337,17 +357,17 @@ void MeasureAndJoin(
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
 {
-  static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerCluster == 0 &&
-      MeshBlocks::CellsPerCluster % MeshBlocks::CellsPerRun == 0,
+  static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerClusterRun == 0 &&
+      MeshBlocks::CellsPerClusterRun % MeshBlocks::CellsPerRun == 0,
     "blocks are filled by several threads, clusters by runs");
   MeshBlocks blocks;
   const Id count = NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
   blocks.Boxes.resize(count);
   blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
-  blocks.IsCluster.assign(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerCluster), 1);
+  blocks.FirstLength.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerClusterRun));
   std::vector<LargestCells> largest(count);
-  blocks.RunOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
+  blocks.ClusterOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   constexpr Id grain = 256;
   const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
   std::vector<Joiner> joiners(NumberOfRuns(count, grain), Joiner(mesh, blocks, alone));

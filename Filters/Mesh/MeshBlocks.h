@@ -1,7 +1,7 @@
 /**
  * @file MeshBlocks.h
  * @brief Boxes round runs of consecutive cells, so that most of a mesh is answered by the run, the
- * volumes of the cells, and which runs are joined.
+ * volumes of the cells, and which pieces of it are joined.
  *
  * Depends on the mesh alone, so it is kept while only the surface changes.
  */
@@ -32,12 +32,14 @@ struct MeshBlocks
   PageVector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
   PageVector<double> Volumes;               ///< of every cell, >= 0
 
-  /// Clusters, whole pieces of the mesh: runs of cells, each but the first of which shares a node
-  /// with the one before. In a mesh in random order there are none.
-  static constexpr Id CellsPerCluster = 16;
-  std::vector<char> IsCluster;            ///< of each run of so many cells
-  PageVector<std::atomic<int>> RunOfNode; ///< how far its first run lies before NoRun, 0: none
-  /// Cluster and a run before it with a common node. All clusters with a node are linked with one
+  /// Clusters, whole pieces of the mesh: sequences of cells, each but the first of which shares a
+  /// node with the one before. Each run of so many cells is two of them, the second one empty but
+  /// where a row of elements ends. In a mesh in random order there are none.
+  static constexpr Id CellsPerClusterRun = 16;
+  std::vector<unsigned char> FirstLength; ///< cells of a run's first cluster; 0: it is no clusters
+  /// How far the first cluster of each node is before NoCluster; 0: it has none.
+  PageVector<std::atomic<int>> ClusterOfNode;
+  /// Cluster and one before it with a common node. All clusters with a node are linked with one
   /// another, through others or through runs that are no clusters.
   std::vector<std::pair<int, int>> Links;
   std::vector<Id> UnusedNodes; ///< ascending
@@ -46,12 +48,27 @@ struct MeshBlocks
   double LargestDiagonal = 0;      ///< of the boxes of single cells
   Vec3 LargestCell = Vec3::Zero(); ///< largest sides of the boxes of single cells
 
-  /// The first run of CellsPerCluster cells with a node; NoRun: no cell uses it.
-  int FirstRunOf(Id node) const
+  Id NumberOfClusterRuns() const { return static_cast<Id>(this->FirstLength.size()); }
+  Id NumberOfClusters() const { return 2 * this->NumberOfClusterRuns(); }
+  bool AreClusters(Id run) const { return this->FirstLength[run] > 0; }
+  bool IsOneCluster(Id run) const { return this->FirstLength[run] == CellsPerClusterRun; }
+  Id FirstCellOfCluster(Id cluster) const
   {
-    return NoRun - this->RunOfNode[node].load(std::memory_order_relaxed);
+    const Id run = cluster / 2;
+    return run * CellsPerClusterRun + (cluster % 2 == 0 ? 0 : this->FirstLength[run]);
   }
-  static constexpr int NoRun = std::numeric_limits<int>::max();
+  Id ClusterOf(Id cell) const
+  {
+    const Id run = cell / CellsPerClusterRun;
+    return 2 * run + (cell % CellsPerClusterRun >= this->FirstLength[run]);
+  }
+  /// The first cluster with a node, or with it in a run that is no clusters; NoCluster: no cell
+  /// uses it.
+  int FirstClusterOf(Id node) const
+  {
+    return NoCluster - this->ClusterOfNode[node].load(std::memory_order_relaxed);
+  }
+  static constexpr int NoCluster = std::numeric_limits<int>::max();
 
   Id NumberOfBlocks() const { return static_cast<Id>(this->Boxes.size()); }
   static Id FirstCell(Id block) { return block * CellsPerBlock; }
@@ -93,9 +110,23 @@ std::vector<Id> FindCells(
     {
       return;
     }
+    if (search == CellSearch::WholeRuns)
+    {
+      for (Id c = first; c < last; ++c)
+      {
+        cells.push_back(c);
+      }
+      return;
+    }
+    // All boxes come first, so that the processor waits for the points of several cells at once.
+    std::array<Box3, MeshBlocks::CellsPerRun> boxes;
     for (Id c = first; c < last; ++c)
     {
-      if (search == CellSearch::WholeRuns || test(CellBox(mesh, c)))
+      boxes[c - first] = CellBox(mesh, c);
+    }
+    for (Id c = first; c < last; ++c)
+    {
+      if (test(boxes[c - first]))
       {
         cells.push_back(c);
       }

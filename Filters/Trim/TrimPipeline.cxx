@@ -171,22 +171,22 @@ bool LiesBetween(const HexMesh& mesh, const TrimResult& result,
 }
 
 /// A cell that the surface does not meet lies on the side of any of its nodes.
-void ClassifyElements(
-  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, double tolerance, TrimResult& result)
+void ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
+  const nurbs::TrimmingSurface& surface, double tolerance, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
-  vtkSMPTools::For(0, static_cast<Id>(result.Nodes.ClusterSide.size()), 3000,
+  vtkSMPTools::For(0, blocks.NumberOfClusters(), 6000,
     [&](Id begin, Id end)
     {
       const auto& sides = result.Nodes.ClusterSide;
-      for (Id run = begin, next; run < end; run = next)
+      for (Id cluster = begin, next; cluster < end; cluster = next)
       {
-        const unsigned char side = sides[run];
-        next = std::find_if(sides.begin() + run, sides.begin() + end,
+        const unsigned char side = sides[cluster];
+        next = std::find_if(sides.begin() + cluster, sides.begin() + end,
                  [side](unsigned char other) { return other != side; }) -
           sides.begin();
-        const Id first = run * MeshBlocks::CellsPerCluster;
-        const Id last = std::min(mesh.NumberOfCells, next * MeshBlocks::CellsPerCluster);
+        const Id first = blocks.FirstCellOfCluster(cluster);
+        const Id last = std::min(mesh.NumberOfCells, blocks.FirstCellOfCluster(next));
         if (side == NodeKeep || side == NodeEliminate)
         {
           std::fill(result.ElementStatus.begin() + first, result.ElementStatus.begin() + last,
@@ -431,7 +431,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   {
     TurnStatuses(result.Nodes);
   }
-  ClassifyElements(mesh, surface, tolerance, result);
+  ClassifyElements(mesh, blocks, surface, tolerance, result);
 
   // Decide, correct and treat, near the cut.
   const auto seeds = FindSeeds(mesh, result);
