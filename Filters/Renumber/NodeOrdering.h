@@ -14,6 +14,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -29,6 +31,22 @@ struct NodeGraph
   PageVector<int> Offset;       ///< number of elements + 1
   PageVector<int> Connectivity; ///< node numbers as they came
   int Bandwidth = 0;            ///< largest difference of these within an element
+
+  /// The nodes of an element; returns their number, 8 or 6.
+  int NodesOf(Id element, std::array<Id, 8>& nodes) const
+  {
+    const int* const first = this->Connectivity.data() + this->Offset[element];
+    const int count = this->Offset[element + 1] - this->Offset[element];
+    if (count == 8) // most are: a copy of known length needs no call
+    {
+      std::copy_n(first, 8, nodes.begin());
+    }
+    else
+    {
+      std::copy_n(first, count, nodes.begin());
+    }
+    return count;
+  }
 };
 
 /// Whether so many elements can be ordered: their nodes and those round each are counted by int.

@@ -2,14 +2,13 @@
 
 #include "ElementTopology.h"
 
-#include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace trim
@@ -17,34 +16,16 @@ namespace trim
 namespace
 {
 
-/// Adds a pillar to `set`, ascending, each once; returns their number.
-int AddPillar(int pillar, int count, std::array<int, 8>& set)
+/// The pillars of an element, from `column` on; returns their end.
+int* ListPillars(const NodeGraph& graph, const Pillars& pillars, std::size_t element, int* column)
 {
-  int at = count;
-  while (at > 0 && set[at - 1] > pillar)
-  {
-    --at;
-  }
-  if (at > 0 && set[at - 1] == pillar)
-  {
-    return count;
-  }
-  std::copy_backward(set.begin() + at, set.begin() + count, set.begin() + count + 1);
-  set[at] = pillar;
-  return count + 1;
-}
-
-/// The pillars of an element, ascending, each once; returns their number.
-int PillarsOf(
-  const NodeGraph& graph, const Pillars& pillars, std::size_t element, std::array<int, 8>& set)
-{
-  std::array<int, 8> own;
   const int size = graph.Offset[element + 1] - graph.Offset[element];
+  const int* nodes = graph.Connectivity.data() + graph.Offset[element];
+  std::array<int, 8> own;
   for (int i = 0; i < size; ++i)
   {
-    own[i] = pillars.Pillar[graph.Connectivity[graph.Offset[element] + i]];
+    own[i] = pillars.Pillar[nodes[i]];
   }
-  int count = 0;
   // The third direction first, the one that meshers extrude along.
   for (const int axis : { 2, 1, 0 })
   {
@@ -54,166 +35,249 @@ int PillarsOf(
     {
       for (const int i : lower)
       {
-        count = AddPillar(own[i], count, set);
+        *column++ = own[i];
       }
-      return count;
+      return column;
     }
   }
-  for (int i = 0; i < size; ++i)
-  {
-    count = AddPillar(own[i], count, set);
-  }
-  return count;
+  return std::copy_n(own.begin(), size, column);
 }
 
-/// The columns of each pillar, in flat arrays.
-struct ColumnsOfPillars
+/**
+ * The pillars of each column. Elements above one another that have their nodes in the same order
+ * are one column; others may be several with the same pillars, which changes nothing for a search.
+ */
+IndexGroups FindPillarColumns(const NodeGraph& graph, const Pillars& pillars)
 {
-  PageVector<int> Start, Column;
-
-  ColumnsOfPillars(const PillarColumns& columns, int pillars)
-    : Start(pillars + 1)
-    , Column(columns.Member.size())
-  {
-    for (const int p : columns.Member)
-    {
-      ++this->Start[p + 1];
-    }
-    std::partial_sum(this->Start.begin(), this->Start.end(), this->Start.begin());
-    PageVector<int> fill(this->Start.begin(), this->Start.end() - 1);
-    for (std::size_t c = 0; c + 1 < columns.Offset.size(); ++c)
-    {
-      for (int i = columns.Offset[c]; i < columns.Offset[c + 1]; ++i)
-      {
-        this->Column[fill[columns.Member[i]]++] = static_cast<int>(c);
-      }
-    }
-  }
-};
-
-/// Appends the neighbours of pillars to a list, those of each ascending, and tells how many.
-/// @param mark of each pillar, -1 at first.
-void ListNeighbours(const PillarColumns& columns, const ColumnsOfPillars& of, int begin, int end,
-  PageVector<int>& mark, PageVector<int>& list, int* degree)
-{
-  for (int p = begin; p < end; ++p)
-  {
-    const std::size_t first = list.size();
-    mark[p] = p;
-    for (int k = of.Start[p]; k < of.Start[p + 1]; ++k)
-    {
-      const int c = of.Column[k];
-      for (int i = columns.Offset[c]; i < columns.Offset[c + 1]; ++i)
-      {
-        const int other = columns.Member[i];
-        if (mark[other] != p)
-        {
-          mark[other] = p;
-          list.push_back(other);
-        }
-      }
-    }
-    std::sort(list.begin() + first, list.end());
-    degree[p] = static_cast<int>(list.size() - first);
-  }
-}
-
-}
-
-PillarColumns FindPillarColumns(const NodeGraph& graph, const Pillars& pillars)
-{
-  PillarColumns columns;
-  auto& [offset, member] = columns;
-  PageVector<int> head(pillars.Count, -1), next;
-  offset.reserve(pillars.Count + 1); // in a sheet there are fewer columns than pillars
-  next.reserve(pillars.Count);
-  member.reserve(4 * static_cast<std::size_t>(pillars.Count));
-  offset.push_back(0);
-  std::array<int, 8> set;
+  IndexGroups columns;
+  // As if there were none above one another: what is not written to takes no memory.
+  columns.Offset.resize(graph.Offset.size());
+  columns.Member.resize(graph.Connectivity.size());
+  PageVector<int> next(graph.Offset.size());
+  PageVector<int> head(pillars.Count, -1); // columns by their first pillar
+  int* end = columns.Member.data();
+  int count = 0;
   for (std::size_t e = 0; e + 1 < graph.Offset.size(); ++e)
   {
-    const int count = PillarsOf(graph, pillars, e, set);
-    int twin = head[set[0]];
-    while (twin >= 0 &&
-      !(offset[twin + 1] - offset[twin] == count &&
-        std::equal(set.begin(), set.begin() + count, member.begin() + offset[twin])))
+    int* const begin = end;
+    end = ListPillars(graph, pillars, e, begin);
+    int twin = head[*begin];
+    while (twin >= 0 && !std::equal(begin, end, columns.begin(twin), columns.end(twin)))
     {
       twin = next[twin];
     }
-    if (twin < 0)
+    if (twin >= 0)
     {
-      next.push_back(head[set[0]]);
-      head[set[0]] = static_cast<int>(next.size()) - 1;
-      member.insert(member.end(), set.begin(), set.begin() + count);
-      offset.push_back(static_cast<int>(member.size()));
+      end = begin;
+      continue;
     }
+    next[count] = head[*begin];
+    head[*begin] = count;
+    columns.Offset[++count] = static_cast<int>(end - columns.Member.data());
   }
+  columns.Offset.resize(count + 1);
+  columns.Member.resize(columns.Offset.back());
   return columns;
 }
 
-PillarGraph::PillarGraph(const PillarColumns& columns, const Pillars& pillars)
-  : ThePillars(pillars)
-  , Start(pillars.Count + 1)
+/// For each of so many members the groups that it is in.
+IndexGroups Inverse(const IndexGroups& groups, int members)
 {
-  const ColumnsOfPillars of(columns, pillars.Count);
-  // One after the other in one list, or in several that are put together then.
-  const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-  const int parts = threads > 1 ? 4 * threads : 1;
-  const auto beginOf = [&](int part)
-  { return static_cast<int>(static_cast<Id>(pillars.Count) * part / parts); };
-  std::vector<PageVector<int>> lists(parts);
-  vtkSMPThreadLocal<PageVector<int>> marks;
-  vtkSMPTools::For(0, parts, 1,
-    [&](Id first, Id last)
-    {
-      PageVector<int>& mark = marks.Local();
-      mark.resize(pillars.Count, -1);
-      for (Id part = first; part < last; ++part)
-      {
-        const int begin = beginOf(static_cast<int>(part));
-        const int end = beginOf(static_cast<int>(part) + 1);
-        lists[part].reserve(3 * static_cast<std::size_t>(of.Start[end] - of.Start[begin]));
-        ListNeighbours(columns, of, begin, end, mark, lists[part], this->Start.data() + 1);
-      }
-    });
-  std::partial_sum(this->Start.begin(), this->Start.end(), this->Start.begin());
-  if (parts == 1)
+  IndexGroups inverse;
+  inverse.Offset.resize(members + 1);
+  for (const int m : groups.Member)
   {
-    this->Neighbour = std::move(lists.front());
-    return;
+    ++inverse.Offset[m + 1];
   }
-  this->Neighbour.resize(this->Start.back());
-  vtkSMPTools::For(0, parts, 1,
-    [&](Id first, Id last)
+  std::partial_sum(inverse.Offset.begin(), inverse.Offset.end(), inverse.Offset.begin());
+  inverse.Member.resize(groups.Member.size());
+  PageVector<int> fill(inverse.Offset.begin(), inverse.Offset.end() - 1);
+  for (int g = 0; g < groups.Count(); ++g)
+  {
+    for (const int* m = groups.begin(g); m != groups.end(g); ++m)
     {
-      for (Id part = first; part < last; ++part)
+      inverse.Member[fill[*m]++] = g;
+    }
+  }
+  return inverse;
+}
+
+}
+
+/// Lists the pillars in the order in which a search comes to them.
+class PillarGraph::BreadthFirst
+{
+public:
+  explicit BreadthFirst(const PillarGraph& graph)
+    : Graph(graph)
+    , Seen(graph.Count(), 0)
+    , ColumnSeen(graph.PillarsOf.Count(), 0)
+  {
+    this->Order.reserve(graph.Count());
+  }
+
+  bool IsSeen(int pillar) const { return this->Seen[pillar] != 0; }
+
+  void Add(int pillar)
+  {
+    this->Seen[pillar] = 1;
+    this->Order.push_back(pillar);
+  }
+
+  /// Adds the neighbours of a pillar that were not seen before, in any order.
+  void AddNeighbours(int pillar)
+  {
+    const IndexGroups &columnsOf = this->Graph.ColumnsOf, &pillarsOf = this->Graph.PillarsOf;
+    for (const int* c = columnsOf.begin(pillar); c != columnsOf.end(pillar); ++c)
+    {
+      if (this->ColumnSeen[*c])
       {
-        std::copy(lists[part].begin(), lists[part].end(),
-          this->Neighbour.begin() + this->Start[beginOf(static_cast<int>(part))]);
+        continue;
       }
-    });
+      this->ColumnSeen[*c] = 1;
+      for (const int* p = pillarsOf.begin(*c); p != pillarsOf.end(*c); ++p)
+      {
+        if (!this->Seen[*p])
+        {
+          this->Add(*p);
+        }
+      }
+    }
+  }
+
+  PageVector<int> Order;
+
+private:
+  const PillarGraph& Graph;
+  std::vector<char> Seen, ColumnSeen;
+};
+
+/// Counts the neighbours of pillars.
+class PillarGraph::Degrees
+{
+public:
+  explicit Degrees(const PillarGraph& graph)
+    : Graph(graph)
+    , Mark(graph.Count())
+  {
+  }
+
+  int operator()(int pillar)
+  {
+    const IndexGroups &columnsOf = this->Graph.ColumnsOf, &pillarsOf = this->Graph.PillarsOf;
+    this->Mark[pillar] = ++this->Asked;
+    int degree = 0;
+    for (const int* c = columnsOf.begin(pillar); c != columnsOf.end(pillar); ++c)
+    {
+      for (const int* p = pillarsOf.begin(*c); p != pillarsOf.end(*c); ++p)
+      {
+        degree += this->Mark[*p] != this->Asked;
+        this->Mark[*p] = this->Asked;
+      }
+    }
+    return degree;
+  }
+
+private:
+  const PillarGraph& Graph;
+  PageVector<int> Mark; ///< the question for which a pillar was counted last
+  int Asked = 0;        ///< questions
+};
+
+/// The search of Cuthill and McKee.
+class PillarGraph::CuthillMcKee : public BreadthFirst
+{
+public:
+  /// @param rank, enough see ReverseCuthillMcKee.
+  CuthillMcKee(const PillarGraph& graph, const PageVector<int>& rank, int enough)
+    : BreadthFirst(graph)
+    , ThePillars(graph.ThePillars)
+    , Rank(rank)
+    , Enough(enough)
+    , Degree(graph)
+  {
+  }
+
+  /// Searches from roots that were not seen before. False once the bandwidth is no less than
+  /// enough.
+  bool Run(const PageVector<int>& roots)
+  {
+    const std::size_t begin = this->Order.size();
+    std::for_each(roots.begin(), roots.end(), [this](int root) { this->Add(root); });
+    this->Sort(this->Order, begin);
+    int behind = this->NodesFrom(begin); // those of the pillars behind the one that is looked at
+    for (std::size_t i = begin; i < this->Order.size(); ++i)
+    {
+      const std::size_t first = this->Order.size();
+      this->AddNeighbours(this->Order[i]);
+      this->Sort(this->Order, first);
+      behind += this->NodesFrom(first) - this->ThePillars.Size(this->Order[i]);
+      // They are numbered from the end: this is the difference to the last neighbour.
+      if (first < this->Order.size() && behind >= this->Enough)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Sorts pillars, from one in the list on, by rising degree and among equals by rank.
+  void Sort(PageVector<int>& pillars, std::size_t begin)
+  {
+    if (pillars.size() < begin + 2)
+    {
+      return;
+    }
+    this->Keys.clear();
+    std::transform(pillars.begin() + begin, pillars.end(), std::back_inserter(this->Keys),
+      [this](int p) {
+        return Key{ this->Degree(p), this->Rank[p], p };
+      });
+    std::sort(this->Keys.begin(), this->Keys.end());
+    std::transform(this->Keys.begin(), this->Keys.end(), pillars.begin() + begin,
+      [](const Key& key) { return key.back(); });
+  }
+
+private:
+  using Key = std::array<int, 3>; ///< degree, rank, pillar
+
+  int NodesFrom(std::size_t begin) const
+  {
+    return std::accumulate(this->Order.begin() + begin, this->Order.end(), 0,
+      [this](int sum, int p) { return sum + this->ThePillars.Size(p); });
+  }
+
+  const Pillars& ThePillars;
+  const PageVector<int>& Rank;
+  const int Enough;
+  Degrees Degree;
+  std::vector<Key> Keys;
+};
+
+PillarGraph::PillarGraph(const NodeGraph& graph, const Pillars& pillars)
+  : ThePillars(pillars)
+  , PillarsOf(FindPillarColumns(graph, pillars))
+  , ColumnsOf(Inverse(this->PillarsOf, pillars.Count))
+{
 }
 
 PillarGraph::Levels PillarGraph::FindLevels(int root) const
 {
   Levels levels;
-  std::vector<char> seen(this->Count(), 0);
-  PageVector<int> queue{ root };
-  queue.reserve(this->Count());
-  seen[root] = 1;
+  BreadthFirst search(*this);
+  PageVector<int>& queue = search.Order;
+  search.Add(root);
   std::size_t begin = 0;
   while (true)
   {
     const std::size_t end = queue.size();
     for (std::size_t i = begin; i < end; ++i)
     {
-      for (int k = this->Start[queue[i]]; k < this->Start[queue[i] + 1]; ++k)
+      const std::size_t first = queue.size();
+      search.AddNeighbours(queue[i]);
+      if (queue.size() > first + 1) // mostly there is one
       {
-        if (!seen[this->Neighbour[k]])
-        {
-          seen[this->Neighbour[k]] = 1;
-          queue.push_back(this->Neighbour[k]);
-        }
+        std::sort(queue.begin() + first, queue.end());
       }
     }
     if (queue.size() == end)
@@ -223,97 +287,59 @@ PillarGraph::Levels PillarGraph::FindLevels(int root) const
     ++levels.Depth;
     begin = end;
   }
-  levels.Last = *std::min_element(queue.begin() + begin, queue.end(),
-    [this](int a, int b) { return this->Degree(a) < this->Degree(b); });
+  Degrees degree(*this);
+  levels.Last = *std::min_element(
+    queue.begin() + begin, queue.end(), [&degree](int a, int b) { return degree(a) < degree(b); });
   for (const int p : queue)
   {
-    levels.Reached += this->ThePillars.Start[p + 1] - this->ThePillars.Start[p];
+    levels.Reached += this->ThePillars.Size(p);
   }
   return levels;
 }
 
 PageVector<int> PillarGraph::ReverseCuthillMcKee(
-  const PageVector<int>& roots, const PageVector<int>& rank) const
+  const PageVector<int>& roots, const PageVector<int>& rank, int enough) const
 {
-  const int count = this->Count();
-  std::vector<char> seen(count, 0);
-  PageVector<int> order;
-  order.reserve(count);
-  const auto before = [this, &rank](int a, int b)
+  CuthillMcKee search(*this, rank, enough);
+  bool isLess = search.Run(roots);
+  PageVector<int> rest;
+  for (int p = 0; isLess && p < this->Count(); ++p)
   {
-    const int da = this->Degree(a);
-    const int db = this->Degree(b);
-    return da != db ? da < db : rank[a] < rank[b];
-  };
-  const auto search = [&](std::size_t from)
-  {
-    for (std::size_t i = from; i < order.size(); ++i)
+    if (!search.IsSeen(p))
     {
-      const std::size_t first = order.size();
-      for (int k = this->Start[order[i]]; k < this->Start[order[i] + 1]; ++k)
-      {
-        const int p = this->Neighbour[k];
-        if (!seen[p])
-        {
-          seen[p] = 1;
-          order.push_back(p);
-        }
-      }
-      std::sort(order.begin() + first, order.end(), before);
-    }
-  };
-  for (const int root : roots)
-  {
-    seen[root] = 1;
-    order.push_back(root);
-  }
-  std::sort(order.begin(), order.end(), before);
-  search(0);
-  if (static_cast<int>(order.size()) < count)
-  {
-    PageVector<int> rest;
-    for (int p = 0; p < count; ++p)
-    {
-      if (!seen[p])
-      {
-        rest.push_back(p);
-      }
-    }
-    std::sort(rest.begin(), rest.end(), before);
-    for (const int p : rest)
-    {
-      if (!seen[p])
-      {
-        seen[p] = 1;
-        order.push_back(p);
-        search(order.size() - 1);
-      }
+      rest.push_back(p);
     }
   }
-  std::reverse(order.begin(), order.end());
-  return order;
+  search.Sort(rest, 0);
+  for (const int p : rest)
+  {
+    isLess = isLess && (search.IsSeen(p) || search.Run({ p }));
+  }
+  if (!isLess)
+  {
+    return {};
+  }
+  std::reverse(search.Order.begin(), search.Order.end());
+  return FirstNumbers(this->ThePillars, search.Order);
 }
 
-int PillarGraph::Bandwidth(const PageVector<int>& order, int enough) const
+int PillarGraph::Bandwidth(const PageVector<int>& first, int enough) const
 {
-  PageVector<int> first(order.size());
-  int next = 0;
-  for (const int p : order)
-  {
-    first[p] = next;
-    next += this->ThePillars.Start[p + 1] - this->ThePillars.Start[p];
-  }
   std::atomic<int> widest{ 0 };
-  vtkSMPTools::For(0, static_cast<Id>(order.size()), 20000,
+  vtkSMPTools::For(0, this->PillarsOf.Count(), 20000,
     [&](Id begin, Id end)
     {
       int own = 0;
-      for (Id p = begin; p < end && std::max(own, widest.load()) < enough; ++p)
+      for (Id c = begin; c < end && std::max(own, widest.load()) < enough; ++c)
       {
-        for (int k = this->Start[p]; k < this->Start[p + 1]; ++k)
+        int low = std::numeric_limits<int>::max();
+        int high = 0;
+        for (const int* p = this->PillarsOf.begin(c); p != this->PillarsOf.end(c); ++p)
         {
-          own = std::max(own, first[this->Neighbour[k]] - first[p]);
+          low = std::min(low, first[*p]);
+          high = std::max(high, first[*p]);
         }
+        own = std::max(own, high - low);
       }
       int seen = widest.load();
       while (own > seen && !widest.compare_exchange_weak(seen, own))

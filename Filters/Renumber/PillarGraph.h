@@ -1,9 +1,12 @@
 /**
  * @file PillarGraph.h
- * @brief Which pillars share an element, in flat arrays, with the searches that order them.
+ * @brief Which pillars share an element, with the searches that order them.
  *
- * An *order* lists the pillars, first to last. Its bandwidth is that of the node numbers which it
- * stands for: pillar after pillar, the nodes of each as Pillars has them.
+ * Neighbours are not listed: pillars share a column of elements, and a search goes from a pillar by
+ * its columns to their pillars, through each column once.
+ *
+ * Numberings of the nodes keep pillars together. They are told by the *first number* of each
+ * pillar, that of its first node; the others of the pillar follow, as Pillars has them.
  */
 #ifndef PillarGraph_h
 #define PillarGraph_h
@@ -13,23 +16,23 @@
 namespace trim
 {
 
-/// The pillars of each column of elements, ascending, in flat arrays.
-struct PillarColumns
+/// Groups of pillars or of columns, in flat arrays.
+struct IndexGroups
 {
-  PageVector<int> Offset; ///< number of columns + 1
+  PageVector<int> Offset; ///< number of groups + 1
   PageVector<int> Member;
-};
 
-/// Elements above one another have the same pillars: they are one column.
-PillarColumns FindPillarColumns(const NodeGraph& graph, const Pillars& pillars);
+  int Count() const { return static_cast<int>(this->Offset.size()) - 1; }
+  const int* begin(int group) const { return this->Member.data() + this->Offset[group]; }
+  const int* end(int group) const { return this->Member.data() + this->Offset[group + 1]; }
+};
 
 class PillarGraph
 {
 public:
-  PillarGraph(const PillarColumns& columns, const Pillars& pillars);
+  PillarGraph(const NodeGraph& graph, const Pillars& pillars);
 
-  int Count() const { return static_cast<int>(this->Start.size()) - 1; }
-  int Degree(int p) const { return this->Start[p + 1] - this->Start[p]; }
+  int Count() const { return this->ThePillars.Count; }
 
   /// Breadth-first levels from a pillar.
   struct Levels
@@ -41,21 +44,27 @@ public:
   Levels FindLevels(int root) const;
 
   /**
-   * Reverse Cuthill-McKee: breadth first, neighbours by rising degree and among equals by
-   * `rank`. Parts that the roots do not reach follow, each from its pillar of least degree.
+   * First numbers by reverse Cuthill-McKee: breadth first, neighbours by rising degree and among
+   * equals by `rank`. Parts that the roots do not reach follow, each from its pillar of least
+   * degree. Empty once the bandwidth is seen to be no less than `enough`.
    *
    * @param roots where the search starts, all at once.
    */
   PageVector<int> ReverseCuthillMcKee(
-    const PageVector<int>& roots, const PageVector<int>& rank) const;
+    const PageVector<int>& roots, const PageVector<int>& rank, int enough) const;
 
-  /// The node bandwidth that an order gives, but for the layers of one element; once it is no less
-  /// than `enough`, any such value.
-  int Bandwidth(const PageVector<int>& order, int enough) const;
+  /// The node bandwidth that first numbers give, but for the layers of one element; once it is no
+  /// less than `enough`, any such value.
+  int Bandwidth(const PageVector<int>& first, int enough) const;
 
 private:
+  class BreadthFirst;
+  class Degrees;
+  class CuthillMcKee;
+
   const Pillars& ThePillars;
-  PageVector<int> Start, Neighbour; ///< neighbours ascending
+  IndexGroups PillarsOf; ///< of each column
+  IndexGroups ColumnsOf; ///< of each pillar
 };
 
 }

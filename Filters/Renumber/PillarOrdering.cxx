@@ -3,6 +3,7 @@
 #include "PillarGraph.h"
 #include "PointFrame.h"
 #include "RowSort.h"
+#include "Runs.h"
 
 #include <vtkSMPTools.h>
 
@@ -21,35 +22,6 @@ namespace
 /// Orderings are applied to their own result up to this often.
 constexpr int MostRounds = 2;
 
-PageVector<Vec3> CentresOf(const Pillars& pillars, const NodePlaces& position)
-{
-  PageVector<Vec3> centres(pillars.Count);
-  vtkSMPTools::For(0, pillars.Count, 10000,
-    [&](Id begin, Id end)
-    {
-      for (Id p = begin; p < end; ++p)
-      {
-        Vec3 sum = Vec3::Zero();
-        for (int i = pillars.Start[p]; i < pillars.Start[p + 1]; ++i)
-        {
-          sum += position(pillars.Node[i]);
-        }
-        centres[p] = sum / (pillars.Start[p + 1] - pillars.Start[p]);
-      }
-    });
-  return centres;
-}
-
-PageVector<int> Inverse(const PageVector<int>& order)
-{
-  PageVector<int> rank(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    rank[order[i]] = static_cast<int>(i);
-  }
-  return rank;
-}
-
 /// Frames whose axes, the longest of the part first, the pillars may be sorted along.
 struct Frames
 {
@@ -60,30 +32,36 @@ struct Frames
   {
     const auto count = static_cast<int>(points.size());
     const auto point = [&points](int p) -> const Vec3& { return points[p]; };
-    const Eigen::Matrix3d principal = ByExtent(PrincipalAxes(count, point), count, point);
-    this->Longest = principal.col(0);
-    for (const Eigen::Matrix3d& frame :
-      { Eigen::Matrix3d(Eigen::Matrix3d::Identity()), ElementAxes(graph, position), principal })
+    const auto add = [this](const Eigen::Matrix3d& axes)
     {
-      const Eigen::Matrix3d axes = ByExtent(frame, count, point);
       if (std::find(this->All.begin(), this->All.end(), axes) == this->All.end())
       {
         this->All.push_back(axes);
       }
+    };
+    const Eigen::Matrix3d asItLies = Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d ofElement = ElementAxes(graph, position);
+    add(ByExtent(asItLies, count, point));
+    if (ofElement != asItLies)
+    {
+      add(ByExtent(ofElement, count, point));
     }
+    const Eigen::Matrix3d principal = ByExtent(PrincipalAxes(count, point), count, point);
+    add(principal);
+    this->Longest = principal.col(0);
   }
 };
 
-/// Where the pillars are.
+/// Where the search may start or sort along.
 struct PillarPlaces
 {
-  PageVector<Vec3> Centres;
+  const PageVector<Vec3>& Centre;
   Frames Axes;
   double HalfElement; ///< of the first edge of the first element
 
   PillarPlaces(const NodeGraph& graph, const Pillars& pillars, const NodePlaces& position)
-    : Centres(CentresOf(pillars, position))
-    , Axes(graph, position, this->Centres)
+    : Centre(pillars.Centre)
+    , Axes(graph, position, pillars.Centre)
     , HalfElement(0.5 * (position(graph.Connectivity[1]) - position(graph.Connectivity[0])).norm())
   {
   }
@@ -93,14 +71,14 @@ struct PillarPlaces
   {
     const Vec3& axis = this->Axes.Longest;
     double low = std::numeric_limits<double>::infinity();
-    for (const Vec3& centre : this->Centres)
+    for (const Vec3& centre : this->Centre)
     {
       low = std::min(low, centre.dot(axis));
     }
     PageVector<int> side;
-    for (std::size_t p = 0; p < this->Centres.size(); ++p)
+    for (std::size_t p = 0; p < this->Centre.size(); ++p)
     {
-      if (this->Centres[p].dot(axis) <= low + this->HalfElement)
+      if (this->Centre[p].dot(axis) <= low + this->HalfElement)
       {
         side.push_back(static_cast<int>(p));
       }
@@ -113,16 +91,18 @@ struct PillarPlaces
 class Search
 {
 public:
-  Search(const PillarGraph& graph, const PillarPlaces& places, const std::function<bool()>& aborted)
-    : Graph(graph)
+  Search(const Pillars& pillars, const PillarGraph& graph, const PillarPlaces& places,
+    const std::function<bool()>& aborted)
+    : ThePillars(pillars)
+    , Graph(graph)
     , Places(places)
     , Aborted(aborted)
-    , Best(graph.Count())
+    , Best(pillars.Start.begin(), pillars.Start.end() - 1)
   {
-    std::iota(this->Best.begin(), this->Best.end(), 0);
     this->Bandwidth = this->Graph.Bandwidth(this->Best, std::numeric_limits<int>::max());
   }
 
+  /// The best first numbers.
   PageVector<int> Run()
   {
     // A pseudo-peripheral pillar: the far end of the far end. Its depth gives the bound.
@@ -137,7 +117,8 @@ public:
       } };
     for (const Eigen::Matrix3d& axes : this->Places.Axes.All)
     {
-      candidates.emplace_back([&] { return SortByRows(this->Places.Centres, axes); });
+      candidates.emplace_back(
+        [&] { return FirstNumbers(this->ThePillars, SortByRows(this->Places.Centre, axes)); });
     }
     this->OfferEach(candidates);
     // The ordering breaks ties by the numbers it is given, so it may gain from its own result.
@@ -153,6 +134,17 @@ public:
     return std::move(this->Best);
   }
 
+  /// Not less than the node bandwidth of what Run returned.
+  int LargestBandwidth() const
+  {
+    int tallest = 0;
+    for (int p = 0; p < this->ThePillars.Count; ++p)
+    {
+      tallest = std::max(tallest, this->ThePillars.Size(p));
+    }
+    return this->Bandwidth + tallest - 1;
+  }
+
 private:
   using Candidate = std::function<PageVector<int>()>;
 
@@ -160,11 +152,12 @@ private:
 
   void OfferCuthillMcKee(const std::vector<PageVector<int>>& roots)
   {
-    const PageVector<int> rank = Inverse(this->Best);
+    const PageVector<int> rank = this->Best;
     std::vector<Candidate> candidates;
     for (const auto& root : roots)
     {
-      candidates.emplace_back([&] { return this->Graph.ReverseCuthillMcKee(root, rank); });
+      candidates.emplace_back(
+        [&] { return this->Graph.ReverseCuthillMcKee(root, rank, this->Bandwidth); });
     }
     this->OfferEach(candidates);
   }
@@ -174,12 +167,12 @@ private:
   void OfferEach(const std::vector<Candidate>& candidates)
   {
     const auto count = static_cast<Id>(candidates.size());
-    std::vector<PageVector<int>> orders(count);
+    std::vector<PageVector<int>> found(count);
     const auto make = [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)
       {
-        orders[i] = candidates[i]();
+        found[i] = candidates[i]();
       }
     };
     const bool atOnce = vtkSMPTools::GetEstimatedNumberOfThreads() > 1;
@@ -193,31 +186,32 @@ private:
       {
         make(i, i + 1);
       }
-      this->Offer(std::move(orders[i]));
+      this->Offer(std::move(found[i]));
     }
   }
 
-  /// @param order may be empty: none.
-  void Offer(PageVector<int> order)
+  /// @param first may be empty: none.
+  void Offer(PageVector<int> first)
   {
-    if (order.empty())
+    if (first.empty())
     {
       return;
     }
-    const int bandwidth = this->Graph.Bandwidth(order, this->Bandwidth);
+    const int bandwidth = this->Graph.Bandwidth(first, this->Bandwidth);
     if (bandwidth < this->Bandwidth)
     {
       this->Bandwidth = bandwidth;
-      this->Best = std::move(order);
+      this->Best = std::move(first);
     }
   }
 
+  const Pillars& ThePillars;
   const PillarGraph& Graph;
   const PillarPlaces& Places;
   const std::function<bool()>& Aborted;
   int Bound = 0;
   int Bandwidth = 0;
-  PageVector<int> Best; ///< order
+  PageVector<int> Best; ///< first numbers
 };
 
 }
@@ -225,28 +219,30 @@ private:
 PageVector<int> OrderByPillars(const NodeGraph& graph, const Pillars& pillars,
   const NodePlaces& position, const std::function<bool()>& aborted)
 {
-  PillarColumns columns;
+  std::optional<PillarGraph> pillarGraph;
   std::optional<PillarPlaces> places;
   vtkSMPTools::For(0, 2, 1,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)
       {
-        i == 0 ? void(columns = FindPillarColumns(graph, pillars))
+        i == 0 ? void(pillarGraph.emplace(graph, pillars))
                : void(places.emplace(graph, pillars, position));
       }
     });
-  const PillarGraph pillarGraph(std::exchange(columns, {}), pillars);
+  Search search(pillars, *pillarGraph, *places, aborted);
+  const PageVector<int> first = search.Run();
   PageVector<int> number(graph.NumberOfNodes);
-  int next = 0;
-  for (const int p : Search(pillarGraph, *places, aborted).Run())
+  const auto setNumbers = [&](int p)
   {
-    for (int i = pillars.Start[p]; i < pillars.Start[p + 1]; ++i)
+    for (int i = 0; i < pillars.Size(p); ++i)
     {
-      number[pillars.Node[i]] = next++;
+      number[pillars.Node[pillars.Start[p] + i]] = first[p] + i;
     }
-  }
-  if (NodeBandwidth(graph, number) >= graph.Bandwidth)
+  };
+  ForAll(pillars.Count, setNumbers, LightGrain);
+  if (search.LargestBandwidth() >= graph.Bandwidth &&
+    NodeBandwidth(graph, number) >= graph.Bandwidth)
   {
     std::iota(number.begin(), number.end(), 0);
   }

@@ -69,10 +69,11 @@ const Edges& ShortestEdges(const int* nodes, int count, const NodePlaces& positi
   return HexahedronEdges[shortest];
 }
 
-/// Fills in the nodes by pillar, and in each by their height along `up`.
+/// Fills in the nodes by pillar, in each by their height along `up`, and the centres.
 void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
 {
   pillars.Node.resize(pillars.Pillar.size());
+  pillars.Centre.resize(pillars.Count);
   PageVector<int> next(pillars.Start.begin(), pillars.Start.end() - 1);
   for (std::size_t n = 0; n < pillars.Pillar.size(); ++n)
   {
@@ -85,24 +86,32 @@ void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
       for (Id p = begin; p < end; ++p)
       {
         const int first = pillars.Start[p];
-        const int size = pillars.Start[p + 1] - first;
+        const int size = pillars.Size(p);
         for (int i = 0; i < size; ++i)
         {
           const int node = pillars.Node[first + i];
-          heights[i] = { position(node).dot(up), node };
+          const std::pair<double, int> own{ position(node).dot(up), node };
+          int at = i;
+          for (; at > 0 && own < heights[at - 1]; --at) // mostly they come in order
+          {
+            heights[at] = heights[at - 1];
+          }
+          heights[at] = own;
         }
-        std::sort(heights.begin(), heights.begin() + size);
+        Vec3 sum = Vec3::Zero();
         for (int i = 0; i < size; ++i)
         {
           pillars.Node[first + i] = heights[i].second;
+          sum += position(heights[i].second);
         }
+        pillars.Centre[p] = sum / size;
       }
     });
 }
 
 }
 
-Pillars SingleNodes(int numberOfNodes)
+Pillars SingleNodes(const NodePlaces& position, int numberOfNodes)
 {
   Pillars pillars;
   pillars.Count = numberOfNodes;
@@ -111,6 +120,9 @@ Pillars SingleNodes(int numberOfNodes)
   pillars.Node = pillars.Pillar;
   pillars.Start.resize(numberOfNodes + 1);
   std::iota(pillars.Start.begin(), pillars.Start.end(), 0);
+  pillars.Centre.resize(numberOfNodes);
+  ForAll(
+    numberOfNodes, [&](int n) { pillars.Centre[n] = position(n); }, LightGrain);
   return pillars;
 }
 
@@ -212,11 +224,23 @@ Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position)
   if (graph.NumberOfNodes < LeastMean * pillars.Count ||
     *std::max_element(pillars.Start.begin(), pillars.Start.end()) > MostLayers)
   {
-    return SingleNodes(graph.NumberOfNodes);
+    return SingleNodes(position, graph.NumberOfNodes);
   }
   std::partial_sum(pillars.Start.begin(), pillars.Start.end(), pillars.Start.begin());
   Arrange(position, up, pillars);
   return pillars;
+}
+
+PageVector<int> FirstNumbers(const Pillars& pillars, const PageVector<int>& order)
+{
+  PageVector<int> first(pillars.Count);
+  int next = 0;
+  for (const int p : order)
+  {
+    first[p] = next;
+    next += pillars.Size(p);
+  }
+  return first;
 }
 
 }

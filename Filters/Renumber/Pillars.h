@@ -21,12 +21,18 @@ struct Pillars
   PageVector<int> Pillar; ///< of each node
   PageVector<int> Start;  ///< of each pillar in Node; Count + 1
   PageVector<int> Node;   ///< nodes by pillar, from one skin to the other
+  PageVector<Vec3> Centre;
+
+  int Size(int pillar) const { return this->Start[pillar + 1] - this->Start[pillar]; }
 };
 
 Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position);
 
 /// Every node for itself.
-Pillars SingleNodes(int numberOfNodes);
+Pillars SingleNodes(const NodePlaces& position, int numberOfNodes);
+
+/// The number of each pillar's first node where the nodes are numbered pillar after pillar.
+PageVector<int> FirstNumbers(const Pillars& pillars, const PageVector<int>& order);
 
 }
 

@@ -52,11 +52,17 @@ Eigen::Matrix3d PrincipalAxes(int count, const Position& position)
     mean += position(i);
   }
   mean /= count;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(); // its lower half: the solver reads no other
   for (int i = 0; i < count; ++i)
   {
     const Vec3 d = position(i) - mean;
-    spread += d * d.transpose();
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int row = k; row < 3; ++row)
+      {
+        spread(row, k) += d[row] * d[k];
+      }
+    }
   }
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
 }

@@ -19,11 +19,25 @@ namespace
 constexpr double Steps = 2147483648.0;
 constexpr std::uint64_t RowGap = 2147;
 
-/// Sorts by the upper 32 bits: three passes of eleven.
+/// Items are a step in the upper and an index in the lower half.
+std::uint64_t StepIn(std::uint64_t item)
+{
+  return item >> 32;
+}
+
+/// Steps in so few that there is no gap among them.
+constexpr int GroupShift = 42;
+static_assert(std::uint64_t(1) << (GroupShift - 32) <= RowGap, "groups are narrower than a gap");
+std::uint64_t GroupOf(std::uint64_t item)
+{
+  return item >> GroupShift;
+}
+
+/// Sorts by groups: two passes of eleven bits.
 void RadixSort(PageVector<std::uint64_t>& items)
 {
   PageVector<std::uint64_t> other(items.size());
-  for (const int shift : { 32, 43, 54 })
+  for (const int shift : { GroupShift, GroupShift + 11 })
   {
     std::vector<std::size_t> start(2049, 0);
     for (const std::uint64_t item : items)
@@ -39,24 +53,15 @@ void RadixSort(PageVector<std::uint64_t>& items)
   }
 }
 
-/// Coordinates of points along an axis, rounded to steps of their extent.
-class Coordinates
+/// Coordinates along an axis, rounded to steps of their extent.
+class Rounding
 {
 public:
-  Coordinates(const PageVector<nurbs::Vec3>& points, const nurbs::Vec3& axis)
-    : Points(points)
-    , Axis(axis)
+  Rounding(double low, double high)
+    : Low(low)
+    , Scale(high > low ? (Steps - 1.0) / (high - low) : 0.0)
   {
-    double high = -this->Low;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      this->Low = std::min(this->Low, this->Value(i));
-      high = std::max(high, this->Value(i));
-    }
-    this->Scale = high > this->Low ? (Steps - 1.0) / (high - this->Low) : 0.0;
   }
-
-  double Value(std::size_t i) const { return this->Points[i].dot(this->Axis); }
   std::uint64_t StepOf(double value) const
   {
     return static_cast<std::uint64_t>(
@@ -64,10 +69,7 @@ public:
   }
 
 private:
-  const PageVector<nurbs::Vec3>& Points;
-  const nurbs::Vec3 Axis;
-  double Low = std::numeric_limits<double>::infinity();
-  double Scale = 0.0;
+  double Low, Scale;
 };
 
 /// The different values of a regular mesh's coordinates, which are few.
@@ -110,38 +112,50 @@ private:
   int Last = 0;
 };
 
-/// Rows of items, each a step in the upper and an index in the lower half; returns how many.
+/// Rows of items; returns how many.
 int FindRows(PageVector<std::uint64_t>& items, PageVector<int>& row)
 {
   RadixSort(items);
   int current = 0;
-  for (std::size_t i = 0; i < items.size(); ++i)
+  std::uint64_t highest = 0; // of the group before
+  for (std::size_t begin = 0, end; begin < items.size(); begin = end)
   {
-    if (i > 0 && (items[i] >> 32) - (items[i - 1] >> 32) > RowGap)
+    std::uint64_t low = StepIn(items[begin]);
+    std::uint64_t high = low;
+    for (end = begin; end < items.size() && GroupOf(items[end]) == GroupOf(items[begin]); ++end)
     {
-      ++current;
+      low = std::min(low, StepIn(items[end]));
+      high = std::max(high, StepIn(items[end]));
     }
-    row[items[i] & 0xffffffffu] = current;
+    current += begin > 0 && low - highest > RowGap;
+    highest = high;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      row[items[i] & 0xffffffffu] = current;
+    }
   }
   return current + 1;
 }
 
 /// The rows by those of the values, if these are few; else 0.
-int FindRowsOfFew(const Coordinates& coordinates, PageVector<int>& row)
+int FindRowsOfFew(
+  const PageVector<nurbs::Vec3>& points, const nurbs::Vec3& axis, PageVector<int>& row)
 {
   FewValues few;
-  for (std::size_t i = 0; i < row.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    row[i] = few.Add(coordinates.Value(i));
+    row[i] = few.Add(points[i].dot(axis));
     if (row[i] < 0)
     {
       return 0;
     }
   }
+  const auto [low, high] = std::minmax_element(few.Values.begin(), few.Values.end());
+  const Rounding rounding(*low, *high);
   PageVector<std::uint64_t> items;
   for (const double value : few.Values)
   {
-    items.push_back((coordinates.StepOf(value) << 32) | items.size());
+    items.push_back((rounding.StepOf(value) << 32) | items.size());
   }
   PageVector<int> rowOfValue(items.size());
   const int rows = FindRows(items, rowOfValue);
@@ -155,15 +169,22 @@ int FindRowsOfFew(const Coordinates& coordinates, PageVector<int>& row)
 /// Row of each point along one axis; returns how many rows there are.
 int FindRows(const PageVector<nurbs::Vec3>& points, const nurbs::Vec3& axis, PageVector<int>& row)
 {
-  const Coordinates coordinates(points, axis);
-  if (const int rows = FindRowsOfFew(coordinates, row))
+  if (const int rows = FindRowsOfFew(points, axis, row))
   {
     return rows;
   }
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const nurbs::Vec3& point : points)
+  {
+    low = std::min(low, point.dot(axis));
+    high = std::max(high, point.dot(axis));
+  }
+  const Rounding rounding(low, high);
   PageVector<std::uint64_t> items(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    items[i] = (coordinates.StepOf(coordinates.Value(i)) << 32) | i;
+    items[i] = (rounding.StepOf(points[i].dot(axis)) << 32) | i;
   }
   return FindRows(items, row);
 }

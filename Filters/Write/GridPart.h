@@ -25,7 +25,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 class vtkDataSetAttributes;
@@ -128,12 +130,15 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
   NumberFlagged(used, part);
 }
 
-/// The elements of the part in its numbers; returns the largest difference of them within one.
+/// The elements of the part with their nodes numbered; returns the largest difference of numbers
+/// within one.
+/// @param numbers of the nodes that nodesOf tells.
 template <typename Index, typename NodesOf>
-Id NumberElements(const GridPart& part, const NodesOf& nodesOf, Index* offsets, Index* connectivity)
+Id NumberElements(const GridPart& part, const NodesOf& nodesOf, const PageVector<int>& numbers,
+  Index* offsets, Index* connectivity)
 {
   std::vector<int> widest(part.Offset.size(), 0);
-  const int* const number = part.Number.data();
+  const int* const number = numbers.data();
   ForRuns(part.Cells.size(),
     [&](Id run, Id begin, Id end)
     {
@@ -182,19 +187,28 @@ void TakeNumbers(const PageVector<int>& number, GridPart& part);
 /// Where the points of the part are before any correction; empty if the input has them all.
 std::vector<Vec3> PlacesIfInserted(const HexMesh& mesh, const GridPart& part);
 
-/// New numbers for the points, so that the band is narrow.
+/// The elements in the numbers that the points had before, and the new numbers by these.
+struct Renumbering
+{
+  NodeGraph Graph;
+  PageVector<int> Number;
+};
+
+/// Gives the points new numbers, so that the band is narrow.
 template <typename NodesOf>
-void RenumberPart(
+Renumbering RenumberPart(
   const HexMesh& mesh, const Progress& progress, GridPart& part, const NodesOf& nodesOf)
 {
   NodeGraph graph;
   graph.NumberOfNodes = static_cast<int>(part.Points.size());
   graph.Offset.resize(part.Cells.size() + 1);
   graph.Connectivity.resize(part.Offset.back());
-  graph.Bandwidth =
-    static_cast<int>(NumberElements(part, nodesOf, graph.Offset.data(), graph.Connectivity.data()));
+  graph.Bandwidth = static_cast<int>(
+    NumberElements(part, nodesOf, part.Number, graph.Offset.data(), graph.Connectivity.data()));
   const NodePlaces places(mesh, part.Points.data(), PlacesIfInserted(mesh, part));
-  TakeNumbers(OrderNodes(graph, places, [&progress] { return progress(-1.0); }), part);
+  PageVector<int> number = OrderNodes(graph, places, [&progress] { return progress(-1.0); });
+  TakeNumbers(number, part);
+  return { std::move(graph), std::move(number) };
 }
 
 /// Points, the input's attributes and the original ids.
@@ -207,16 +221,24 @@ void TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
   vtkSmartPointer<ArrayType> connectivity, vtkUnstructuredGrid* output);
 
 /// The elements of the part; returns the largest difference of node numbers within one.
+/// @param renumbered if the points were: its elements are half as long to read as the input's.
 template <typename NodesOf>
-Id WriteElements(
-  const HexMesh& mesh, const GridPart& part, const NodesOf& nodesOf, vtkUnstructuredGrid* output)
+Id WriteElements(const HexMesh& mesh, const GridPart& part, const NodesOf& nodesOf,
+  const std::optional<Renumbering>& renumbered, vtkUnstructuredGrid* output)
 {
   const auto write = [&](auto offsets)
   {
     using ArrayType = std::remove_reference_t<decltype(*offsets)>;
     const auto connectivity = MakeArray<ArrayType>(nullptr, part.Offset.back());
+    const auto number = [&](const auto& nodes, const PageVector<int>& numbers)
+    {
+      return NumberElements(
+        part, nodes, numbers, offsets->GetPointer(0), connectivity->GetPointer(0));
+    };
+    const auto nodesOfGraph = [&renumbered](Id i, std::array<Id, 8>& nodes)
+    { return renumbered->Graph.NodesOf(i, nodes); };
     const Id widest =
-      NumberElements(part, nodesOf, offsets->GetPointer(0), connectivity->GetPointer(0));
+      renumbered ? number(nodesOfGraph, renumbered->Number) : number(nodesOf, part.Number);
     TakeElements(part, offsets, connectivity, output);
     return widest;
   };

@@ -11,6 +11,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace trim
 {
@@ -133,9 +134,10 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
   { return NodesOf(mesh, result, part.Cells[i], part.InBand[i], nodes); };
   NumberPoints(mesh, blocks, result, NodeEliminate, part, nodesOf);
+  std::optional<Renumbering> renumbered;
   if (options.RenumberNodes && !part.Cells.empty())
   {
-    RenumberPart(mesh, progress, part, nodesOf);
+    renumbered = RenumberPart(mesh, progress, part, nodesOf);
   }
   if (ranks.Any(progress(0.97)))
   {
@@ -143,7 +145,7 @@ void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mesh
   }
   const MovedNodes moved = MovedNodesOfOffcut(result);
   Summary summary;
-  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, part, nodesOf, output));
+  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, part, nodesOf, renumbered, output));
   WritePoints(input, mesh, part, moved, output);
   const BandShapes shapes = ShapesOfOffcut(result);
   if (options.MapValues)

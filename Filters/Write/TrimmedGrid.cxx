@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 namespace trim
@@ -230,9 +231,10 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
                        : NodesAtCut(mesh, result, kept.Cells[i], element, nodes);
   };
   NumberPoints(mesh, blocks, result, NodeKeep, kept, nodesOf);
+  std::optional<Renumbering> renumbered;
   if (options.RenumberNodes && !progress(0.65))
   {
-    RenumberPart(mesh, progress, kept, nodesOf);
+    renumbered = RenumberPart(mesh, progress, kept, nodesOf);
   }
   if (ranks.Any(progress(0.85)))
   {
@@ -240,7 +242,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   }
   const MovedNodes moved = MovedNodesOfKept(result);
   Summary summary;
-  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, kept, nodesOf, output));
+  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, kept, nodesOf, renumbered, output));
   WritePoints(input, mesh, kept, moved, output);
   const BandShapes shapes = ShapesOfKept(result);
   if (options.MapValues)
