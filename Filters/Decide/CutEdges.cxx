@@ -42,10 +42,12 @@ std::array<int, 8> NodesFromFirst(const BandElement& element)
     static_cast<int>(std::min_element(node.begin(), node.begin() + element.Count) - node.begin());
   // Seen from the other end they go round the other way.
   const bool turned = first >= corners;
+  const int start = turned ? first - corners : first;
   std::array<int, 8> nodes = node;
   for (int i = 0; i < corners; ++i)
   {
-    const int corner = (first + (turned ? corners - i : i)) % corners;
+    const int next = turned ? start + corners - i : start + i;
+    const int corner = next < corners ? next : next - corners;
     nodes[i] = node[turned ? corner + corners : corner];
     nodes[i + corners] = node[turned ? corner : corner + corners];
   }

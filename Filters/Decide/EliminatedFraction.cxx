@@ -69,33 +69,48 @@ double ShareOfTetrahedron(const Tetrahedron& tetrahedron, const ElementEdges& ed
   }
 }
 
-template <std::size_t N>
-ElementVolumes Measure(
-  const std::array<Tetrahedron, N>& tetrahedra, const Band& band, const ElementEdges& edges)
+/// Calls visit(tetrahedron, volume) for those of an element.
+template <std::size_t N, typename Visit>
+void ForTetrahedra(const Band& band, const std::array<Tetrahedron, N>& tetrahedra,
+  const std::array<int, 8>& nodes, const Visit& visit)
 {
-  ElementVolumes volumes;
   for (const auto& tetrahedron : tetrahedra)
   {
     std::array<Vec3, 4> p;
     for (int i = 0; i < 4; ++i)
     {
-      p[i] = band.Point[edges.Node[tetrahedron[i]]];
+      p[i] = band.Point[nodes[tetrahedron[i]]];
     }
-    const double volume = std::abs(Volume(p));
-    volumes.Total += volume;
-    volumes.Eliminated += volume * ShareOfTetrahedron(tetrahedron, edges);
+    visit(tetrahedron, std::abs(Volume(p)));
   }
-  return volumes;
 }
 
-}
-
-ElementVolumes MeasureEliminated(const Band& band, int element, const CutEdges& edges)
+template <typename Visit>
+void ForTetrahedra(
+  const Band& band, int element, const std::array<int, 8>& nodes, const Visit& visit)
 {
-  const auto& e = band.Elements[element];
-  const ElementEdges ofElement{ NodesFromFirst(e), band.NodeStatus, edges };
-  return e.Count == 8 ? Measure(HexahedronTetrahedra, band, ofElement)
-                      : Measure(WedgeTetrahedra, band, ofElement);
+  band.Elements[element].Count == 8 ? ForTetrahedra(band, HexahedronTetrahedra, nodes, visit)
+                                    : ForTetrahedra(band, WedgeTetrahedra, nodes, visit);
+}
+
+}
+
+double MeasureVolume(const Band& band, int element)
+{
+  double total = 0.0;
+  ForTetrahedra(band, element, NodesFromFirst(band.Elements[element]),
+    [&total](const Tetrahedron&, double volume) { total += volume; });
+  return total;
+}
+
+double MeasureEliminated(const Band& band, int element, const CutEdges& edges)
+{
+  const ElementEdges ofElement{ NodesFromFirst(band.Elements[element]), band.NodeStatus, edges };
+  double eliminated = 0.0;
+  ForTetrahedra(band, element, ofElement.Node,
+    [&](const Tetrahedron& tetrahedron, double volume)
+    { eliminated += volume * ShareOfTetrahedron(tetrahedron, ofElement); });
+  return eliminated;
 }
 
 }

@@ -13,15 +13,11 @@
 namespace trim
 {
 
-struct ElementVolumes
-{
-  double Total = 0;
-  double Eliminated = 0;
-  double Fraction() const { return this->Total > 0.0 ? this->Eliminated / this->Total : 0.0; }
-};
+/// Volume of an element.
+double MeasureVolume(const Band& band, int element);
 
-/// Volumes of one element.
-ElementVolumes MeasureEliminated(const Band& band, int element, const CutEdges& edges);
+/// Volume of an element that lies beyond the surface.
+double MeasureEliminated(const Band& band, int element, const CutEdges& edges);
 
 }
 
