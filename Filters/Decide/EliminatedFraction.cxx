@@ -9,9 +9,10 @@ namespace trim
 namespace
 {
 
-double Volume(const std::array<Vec3, 4>& p)
+/// Of a tetrahedron.
+inline double Volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-  return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6.0;
+  return (b - a).cross(c - a).dot(d - a) / 6.0;
 }
 
 /// The edges of one element by the places of its nodes in NodesFromFirst.
@@ -76,12 +77,8 @@ void ForTetrahedra(const Band& band, const std::array<Tetrahedron, N>& tetrahedr
 {
   for (const auto& tetrahedron : tetrahedra)
   {
-    std::array<Vec3, 4> p;
-    for (int i = 0; i < 4; ++i)
-    {
-      p[i] = band.Point[nodes[tetrahedron[i]]];
-    }
-    visit(tetrahedron, std::abs(Volume(p)));
+    const auto corner = [&](int i) -> const Vec3& { return band.Point[nodes[tetrahedron[i]]]; };
+    visit(tetrahedron, std::abs(Volume(corner(0), corner(1), corner(2), corner(3))));
   }
 }
 
