@@ -36,12 +36,12 @@ Vec3 FaceNormal(const Band& band, const BandFace& face)
   return normal.normalized();
 }
 
-/// The edges of a face that meet at a node.
-std::array<int, 2> EdgesAt(const Band& band, const BandFace& face, int node)
+/// The corners of a face that its edges join with a node.
+std::array<int, 2> NeighboursOf(const BandFace& face, int node)
 {
   const int at = CornerOf(face, node);
-  return { band.FindEdge(node, face.Node[(at + 1) % face.Count]),
-    band.FindEdge(node, face.Node[(at + face.Count - 1) % face.Count]) };
+  const int last = face.Count - 1;
+  return { face.Node[at < last ? at + 1 : 0], face.Node[at > 0 ? at - 1 : last] };
 }
 
 /// Edges at the node that faces of a set share under more than an angle.
@@ -50,17 +50,18 @@ void AddCreases(const Band& band, const std::vector<int>& faces, int node, doubl
 {
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
+    const auto& a = band.Faces[faces[i]];
+    const auto endsOfA = NeighboursOf(a, node);
     for (std::size_t j = 0; j < i; ++j)
     {
-      const auto& a = band.Faces[faces[i]];
       const auto& b = band.Faces[faces[j]];
-      for (const int ea : EdgesAt(band, a, node))
+      const auto endsOfB = NeighboursOf(b, node);
+      for (const int end : endsOfA)
       {
-        const auto eb = EdgesAt(band, b, node);
-        if ((ea == eb[0] || ea == eb[1]) &&
+        if ((end == endsOfB[0] || end == endsOfB[1]) &&
           TurnCosine(a, FaceNormal(band, a), b, FaceNormal(band, b)) < cosine)
         {
-          AddUnique(ridgeEdges, ea);
+          AddUnique(ridgeEdges, band.FindEdge(node, end));
         }
       }
     }
@@ -74,8 +75,9 @@ std::vector<int> LateralEdges(
   std::vector<int> edges;
   for (const int f : faces)
   {
-    for (const int edge : EdgesAt(band, band.Faces[f], node))
+    for (const int end : NeighboursOf(band.Faces[f], node))
     {
+      const int edge = band.FindEdge(node, end);
       if (!columns.IsThicknessEdge(band, edge))
       {
         AddUnique(edges, edge);

@@ -2,8 +2,6 @@
 
 #include "AddUnique.h"
 #include "EdgeCrossing.h"
-#include "Runs.h"
-#include "SortUnique.h"
 #include "Status.h"
 
 #include <vtkSMPTools.h>
@@ -43,39 +41,40 @@ CutEdges::CutEdges(const Band& band, const nurbs::TrimmingSurface& surface, doub
 
 void CutEdges::ListEdges(const Band& band, const nurbs::TrimmingSurface& surface)
 {
-  constexpr Id length = 1000;
   const auto ofHexahedron = EdgesOf(HexahedronTetrahedra);
   const auto ofWedge = EdgesOf(WedgeTetrahedra);
-  const auto eliminated = [this](int node) { return this->Status[node] == NodeEliminate; };
-  std::vector<std::vector<std::array<int, 2>>> lists(NumberOfRuns(band.NumberOfElements(), length));
-  ForRuns(band.NumberOfElements(), length,
-    [&](Id run, Id begin, Id end)
+  Band::Lists keptAt = BuildLists(band.NumberOfNodes(),
+    [&](auto&& add)
     {
-      for (Id e = begin; e < end; ++e)
+      for (int e = 0; e < band.NumberOfElements(); ++e)
       {
-        const auto& element = band.Elements[e];
-        const auto beyond = std::count_if(element.begin(), element.end(), eliminated);
-        if (beyond == 0 || beyond == element.Count)
+        if (band.ElementStatus[e] != ElementToTreat)
         {
           continue;
         }
-        const std::array<int, 8> nodes = OrderForTetrahedra(band, element, surface);
-        for (const auto& [i, j] : element.Count == 8 ? ofHexahedron : ofWedge)
+        const std::array<int, 8> nodes = OrderForTetrahedra(band, e, surface);
+        for (const auto& [i, j] : band.Elements[e].Count == 8 ? ofHexahedron : ofWedge)
         {
-          const std::array<int, 2> edge{ nodes[i], nodes[j] };
-          if (eliminated(edge[0]) && !eliminated(edge[1]) && this->Status[edge[1]] != NodeOnSurface)
+          if (this->Status[nodes[i]] == NodeEliminate && this->Status[nodes[j]] == NodeKeep)
           {
-            lists[run].push_back(edge);
+            add(nodes[i], nodes[j]);
           }
         }
       }
-      SortUnique(lists[run]);
     });
-  for (const auto& list : lists)
+  this->First.reserve(band.NumberOfNodes() + 1);
+  this->First.push_back(0);
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    this->Edges.insert(this->Edges.end(), list.begin(), list.end());
+    const auto begin = keptAt.Item.begin() + keptAt.Offset[n];
+    const auto end = keptAt.Item.begin() + keptAt.Offset[n + 1];
+    std::sort(begin, end);
+    std::for_each(begin, std::unique(begin, end),
+      [&](int kept) {
+        this->Edges.push_back({ n, kept });
+      });
+    this->First.push_back(static_cast<int>(this->Edges.size()));
   }
-  SortUnique(this->Edges);
 }
 
 void CutEdges::Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
@@ -99,9 +98,11 @@ double CutEdges::Beyond(int eliminated, int other) const
   {
     return 1.0;
   }
+  const auto begin = this->Edges.begin();
   const std::array<int, 2> edge{ eliminated, other };
   return this
-    ->Shares[std::lower_bound(this->Edges.begin(), this->Edges.end(), edge) - this->Edges.begin()];
+    ->Shares[std::find(begin + this->First[eliminated], begin + this->First[eliminated + 1], edge) -
+      begin];
 }
 
 std::array<int, 2> CutEdges::FindMissed() const

@@ -36,6 +36,7 @@ private:
 
   const std::vector<unsigned char>& Status;
   std::vector<std::array<int, 2>> Edges; ///< eliminated and kept node, ascending
+  std::vector<int> First;                ///< of the edges of each node, and the end of the last's
   std::vector<double> Shares;            ///< of each edge; Missed: it does not meet the surface
 };
 

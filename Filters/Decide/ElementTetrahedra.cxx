@@ -30,10 +30,12 @@ std::array<int, 8> OrderFrom(const BandElement& element, int first)
   const int corners = element.Count / 2; // of one end
   // Seen from the other end they go round the other way.
   const bool turned = first >= corners;
+  const int start = turned ? first - corners : first;
   std::array<int, 8> nodes = node;
   for (int i = 0; i < corners; ++i)
   {
-    const int corner = (first + (turned ? corners - i : i)) % corners;
+    const int next = turned ? start + corners - i : start + i;
+    const int corner = next < corners ? next : next - corners;
     nodes[i] = node[turned ? corner + corners : corner];
     nodes[i + corners] = node[turned ? corner : corner + corners];
   }
@@ -73,24 +75,31 @@ int CountDiagonals(const std::array<int, 8>& nodes, const std::array<std::array<
     }));
 }
 
+int CountDiagonals(
+  const std::array<int, 8>& nodes, int count, const std::vector<Diagonal>& diagonals)
+{
+  return count == 8 ? CountDiagonals(nodes, HexahedronDiagonals, diagonals)
+                    : CountDiagonals(nodes, WedgeDiagonals, diagonals);
+}
+
 }
 
 std::array<int, 8> OrderForTetrahedra(
-  const Band& band, const BandElement& element, const nurbs::TrimmingSurface& surface)
+  const Band& band, int element, const nurbs::TrimmingSurface& surface)
 {
-  const auto first = std::min_element(element.begin(), element.end());
-  std::array<int, 8> best = OrderFrom(element, static_cast<int>(first - element.begin()));
-  const std::vector<Diagonal> uncrossed = FindUncrossed(band, element, surface);
-  if (uncrossed.empty())
+  const BandElement& own = band.Elements[element];
+  const auto first = std::min_element(own.begin(), own.end());
+  std::array<int, 8> best = OrderFrom(own, static_cast<int>(first - own.begin()));
+  if (band.ElementStatus[element] != ElementToTreat)
   {
-    return best; // as a rule
+    return best;
   }
-  int most = -1;
-  for (int i = 0; i < element.Count; ++i)
+  const std::vector<Diagonal> uncrossed = FindUncrossed(band, own, surface);
+  int most = CountDiagonals(best, own.Count, uncrossed);
+  for (int i = 0; i < own.Count && !uncrossed.empty(); ++i)
   {
-    const std::array<int, 8> nodes = OrderFrom(element, i);
-    const int count = element.Count == 8 ? CountDiagonals(nodes, HexahedronDiagonals, uncrossed)
-                                         : CountDiagonals(nodes, WedgeDiagonals, uncrossed);
+    const std::array<int, 8> nodes = OrderFrom(own, i);
+    const int count = CountDiagonals(nodes, own.Count, uncrossed);
     if (count > most || (count == most && nodes[0] < best[0]))
     {
       most = count;

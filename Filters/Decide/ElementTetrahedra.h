@@ -32,7 +32,7 @@ constexpr std::array<Tetrahedron, 3> WedgeTetrahedra = { { { 0, 1, 2, 5 }, { 0, 
  * first node from which most such faces are divided so.
  */
 std::array<int, 8> OrderForTetrahedra(
-  const Band& band, const BandElement& element, const nurbs::TrimmingSurface& surface);
+  const Band& band, int element, const nurbs::TrimmingSurface& surface);
 
 }
 

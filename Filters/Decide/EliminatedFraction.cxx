@@ -9,15 +9,16 @@ namespace trim
 namespace
 {
 
-double Volume(const std::array<Vec3, 4>& p)
+/// Of a tetrahedron.
+inline double Volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-  return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6.0;
+  return (b - a).cross(c - a).dot(d - a) / 6.0;
 }
 
 /// The edges of one element by the places of its nodes in OrderForTetrahedra.
 struct ElementEdges
 {
-  std::array<int, 8> Node;
+  const std::array<int, 8>& Node;
   const std::vector<unsigned char>& Status;
   const CutEdges& Edges;
 
@@ -69,34 +70,45 @@ double ShareOfTetrahedron(const Tetrahedron& tetrahedron, const ElementEdges& ed
   }
 }
 
-template <std::size_t N>
-ElementVolumes Measure(
-  const std::array<Tetrahedron, N>& tetrahedra, const Band& band, const ElementEdges& edges)
+/// Calls visit(tetrahedron, volume) for those of an element.
+template <std::size_t N, typename Visit>
+void ForTetrahedra(const Band& band, const std::array<Tetrahedron, N>& tetrahedra,
+  const std::array<int, 8>& nodes, const Visit& visit)
 {
-  ElementVolumes volumes;
   for (const auto& tetrahedron : tetrahedra)
   {
-    std::array<Vec3, 4> p;
-    for (int i = 0; i < 4; ++i)
-    {
-      p[i] = band.Point[edges.Node[tetrahedron[i]]];
-    }
-    const double volume = std::abs(Volume(p));
-    volumes.Total += volume;
-    volumes.Eliminated += volume * ShareOfTetrahedron(tetrahedron, edges);
+    const auto corner = [&](int i) -> const Vec3& { return band.Point[nodes[tetrahedron[i]]]; };
+    visit(tetrahedron, std::abs(Volume(corner(0), corner(1), corner(2), corner(3))));
   }
-  return volumes;
 }
 
-}
-
-ElementVolumes MeasureEliminated(
-  const Band& band, int element, const nurbs::TrimmingSurface& surface, const CutEdges& edges)
+template <typename Visit>
+void ForTetrahedra(
+  const Band& band, int element, const std::array<int, 8>& nodes, const Visit& visit)
 {
-  const auto& e = band.Elements[element];
-  const ElementEdges ofElement{ OrderForTetrahedra(band, e, surface), band.NodeStatus, edges };
-  return e.Count == 8 ? Measure(HexahedronTetrahedra, band, ofElement)
-                      : Measure(WedgeTetrahedra, band, ofElement);
+  band.Elements[element].Count == 8 ? ForTetrahedra(band, HexahedronTetrahedra, nodes, visit)
+                                    : ForTetrahedra(band, WedgeTetrahedra, nodes, visit);
+}
+
+}
+
+double MeasureVolume(const Band& band, int element, const std::array<int, 8>& nodes)
+{
+  double total = 0.0;
+  ForTetrahedra(
+    band, element, nodes, [&total](const Tetrahedron&, double volume) { total += volume; });
+  return total;
+}
+
+double MeasureEliminated(
+  const Band& band, int element, const std::array<int, 8>& nodes, const CutEdges& edges)
+{
+  const ElementEdges ofElement{ nodes, band.NodeStatus, edges };
+  double eliminated = 0.0;
+  ForTetrahedra(band, element, nodes,
+    [&](const Tetrahedron& tetrahedron, double volume)
+    { eliminated += volume * ShareOfTetrahedron(tetrahedron, ofElement); });
+  return eliminated;
 }
 
 }

@@ -13,16 +13,13 @@
 namespace trim
 {
 
-struct ElementVolumes
-{
-  double Total = 0;
-  double Eliminated = 0;
-  double Fraction() const { return this->Total > 0.0 ? this->Eliminated / this->Total : 0.0; }
-};
+/// Volume of an element.
+/// @param nodes see OrderForTetrahedra.
+double MeasureVolume(const Band& band, int element, const std::array<int, 8>& nodes);
 
-/// Volumes of one element.
-ElementVolumes MeasureEliminated(
-  const Band& band, int element, const nurbs::TrimmingSurface& surface, const CutEdges& edges);
+/// Volume of an element that lies beyond the surface.
+double MeasureEliminated(
+  const Band& band, int element, const std::array<int, 8>& nodes, const CutEdges& edges);
 
 }
 

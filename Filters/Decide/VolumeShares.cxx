@@ -24,13 +24,16 @@ bool MeasureShares(const Band& band, const Columns& columns, const nurbs::Trimmi
   vtkSMPTools::For(0, count, 64,
     [&](Id begin, Id end)
     {
-      for (Id e = begin; e < end; ++e)
+      for (int e = static_cast<int>(begin); e < end; ++e)
       {
-        const auto volumes = MeasureEliminated(band, static_cast<int>(e), surface, edges);
-        shares.Volume[e] = volumes.Total;
-        shares.Element[e] = band.ElementStatus[e] == ElementKeep ? 0.0
-          : band.ElementStatus[e] == ElementEliminate            ? 1.0
-                                                                 : volumes.Fraction();
+        const std::array<int, 8> nodes = OrderForTetrahedra(band, e, surface);
+        const double volume = MeasureVolume(band, e, nodes);
+        shares.Volume[e] = volume;
+        shares.Element[e] = band.ElementStatus[e] == ElementEliminate ? 1.0 : 0.0;
+        if (band.ElementStatus[e] == ElementToTreat && volume > 0.0)
+        {
+          shares.Element[e] = MeasureEliminated(band, e, nodes, edges) / volume;
+        }
       }
     });
   MeasureColumnShares(columns, shares);

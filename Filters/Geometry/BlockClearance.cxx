@@ -38,18 +38,19 @@ BlockReach SurfaceBlocks::ReachOf(const SurfaceModel& model, int index) const
 }
 
 /// Whether a foot in the block, so far from the point (squared), is certainly the closest point.
-bool SurfaceBlocks::IsClear(const SurfaceModel& model, int index, double squared) const
+bool SurfaceBlocks::IsClear(const SurfaceModel& model, int index, double squared, Rings rings) const
 {
   // Each ring proves its own distance: a wide one keeps others off, a narrow one is more convex
   // and asks for less of the surface.
-  constexpr double Rings[] = { 0.0, 0.5, 1.0 };
-  for (int ring = 0; ring < 3; ++ring)
+  constexpr double Widths[] = { 0.0, 0.5, 1.0 };
+  const int first = rings == Rings::Narrow ? 0 : 1, end = rings == Rings::Narrow ? 1 : 3;
+  for (int ring = first; ring < end; ++ring)
   {
     std::atomic<float>& known = this->Certificates[index].Clearance[ring];
     float clearance = known.load(std::memory_order_relaxed);
     if (clearance < 0)
     {
-      clearance = static_cast<float>(0.999 * this->MeasureClearance(model, index, Rings[ring]));
+      clearance = static_cast<float>(0.999 * this->MeasureClearance(model, index, Widths[ring]));
       known.store(clearance, std::memory_order_relaxed);
     }
     if (squared < static_cast<double>(clearance) * clearance)

@@ -307,7 +307,10 @@ bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePo
   }
   start = foot;
   const int block = this->BlockAt(face, place.SpanU, place.SpanV, place.S, place.T);
-  return this->IsClear(model, block, foot.Squared) || this->IsClosest(model, p, foot, block);
+  // Wide rings take as long as many points to measure, and few points need them.
+  return this->IsClear(model, block, foot.Squared, Rings::Narrow) ||
+    this->IsClosest(model, p, foot, block) ||
+    this->IsClear(model, block, foot.Squared, Rings::Wide);
 }
 
 }

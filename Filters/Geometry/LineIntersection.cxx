@@ -63,6 +63,7 @@ private:
   void MeasurePart(const BezierPatch& patch, const LeafDomain& box, PartAlong& part) const;
   bool IsDecided(const BezierPatch& patch, int index, const LeafDomain& box, const PartAlong& part,
     double tolerance);
+  bool MayLieAtGap(const BezierPatch& patch, const LeafDomain& box) const;
   bool FindTouch(const BezierPatch& patch, int index, const LeafDomain& box);
   Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   double SquaredDistance(const Vec3& point) const;
@@ -528,15 +529,30 @@ bool LineSearch::FindTouch(const BezierPatch& patch, int index, const LeafDomain
     this->Report(index, solution, true);
 }
 
+/// Whether there may be a gap to the next face beside the box. At a knot there is none, unless a
+/// loop runs along it.
+bool LineSearch::MayLieAtGap(const BezierPatch& patch, const LeafDomain& box) const
+{
+  const bool at[4] = { box.S0 == 0, box.S1 == 1, box.T0 == 0, box.T1 == 1 };
+  const bool isTrimmed = !this->Model.Data[patch.Face].Loops.Empty();
+  for (int side = 0; side < 4; ++side)
+  {
+    if (at[side] && (isTrimmed || patch.Sides[side] == SideKind::Border))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// False if the box is decided; else its two halves.
 bool LineSearch::SearchBox(
   const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves, bool& touch)
 {
   PartAlong part;
   this->MeasurePart(patch, box, part);
-  // Beside the border of the patch there may be a gap to the next face.
-  const bool atBorder = box.S0 == 0 || box.S1 == 1 || box.T0 == 0 || box.T1 == 1;
-  const double tolerance = atBorder ? this->Tolerance + this->Model.Gap : this->Tolerance;
+  const double tolerance =
+    this->MayLieAtGap(patch, box) ? this->Tolerance + this->Model.Gap : this->Tolerance;
   if ((part.Low.array() > tolerance).any() || (part.High.array() < -tolerance).any() ||
     part.First > this->High + this->Tolerance || part.Last < this->Low - this->Tolerance ||
     this->IsDecided(patch, index, box, part, tolerance))

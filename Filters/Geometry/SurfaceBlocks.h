@@ -109,7 +109,13 @@ private:
   void ForPieces(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;
   BlockReach MeasureReach(const SurfaceModel& model, int block) const;
   BlockReach ReachOf(const SurfaceModel& model, int block) const;
-  bool IsClear(const SurfaceModel& model, int block, double squared) const;
+  /// By which blocks round a block a clearance is proved.
+  enum class Rings
+  {
+    Narrow,
+    Wide
+  };
+  bool IsClear(const SurfaceModel& model, int block, double squared, Rings rings) const;
   double MeasureClearance(const SurfaceModel& model, int block, double width) const;
   BlockRange RingAbout(int block, double width) const;
   double ConvexClearance(const SurfaceModel& model, int block, const BlockRange& ring) const;

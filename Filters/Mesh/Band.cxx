@@ -34,7 +34,14 @@ std::array<int, 4> FaceKey(const BandElement& element, int slot)
   {
     key[i] = element.Node[face.Node[i]];
   }
-  std::sort(key.begin(), key.end());
+  // A sorting network: std::sort would take longer than all else here.
+  constexpr int network[5][2] = { { 0, 1 }, { 2, 3 }, { 0, 2 }, { 1, 3 }, { 1, 2 } };
+  for (const auto& [low, high] : network)
+  {
+    const int least = std::min(key[low], key[high]);
+    key[high] = std::max(key[low], key[high]);
+    key[low] = least;
+  }
   return key;
 }
 
@@ -275,9 +282,8 @@ void Band::ListEdges(int node, std::vector<BandEdge>& edges) const
     for (const int i : neighbours[corner - element.Node.begin()])
     {
       const BandEdge edge{ node, element.Node[i] };
-      const bool known = std::any_of(edges.begin() + first, edges.end(),
-        [&edge](const BandEdge& other) { return other.Second == edge.Second; });
-      if (edge.Second > node && !known)
+      const auto isSame = [&edge](const BandEdge& other) { return other.Second == edge.Second; };
+      if (edge.Second > node && std::none_of(edges.begin() + first, edges.end(), isSame))
       {
         edges.push_back(edge);
       }

@@ -40,7 +40,8 @@ void UniteAxes(const Band& band, const BandFace& face, ConcurrentSets<int>& axes
   {
     axes.Unite(Slot(face.Element[0], end0), Slot(face.Element[1], end1));
   }
-  for (int i = 0; i + 1 < face.Count; ++i)
+  // Opposite edges of a quadrilateral are parallel, those of a triangle have no axis.
+  for (int i = 0; i < 2 && face.Count == 4; ++i)
   {
     const int a0 = AxisOfEdge(e0, face.Node[i], face.Node[i + 1]);
     const int a1 = AxisOfEdge(e1, face.Node[i], face.Node[i + 1]);

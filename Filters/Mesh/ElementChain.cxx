@@ -1,5 +1,6 @@
 #include "ElementChain.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace trim
@@ -9,6 +10,29 @@ namespace
 
 /// Longer chains count as open.
 constexpr int LongestChain = 4096;
+
+/// The axis of the edge between any two nodes of an element; -1: none, or no edge.
+using AxesBetween = std::array<std::array<signed char, 8>, 8>;
+constexpr AxesBetween FindAxes(const ElementTopology& topology)
+{
+  AxesBetween axes{};
+  for (auto& row : axes)
+  {
+    for (auto& axis : row)
+    {
+      axis = -1;
+    }
+  }
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    const EdgeNodes& edge = topology.Edges[i];
+    axes[edge.First][edge.Second] = axes[edge.Second][edge.First] =
+      static_cast<signed char>(edge.Axis);
+  }
+  return axes;
+}
+constexpr AxesBetween HexahedronAxes = FindAxes(HexahedronTopology);
+constexpr AxesBetween WedgeAxes = FindAxes(WedgeTopology);
 
 double AxisLength(const Band& band, int element, int axis)
 {
@@ -81,17 +105,14 @@ Chain MeasureChain(const Band& band, int element, int axis)
 
 int AxisOfEdge(const BandElement& element, int a, int b)
 {
-  const auto& topology = TopologyOf(element.Count);
-  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  const auto first = std::find(element.begin(), element.end(), a);
+  const auto second = std::find(element.begin(), element.end(), b);
+  if (first == element.end() || second == element.end())
   {
-    const int p = element.Node[topology.Edges[i].First];
-    const int q = element.Node[topology.Edges[i].Second];
-    if ((p == a && q == b) || (p == b && q == a))
-    {
-      return topology.Edges[i].Axis;
-    }
+    return -1;
   }
-  return -1;
+  const auto& axes = element.Count == 8 ? HexahedronAxes : WedgeAxes;
+  return axes[first - element.begin()][second - element.begin()];
 }
 
 }

@@ -3,8 +3,7 @@
 #include "CoincidentNodes.h"
 #include "ElementWorth.h"
 #include "NodesOfElements.h"
-
-#include <vtkSMPTools.h>
+#include "Runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,26 +87,20 @@ double QualityBefore(const Band& band, int e)
   return ScaledJacobian(before.Points, before.Count);
 }
 
-/// The elements that pass a test, ascending, asked by all threads.
+/// The touched elements that pass a test, ascending, asked by all threads.
 template <typename Test>
-std::vector<int> FindElements(const Band& band, const Test& test)
+std::vector<int> FindElements(const Band& band, const TrimmedBand& trimmed, const Test& test)
 {
-  const int count = band.NumberOfElements();
-  std::vector<char> passes(count, 0);
-  vtkSMPTools::For(0, count, 256,
-    [&](Id begin, Id end)
-    {
-      for (Id e = begin; e < end; ++e)
-      {
-        passes[e] = test(static_cast<int>(e));
-      }
-    });
+  const std::vector<int> touched = FindTouchedElements(band, trimmed);
+  std::vector<char> passes(touched.size(), 0);
+  ForAll(static_cast<int>(touched.size()),
+    [&](int i) { passes[i] = test(touched[i], FinalShape(band, trimmed, touched[i])); });
   std::vector<int> found;
-  for (int e = 0; e < count; ++e)
+  for (std::size_t i = 0; i < touched.size(); ++i)
   {
-    if (passes[e])
+    if (passes[i])
     {
-      found.push_back(e);
+      found.push_back(touched[i]);
     }
   }
   return found;
@@ -122,16 +115,9 @@ bool StaysInvalid(const Band& band, int e, const ElementPoints& points, int coun
 
 std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed)
 {
-  return FindElements(band,
-    [&](int e)
-    {
-      if (!trimmed.Kept[e])
-      {
-        return false;
-      }
-      const FinalElement final = FinalShape(band, trimmed, e);
-      return final.Touched && StaysInvalid(band, e, final.Points, final.Count);
-    });
+  return FindElements(band, trimmed,
+    [&](int e, const FinalElement& final)
+    { return StaysInvalid(band, e, final.Points, final.Count); });
 }
 
 /// The straight corners that the treatment asked for makes.
@@ -143,26 +129,12 @@ bool BandQuality::IsExempt(const TrimmedBand& trimmed, int e) const
 std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
 {
   const std::vector<char> coincides = FindCoincidentNodes(this->TheBand, trimmed);
-  return FindElements(this->TheBand,
-    [&](int e) { return trimmed.Kept[e] && this->IsSpoiled(trimmed, e, coincides); });
-}
-
-bool BandQuality::IsSpoiled(
-  const TrimmedBand& trimmed, int e, const std::vector<char>& coincides) const
-{
-  const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-  if (!final.Touched)
-  {
-    return false;
-  }
-  for (int i = 0; i < final.Count; ++i)
-  {
-    if (coincides[final.Node[i]])
+  return FindElements(this->TheBand, trimmed,
+    [&](int e, const FinalElement& final)
     {
-      return true;
-    }
-  }
-  return this->Spoils(e, final.Points, final.Count);
+      return std::any_of(final.begin(), final.end(), [&](int n) { return coincides[n]; }) ||
+        this->Spoils(e, final.Points, final.Count);
+    });
 }
 
 bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
@@ -209,35 +181,24 @@ double BandQuality::MeasureOf(const TrimmedBand& trimmed, int e, const FinalElem
                                     : ScaledJacobian(final.Points, final.Count);
 }
 
-template <typename Test>
-std::vector<int> BandQuality::FindTouched(const TrimmedBand& trimmed, const Test& test) const
-{
-  return FindElements(this->TheBand,
-    [&](int e)
-    {
-      if (!trimmed.Kept[e] || trimmed.Treated.FlatCorner.empty())
-      {
-        return false;
-      }
-      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-      return final.Touched && test(e, final);
-    });
-}
-
 std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
 {
-  if (this->Floor <= 0.0)
+  if (this->Floor <= 0.0 || trimmed.Treated.FlatCorner.empty())
   {
     return {};
   }
-  return this->FindTouched(trimmed,
+  return FindElements(this->TheBand, trimmed,
     [&](int e, const FinalElement& final)
     { return this->IsBelowFloor(e, this->MeasureOf(trimmed, e, final)); });
 }
 
 std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double worth) const
 {
-  return this->FindTouched(trimmed,
+  if (trimmed.Treated.FlatCorner.empty())
+  {
+    return {};
+  }
+  return FindElements(this->TheBand, trimmed,
     [&](int e, const FinalElement& final)
     {
       if (this->IsExempt(trimmed, e))

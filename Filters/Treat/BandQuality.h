@@ -80,10 +80,6 @@ private:
   double MeasureOf(const TrimmedBand& trimmed, int element, const FinalElement& final) const;
   bool IsBelowFloor(int element, double measured) const;
   bool IsExempt(const TrimmedBand& trimmed, int element) const;
-  /// Touched kept elements that pass a test.
-  template <typename Test>
-  std::vector<int> FindTouched(const TrimmedBand& trimmed, const Test& test) const;
-  bool IsSpoiled(const TrimmedBand& trimmed, int element, const std::vector<char>& coincides) const;
 
   const Band& TheBand;
   Optimization Treatment;

@@ -184,7 +184,6 @@ void ColumnChoices::LeaveInvalid(
 {
   while (!aborted())
   {
-    trimmed.Invalid = this->Quality.FindInvalid(trimmed);
     bool changed = false;
     for (const int e : trimmed.Invalid)
     {

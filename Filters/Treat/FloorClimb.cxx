@@ -197,7 +197,6 @@ private:
     };
     TrimmedBand other =
       this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Aimed, from, promises);
-    other.Invalid = this->TheChoices.Quality.FindInvalid(other);
     if (other.Invalid.size() > trimmed.Invalid.size() || this->TheChoices.CountLeft(other) > left)
     {
       return false;

@@ -139,8 +139,14 @@ TrimmedBand TrialTrim::Make(
     trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
       { this->Options.Treatment, set.Treatments }, trimmed.NodeMoves);
     trimmed.Unrelaxed = trimmed.NodeMoves;
-    this->RelaxBad(set, goal, from, promises, trimmed);
+    const std::vector<int> bad = this->FindBad(set, goal, from, trimmed);
+    if (bad.empty())
+    {
+      return trimmed;
+    }
+    this->RelaxBad(set, bad, goal, promises, trimmed);
   }
+  trimmed.Invalid = this->Quality.FindInvalid(trimmed);
   return trimmed;
 }
 
@@ -197,9 +203,9 @@ std::vector<char> TrialTrim::TakeRelaxed(
   return near;
 }
 
-/// Relaxes round what is invalid or short of the goal.
-void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
-  const Promise& promises, TrimmedBand& trimmed) const
+/// What is invalid or short of the goal, without what another trial has relaxed already.
+std::vector<int> TrialTrim::FindBad(
+  const Choices& set, const BandQuality& goal, const TrimmedBand* from, TrimmedBand& trimmed) const
 {
   std::vector<char> near(this->TheBand.NumberOfElements(), 1);
   if (from)
@@ -207,7 +213,8 @@ void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, const Trim
     near = this->TakeRelaxed(set, *from, trimmed);
   }
   trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
-  for (const int e : this->Quality.FindInvalid(trimmed))
+  trimmed.Invalid = this->Quality.FindInvalid(trimmed);
+  for (const int e : trimmed.Invalid)
   {
     trimmed.Relaxed[e] = 1;
   }
@@ -227,6 +234,12 @@ void TrialTrim::RelaxBad(const Choices& set, const BandQuality& goal, const Trim
       bad.push_back(e);
     }
   }
+  return bad;
+}
+
+void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const BandQuality& goal,
+  const Promise& promises, TrimmedBand& trimmed) const
+{
   const double quality = std::max(goal.GetFloor(), SmallestGoal);
   if (bad.size() > MostThorough)
   {
@@ -567,8 +580,14 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
   {
     if (trimmed.Kept[e])
     {
-      const FinalElement final = FinalShape(this->TheBand, trimmed, e);
-      elements[e] = { final.Count, final.Node };
+      elements[e] = { this->TheBand.Elements[e].Count, this->TheBand.Elements[e].Node };
+    }
+  }
+  for (const auto& wedge : trimmed.Treated.Wedges)
+  {
+    if (trimmed.Kept[wedge.Element])
+    {
+      elements[wedge.Element] = { 6, wedge.Node };
     }
   }
   shapes.OnCut = FindBoundaryNodes(this->TheBand, trimmed);

@@ -74,7 +74,7 @@ class TrialTrim
 public:
   TrialTrim(const TrimCase& given, const LadderOptions& options);
 
-  /// The demands go before the choices.
+  /// The demands go before the choices. What is invalid is told.
   /// @param goal what elements are relaxed to.
   /// @param from another trial: only round what it has otherwise is relaxed anew.
   /// @param promises asked after a brief relaxation; where it does not, that was all.
@@ -114,7 +114,9 @@ private:
   bool IsBehindOnBorder(int node, const std::vector<char>& atCut) const;
   Choices WithDemands(Choices choices) const;
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
-  void RelaxBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
+  std::vector<int> FindBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
+    TrimmedBand& trimmed) const;
+  void RelaxBad(const Choices& set, const std::vector<int>& bad, const BandQuality& goal,
     const Promise& promises, TrimmedBand& trimmed) const;
   bool Differ(const TrimmedBand& a, const TrimmedBand& b, int element) const;
   std::vector<char> TakeRelaxed(

@@ -2,6 +2,8 @@
 
 #include "MovingNodes.h"
 
+#include <algorithm>
+
 namespace trim
 {
 
@@ -25,13 +27,15 @@ std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed)
   {
     if (trimmed.Kept[e])
     {
-      const ReplacedElement* wedge = FindWedge(trimmed.Treated, e);
-      const auto& node = wedge ? wedge->Node : band.Elements[e].Node;
-      const int count = wedge ? 6 : band.Elements[e].Count;
-      for (int i = 0; i < count; ++i)
-      {
-        ++users[node[i]];
-      }
+      const auto& element = band.Elements[e];
+      std::for_each(element.begin(), element.end(), [&users](int n) { ++users[n]; });
+    }
+  }
+  for (const auto& wedge : trimmed.Treated.Wedges)
+  {
+    if (trimmed.Kept[wedge.Element])
+    {
+      std::for_each(wedge.Dropped.begin(), wedge.Dropped.end(), [&users](int n) { --users[n]; });
     }
   }
   return users;
@@ -55,6 +59,34 @@ FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int elemen
     final.Touched |= trimmed.NodeMoves.Applied[final.Node[i]] != Correction::None;
   }
   return final;
+}
+
+std::vector<int> FindTouchedElements(const Band& band, const TrimmedBand& trimmed)
+{
+  std::vector<char> touched(band.NumberOfElements(), 0);
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    if (trimmed.NodeMoves.Applied[n] != Correction::None)
+    {
+      for (const int e : band.ElementsOfNode(n))
+      {
+        touched[e] = 1;
+      }
+    }
+  }
+  for (const auto& wedge : trimmed.Treated.Wedges)
+  {
+    touched[wedge.Element] = 1;
+  }
+  std::vector<int> elements;
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    if (touched[e] && trimmed.Kept[e])
+    {
+      elements.push_back(e);
+    }
+  }
+  return elements;
 }
 
 }

@@ -61,6 +61,9 @@ struct FinalElement
 };
 FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element);
 
+/// Kept elements that have a moved node or were replaced, ascending: a small part of the band.
+std::vector<int> FindTouchedElements(const Band& band, const TrimmedBand& trimmed);
+
 /// Nodes of the new boundary: of facets between kept and eliminated elements, and of those that
 /// wedges have where they dropped an edge.
 std::vector<char> FindBoundaryNodes(const Band& band, const TrimmedBand& trimmed);

@@ -32,7 +32,6 @@ public:
     int climb = 0;
     for (; climb < LongestClimb && !progress(Climbed * climb / LongestClimb); ++climb)
     {
-      trimmed.Invalid = this->TheChoices.Quality.FindInvalid(trimmed);
       const std::vector<int> bad = this->FindBadColumns(trimmed);
       if (std::all_of(bad.begin(), bad.end(),
             [this](int c) { return this->TheChoices.At.Rungs[c] == Rung::Left; }))
@@ -100,7 +99,6 @@ private:
   {
     TrimmedBand anew =
       this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Quality);
-    anew.Invalid = this->TheChoices.Quality.FindInvalid(anew);
     if (anew.Invalid.size() <= trimmed.Invalid.size())
     {
       trimmed = std::move(anew);

@@ -286,7 +286,7 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
   const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
   LadderPosition foot;
   ColumnChoices choices(given, task.Options.Ladder, foot);
-  return choices.Quality.FindInvalid(choices.Trial.Make(choices.At.Set, choices.Quality)).size();
+  return choices.Trial.Make(choices.At.Set, choices.Quality).Invalid.size();
 }
 
 }

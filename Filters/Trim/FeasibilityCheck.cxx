@@ -228,40 +228,32 @@ private:
     return std::abs(probe.Feet[probe.Nearest]->Normal.dot(probe.Skin)) > SteepestCosine;
   }
 
-  /// Whether a foot lies in the box of the element.
-  static bool IsNear(const Probe& probe, const Foot& foot)
+  /// By the curvature at the feet; and, for sharp edges of the surface and bends that no foot hits,
+  /// by the turn of the normal between two feet.
+  bool IsCurved(const Probe& probe) const
   {
     Box3 box;
     for (int i = 0; i < probe.Count; ++i)
     {
       box.extend(probe.Point[i]);
     }
-    return foot.Kind == FootKind::Interior && box.contains(foot.Point);
-  }
-
-  /// By the curvature at the feet; and, for sharp edges of the surface and bends that no foot hits,
-  /// by the turn of the normal between two feet.
-  bool IsCurved(const Probe& probe) const
-  {
+    const auto isSmall = [](double radius) { return radius < (1.0 - Rounding) * SmallestRadius; };
+    std::array<const Foot*, 8> inside;
+    int count = 0;
     for (int i = 0; i < probe.Count; ++i)
     {
       const Foot& foot = *probe.Feet[i];
-      if (!IsNear(probe, foot))
+      if (foot.Kind != FootKind::Interior || !box.contains(foot.Point))
       {
         continue;
       }
-      if (this->RadiusInElements(probe, foot) < (1.0 - Rounding) * SmallestRadius)
+      if (isSmall(this->RadiusInElements(probe, foot)) ||
+        std::any_of(inside.begin(), inside.begin() + count,
+          [&](const Foot* other) { return isSmall(MeanRadius(probe, foot, *other)); }))
       {
         return true;
       }
-      for (int j = 0; j < i; ++j)
-      {
-        if (IsNear(probe, *probe.Feet[j]) &&
-          MeanRadius(probe, foot, *probe.Feet[j]) < (1.0 - Rounding) * SmallestRadius)
-        {
-          return true;
-        }
-      }
+      inside[count++] = &foot;
     }
     return false;
   }
