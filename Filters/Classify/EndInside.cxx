@@ -120,4 +120,23 @@ bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
   return false;
 }
 
+std::optional<Vec3> FindEndBeside(
+  const nurbs::TrimmingSurface& surface, const Vec3& eliminated, const Vec3& kept)
+{
+  // The side changes within the hole, where the border is nearer than all else.
+  constexpr int halvings = 50;
+  Vec3 beyond = eliminated, before = kept;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const Vec3 middle = 0.5 * (beyond + before);
+    const nurbs::Foot foot = surface.ClosestPoint(middle);
+    if (foot.Kind == nurbs::FootKind::Border)
+    {
+      return foot.Point;
+    }
+    (foot.SignedDistance > 0.0 ? beyond : before) = middle;
+  }
+  return {};
+}
+
 }

@@ -1,12 +1,14 @@
 /**
  * @file EndInside.h
- * @brief Whether a surface that has all nodes on one side ends within the grid all the same.
+ * @brief Where a surface ends within the grid though no node tells of it.
  */
 #ifndef EndInside_h
 #define EndInside_h
 
 #include "NodeClassification.h"
 #include "Place.h"
+
+#include <optional>
 
 namespace trim
 {
@@ -15,6 +17,13 @@ namespace trim
 /// is none next to an element with a node that the border is nearest to.
 bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
   const nurbs::TrimmingSurface& surface, Place& place);
+
+/**
+ * Where the surface ends beside an edge that joins its two sides without meeting it: in a hole, or
+ * where faces leave a slit between them. None if it has no end there, but contradicts itself.
+ */
+std::optional<Vec3> FindEndBeside(
+  const nurbs::TrimmingSurface& surface, const Vec3& eliminated, const Vec3& kept);
 
 }
 

@@ -1,6 +1,7 @@
 #include "TrimPipeline.h"
 
 #include "CutColumns.h"
+#include "EndInside.h"
 #include "FeasibilityCheck.h"
 #include "GatherBand.h"
 #include "InputScale.h"
@@ -312,8 +313,11 @@ void MeasureStretches(const Piece& piece, const nurbs::TrimmingSurface& surface,
     std::array<int, 2> missed{ -1, -1 };
     if (!MeasureShares(near.Mesh, near.Structure, surface, gap, near.Shares, missed))
     {
-      const Vec3 place = 0.5 * (near.Mesh.Point[missed[0]] + near.Mesh.Point[missed[1]]);
-      result.Error = ends ? EndsInsideText(place) : SidesMixedUpText(place);
+      const Vec3& eliminated = near.Mesh.Point[missed[0]];
+      const Vec3& kept = near.Mesh.Point[missed[1]];
+      const auto end = FindEndBeside(surface, eliminated, kept);
+      const Vec3 place = end.value_or(0.5 * (eliminated + kept));
+      result.Error = ends || end ? EndsInsideText(place) : SidesMixedUpText(place);
     }
   }
   result.Error = piece.All.FirstText(result.Error);

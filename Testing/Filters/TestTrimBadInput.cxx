@@ -4,6 +4,7 @@
  * output, no crash.
  */
 #include "RunTrim.h"
+#include "SplineData.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -13,6 +14,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkTrimHexahedralGrid.h>
 
 #include <algorithm>
@@ -404,6 +406,26 @@ void TestEnds(const Mesh& mesh)
   }
 }
 
+// A hole in a face, smaller than an element, that an edge of the mesh goes through.
+void TestHoleInFace(const Mesh& mesh)
+{
+  const auto& box = mesh.Box;
+  const Vec3 place = box.Centre + 0.3 * box.ElementSize * Vec3::UnitX();
+  const double half = 4 * box.HalfX;
+  for (const double width : { 0.02, 0.1, 0.6 })
+  {
+    const Surface plane = PlaneThrough(place, Vec3(1, 0.1, 0.05), half);
+    SplineSurface face = ReadSpline(vtkPolyData::SafeDownCast(plane.Data));
+    const auto square = [](double r)
+    {
+      return std::vector<Vec2>{ Vec2(0.5 - r, 0.5 - r), Vec2(0.5 + r, 0.5 - r),
+        Vec2(0.5 + r, 0.5 + r), Vec2(0.5 - r, 0.5 + r) };
+    };
+    face.Loops = { square(0.45), square(0.25 * width * box.ElementSize / half) };
+    Judge("hole in a face", mesh.Grid, ToPolyData(face), { "ends inside the grid, at (" });
+  }
+}
+
 // One that parts no two nodes ends inside as well: in an element, and where facets of elements
 // meet. One that ends right above the skin does not.
 void TestEndsInAnElement(const Mesh& mesh)
@@ -493,6 +515,7 @@ int main()
   TestLoopsAndShells(mesh);
   TestOptionsAndBlocks(mesh);
   TestMixedSides(mesh);
+  TestHoleInFace(mesh);
   TestEndsInAnElement(mesh);
   TestEnds(mesh);
   TestMissed(mesh);
