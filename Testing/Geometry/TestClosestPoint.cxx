@@ -308,6 +308,34 @@ void TestFarPoints()
 
 }
 
+// A flat square whose weights differ by a factor of a million from one control point to the next,
+// so that nearly all of it lies within a thousandth of the parameters of its patches.
+void TestUnequalWeights(int degree, bool bothWays)
+{
+  NurbsSurface square =
+    samples::FromNet(degree, degree, 6, 6, [](double u, double v) { return Vec4(u, v, 0, 1); });
+  for (int i = 0; i < 36; ++i)
+  {
+    const bool heavy = (bothWays ? i + i / 6 : i) % 2 != 0;
+    square.ControlPoints[i].w() = heavy ? 1e6 : 1.0;
+  }
+  const TrimmingSurface surface({ square }, 1e-9);
+  const double up = surface.ClosestPoint(Vec3(0.5, 0.5, 1)).SignedDistance > 0.0 ? 1.0 : -1.0;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(0.01, 0.99);
+  for (int i = 0; i < check::Trials(2000); ++i)
+  {
+    const Vec3 below(any(random), any(random), 0);
+    const double height = any(random) - 0.5;
+    const Foot foot = surface.ClosestPoint(below + height * Vec3::UnitZ());
+    check::Near((foot.Point - below).norm(), 0, 1e-9, "the foot under unequal weights");
+    check::Near(foot.SignedDistance, up * height, 1e-9, "the distance under unequal weights");
+    const auto hits = surface.Intersect(below - Vec3::UnitZ(), below + Vec3::UnitZ());
+    check::That(hits.size() == 1 && (hits[0].Point - below).norm() < 1e-9,
+      "a line through a surface with unequal weights");
+  }
+}
+
 int main()
 {
   const std::vector<samples::Named> all = samples::All();
@@ -321,5 +349,7 @@ int main()
   TestFarFromOrigin();
   TestNearbyFeet();
   TestFarPoints();
+  TestUnequalWeights(1, true);
+  TestUnequalWeights(3, false);
   return check::Result();
 }
