@@ -34,14 +34,17 @@ bool HasFlags(vtkUnsignedCharArray* ghosts)
 
 void FindOwn(const HexMesh& mesh, vtkUnsignedCharArray* ghosts, OwnCells& own)
 {
-  constexpr unsigned char notOwn = vtkDataSetAttributes::DUPLICATECELL |
+  constexpr unsigned char copy = vtkDataSetAttributes::DUPLICATECELL;
+  constexpr unsigned char hidden =
     vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   std::vector<char> used(mesh.NumberOfPoints, 0);
   std::array<Id, 8> nodes;
   for (Id c = 0; c < mesh.NumberOfCells; ++c)
   {
-    if (ghosts && (ghosts->GetPointer(0)[c] & notOwn))
+    const unsigned char flags = ghosts ? ghosts->GetPointer(0)[c] : 0;
+    if (flags & (copy | hidden))
     {
+      ++(flags & copy ? own.Copies : own.Hidden);
       continue;
     }
     own.Cells.push_back(c);

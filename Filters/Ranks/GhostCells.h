@@ -21,6 +21,8 @@ struct OwnCells
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< the input itself if it has no ghosts
   bool Selected = false;                     ///< some cells or ghost arrays were left out
   std::vector<Id> Points, Cells;             ///< ids in the input, where Selected
+  Id Copies = 0;                             ///< cells left out as copies of other ranks' cells
+  Id Hidden = 0;                             ///< others left out: hidden or refined ones
 };
 
 /**

@@ -113,6 +113,17 @@ vtkSmartPointer<vtkIdTypeArray> GlobalIdsOf(vtkPointData* data)
   return ids;
 }
 
+/// What is to be said of cells that are left out by their flags; empty: nothing. Collective.
+std::string DescribeLeftOut(const OwnCells& own, const Ranks& ranks)
+{
+  // Several ranks trim the cells that are copied, too.
+  const Id count = ranks.Sum(own.Hidden) + (ranks.Alone() ? own.Copies : 0);
+  return count > 0 ? std::to_string(count) +
+      " cells of the grid are flagged as hidden, refined or copies of others (vtkGhostType), and "
+      "left out of the result: to trim them, too, take that array away, e.g. by Pass Arrays."
+                   : "";
+}
+
 std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
 {
   nurbs::Box3 box;
@@ -174,10 +185,11 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
   const auto ids = ranks.Alone() ? nullptr : GlobalIdsOf(this->TheOwn.Grid->GetPointData());
   const bool lacksIds = ranks.Any(this->TheMesh.NumberOfPoints > 0 && !ids);
   const bool useIds = !lacksIds && ids;
-  this->TheGridRemark = lacksIds && ranks.Any(ids != nullptr)
+  this->PiecesRemark = lacksIds && ranks.Any(ids != nullptr)
     ? "Some pieces of the grid have global ids of their points and others have none, so nodes of "
       "several pieces are known by their places: make new ones, e.g. with Generate Global Ids."
     : "";
+  this->HiddenRemark = DescribeLeftOut(this->TheOwn, ranks);
   this->TheBlocks = BuildMeshBlocks(this->TheMesh);
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
@@ -227,7 +239,7 @@ bool TrimInputs::JoinSurface(const Ranks& ranks, std::string& error)
     return false;
   }
   this->TheSurface = MakeSurface(std::move(faces));
-  this->TheSurfaceRemark = ranks.FirstText(FindShift(this->Shown, *this->TheSurface));
+  this->SurfaceRemark = ranks.FirstText(FindShift(this->Shown, *this->TheSurface));
   return true;
 }
 
@@ -266,6 +278,19 @@ bool TrimInputs::Take(
   error = FindGridScaleDefect(bounds);
   error = error.empty() ? FindSurfaceScaleDefect(bounds, this->TheSurface->Bounds()) : error;
   return error.empty();
+}
+
+std::vector<std::string> TrimInputs::Remarks() const
+{
+  std::vector<std::string> remarks;
+  for (const std::string& remark : { this->HiddenRemark, this->PiecesRemark, this->SurfaceRemark })
+  {
+    if (!remark.empty())
+    {
+      remarks.push_back(remark);
+    }
+  }
+  return remarks;
 }
 
 }

@@ -46,10 +46,8 @@ public:
   const MeshBlocks& Blocks() const { return this->TheBlocks; }
   const SharedNodes& Shared() const { return this->TheShared; }
   nurbs::TrimmingSurface& Surface() const { return *this->TheSurface; }
-  /// What is to be said of the pieces of the grid, and of the surface; empty: nothing. The same on
-  /// all ranks.
-  const std::string& GridRemark() const { return this->TheGridRemark; }
-  const std::string& SurfaceRemark() const { return this->TheSurfaceRemark; }
+  /// What is to be said of the grid, its pieces and the surface. The same on all ranks.
+  std::vector<std::string> Remarks() const;
 
 private:
   bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error);
@@ -67,13 +65,14 @@ private:
   MeshBlocks TheBlocks;
   bool Joined = false; ///< TheBlocks and TheShared know of the other ranks' pieces
   SharedNodes TheShared;
-  std::string TheGridRemark;
+  std::string PiecesRemark; ///< empty: nothing is to be said
+  std::string HiddenRemark;
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;
   std::vector<nurbs::NurbsSurface> OwnFaces; ///< those that this rank was given
   std::vector<Vec3> Shown;                   ///< see SamplePolygons
-  std::string TheSurfaceRemark;
+  std::string SurfaceRemark;
   std::unique_ptr<nurbs::TrimmingSurface> TheSurface; ///< of all ranks' faces; null: not made yet
 };
 

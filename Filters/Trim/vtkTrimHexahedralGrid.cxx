@@ -26,6 +26,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -279,13 +280,8 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return 1;
   }
-  for (const std::string& remark : { inputs.SurfaceRemark(), inputs.GridRemark() })
-  {
-    if (!remark.empty())
-    {
-      result.Warnings.insert(result.Warnings.begin(), remark);
-    }
-  }
+  const std::vector<std::string> remarks = inputs.Remarks();
+  result.Warnings.insert(result.Warnings.begin(), remarks.begin(), remarks.end());
   const bool renumber = this->RenumberNodes && trim::CanOrderNodes(inputs.Mesh().NumberOfCells);
   WriteOutputs(inputs, result, ranks,
     { renumber, this->QualityOfAllElements, this->MapValues, this->InsertLayer },

@@ -186,6 +186,27 @@ void TestRepeated()
   Expect(Says(RunTrim(mesh, plane, TrimOptions()).Errors, text), "repeated: other cells are named");
 }
 
+// Cells that are left out by their flags are told of.
+void TestHidden()
+{
+  Mesh mesh = MakeMesh("sheet2");
+  const Surface plane = MakeSurface("plane", mesh.Box, Placement());
+  vtkNew<vtkUnstructuredGrid> flagged;
+  flagged->DeepCopy(mesh.Grid);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(flagged->GetNumberOfCells());
+  ghosts->FillComponent(0, 0);
+  ghosts->SetValue(3, vtkDataSetAttributes::HIDDENCELL);
+  ghosts->SetValue(4, vtkDataSetAttributes::REFINEDCELL);
+  ghosts->SetValue(9, vtkDataSetAttributes::DUPLICATECELL);
+  flagged->GetCellData()->AddArray(ghosts);
+  mesh.Grid = flagged;
+  const Outcome outcome = RunTrim(mesh, plane, TrimOptions());
+  Expect(CountWarned(outcome, "cells of the grid are flagged as hidden") == 3,
+    "hidden cells: left out without a word");
+}
+
 // Inserted elements have the arrays of those on which they stand, but no two cells one global id.
 void TestInserted()
 {
@@ -248,6 +269,7 @@ int main()
   TestUnits();
   TestSeam();
   TestRepeated();
+  TestHidden();
   TestInserted();
   TestShortfallOfOffcut();
   std::printf("%d wrong\n", Wrong);
