@@ -35,13 +35,14 @@ void* Map(std::size_t bytes)
   return memory == MAP_FAILED ? nullptr : memory;
 }
 
-/// What is mapped for so many bytes, with the last large page if at least half of it is used.
+/// What is mapped for so many bytes, with the last large page if small ones would take longer.
 std::size_t SizeOfMapping(std::size_t bytes)
 {
   constexpr std::size_t smallPage = 4096;
   const std::size_t rest = bytes % LargePage;
   return bytes - rest +
-    (rest >= LargePage / 2 ? LargePage : (rest + smallPage - 1) / smallPage * smallPage);
+    (rest >= SmallForLarge * smallPage ? LargePage
+                                       : (rest + smallPage - 1) / smallPage * smallPage);
 }
 
 /// At a limit of large pages; what is whole of them is to be in such.

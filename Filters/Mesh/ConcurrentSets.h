@@ -26,7 +26,8 @@ public:
   {
   }
 
-  bool IsRoot(Index i) const { return this->Parent(i) == i; }
+  /// A smaller member of the set; of the root itself.
+  Index Parent(Index i) const { return i - this->Back[i].load(std::memory_order_relaxed); }
 
   Index Find(Index i)
   {
@@ -64,8 +65,6 @@ public:
   }
 
 private:
-  Index Parent(Index i) const { return i - this->Back[i].load(std::memory_order_relaxed); }
-
   nurbs::PageVector<std::atomic<Index>> Back; ///< from a member to its parent; 0: a root
   bool Alone;                                 ///< one thread needs no locked instructions
 };

@@ -87,16 +87,15 @@ IndexGroups Inverse(const IndexGroups& groups, int members)
   inverse.Offset.resize(members + 1);
   for (const int m : groups.Member)
   {
-    ++inverse.Offset[m + 1];
+    ++inverse.Offset[m];
   }
   std::partial_sum(inverse.Offset.begin(), inverse.Offset.end(), inverse.Offset.begin());
   inverse.Member.resize(groups.Member.size());
-  PageVector<int> fill(inverse.Offset.begin(), inverse.Offset.end() - 1);
-  for (int g = 0; g < groups.Count(); ++g)
+  for (int g = groups.Count() - 1; g >= 0; --g) // from the ends, so that they come ascending
   {
     for (const int* m = groups.begin(g); m != groups.end(g); ++m)
     {
-      inverse.Member[fill[*m]++] = g;
+      inverse.Member[--inverse.Offset[*m]] = g;
     }
   }
   return inverse;

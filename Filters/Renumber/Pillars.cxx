@@ -69,20 +69,21 @@ const Edges& ShortestEdges(const int* nodes, int count, const NodePlaces& positi
   return HexahedronEdges[shortest];
 }
 
-/// Fills in the nodes by pillar, in each by their height along `up`, and the centres.
+/// Sorts the nodes of each pillar by their height along `up`, those at one height as they came;
+/// fills in the centres.
 void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
 {
-  pillars.Node.resize(pillars.Pillar.size());
   pillars.Centre.resize(pillars.Count);
-  PageVector<int> next(pillars.Start.begin(), pillars.Start.end() - 1);
-  for (std::size_t n = 0; n < pillars.Pillar.size(); ++n)
-  {
-    pillars.Node[next[pillars.Pillar[n]]++] = static_cast<int>(n);
-  }
   vtkSMPTools::For(0, pillars.Count, 10000,
     [&](Id begin, Id end)
     {
-      std::array<std::pair<double, int>, MostLayers> heights;
+      struct Layer
+      {
+        double Height;
+        int Node;
+        Vec3 Place;
+      };
+      std::array<Layer, MostLayers> layers;
       for (Id p = begin; p < end; ++p)
       {
         const int first = pillars.Start[p];
@@ -90,19 +91,20 @@ void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
         for (int i = 0; i < size; ++i)
         {
           const int node = pillars.Node[first + i];
-          const std::pair<double, int> own{ position(node).dot(up), node };
+          const Vec3 place = position(node);
+          const double height = place.dot(up);
           int at = i;
-          for (; at > 0 && own < heights[at - 1]; --at) // mostly they come in order
+          for (; at > 0 && height < layers[at - 1].Height; --at) // mostly they come in order
           {
-            heights[at] = heights[at - 1];
+            layers[at] = layers[at - 1];
           }
-          heights[at] = own;
+          layers[at] = { height, node, place };
         }
         Vec3 sum = Vec3::Zero();
         for (int i = 0; i < size; ++i)
         {
-          pillars.Node[first + i] = heights[i].second;
-          sum += position(heights[i].second);
+          pillars.Node[first + i] = layers[i].Node;
+          sum += layers[i].Place;
         }
         pillars.Centre[p] = sum / size;
       }
@@ -167,45 +169,30 @@ Vec3 UniteShortEdges(const NodeGraph& graph, const NodePlaces& position, Concurr
   return sum;
 }
 
-/// Numbers the sets in the order of their roots; returns how many there are.
-int NumberSets(int count, ConcurrentSets<int>& sets, PageVector<int>& number)
+/// Numbers the sets in the order of their roots: sets Count, Pillar, and in Start the sizes.
+void NumberSets(const ConcurrentSets<int>& sets, Pillars& pillars)
 {
-  const auto isRoot = [&sets](Id n) { return sets.IsRoot(static_cast<int>(n)); };
-  std::vector<int> first(NumberOfRuns(count, Grain) + 1, 0);
-  ForRuns(count, Grain,
-    [&](Id grain, Id begin, Id end)
-    {
-      for (Id n = begin; n < end; ++n)
-      {
-        first[grain + 1] += isRoot(n);
-      }
-    });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  number.resize(count);
-  ForRuns(count, Grain,
-    [&](Id grain, Id begin, Id end)
-    {
-      int next = first[grain];
-      for (Id n = begin; n < end; ++n)
-      {
-        if (isRoot(n))
-        {
-          number[n] = next++;
-        }
-      }
-    });
-  ForRuns(count, Grain,
-    [&](Id, Id begin, Id end)
-    {
-      for (Id n = begin; n < end; ++n)
-      {
-        if (!isRoot(n))
-        {
-          number[n] = number[sets.Find(static_cast<int>(n))];
-        }
-      }
-    });
-  return first.back();
+  // In ascending order, so that the parent of a node has its number already.
+  for (std::size_t n = 0; n < pillars.Pillar.size(); ++n)
+  {
+    const int parent = sets.Parent(static_cast<int>(n));
+    const bool isRoot = parent == static_cast<int>(n);
+    const int own = isRoot ? pillars.Count++ : pillars.Pillar[parent];
+    pillars.Pillar[n] = own;
+    ++pillars.Start[own];
+  }
+  pillars.Start.resize(pillars.Count + 1);
+}
+
+/// Fills in the nodes by pillar, ascending, and turns sizes into Start.
+void ListNodes(Pillars& pillars)
+{
+  std::partial_sum(pillars.Start.begin(), pillars.Start.end(), pillars.Start.begin());
+  pillars.Node.resize(pillars.Pillar.size());
+  for (int n = static_cast<int>(pillars.Pillar.size()) - 1; n >= 0; --n) // from the ends
+  {
+    pillars.Node[--pillars.Start[pillars.Pillar[n]]] = n;
+  }
 }
 
 }
@@ -215,18 +202,15 @@ Pillars FindPillars(const NodeGraph& graph, const NodePlaces& position)
   ConcurrentSets<int> sets(graph.NumberOfNodes);
   const Vec3 up = UniteShortEdges(graph, position, sets);
   Pillars pillars;
-  pillars.Count = NumberSets(graph.NumberOfNodes, sets, pillars.Pillar);
-  pillars.Start.assign(pillars.Count + 1, 0);
-  for (const int pillar : pillars.Pillar)
-  {
-    ++pillars.Start[pillar + 1];
-  }
+  pillars.Pillar.resize(graph.NumberOfNodes);
+  pillars.Start.resize(graph.NumberOfNodes + 1); // at most; what is not written to takes no memory
+  NumberSets(sets, pillars);
   if (graph.NumberOfNodes < LeastMean * pillars.Count ||
     *std::max_element(pillars.Start.begin(), pillars.Start.end()) > MostLayers)
   {
     return SingleNodes(position, graph.NumberOfNodes);
   }
-  std::partial_sum(pillars.Start.begin(), pillars.Start.end(), pillars.Start.begin());
+  ListNodes(pillars);
   Arrange(position, up, pillars);
   return pillars;
 }
