@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -170,11 +171,12 @@ bool IsUTF16(std::istream& stream)
 }
 
 /// The rest of a file with line ends of one kind: some spreadsheets end lines with a carriage
-/// return alone.
+/// return alone. Old programs end a text with the control character Z.
 std::istringstream TakeLines(std::istream& stream)
 {
   std::string text;
-  for (char c; stream.get(c);)
+  constexpr char endOfText = '\x1A';
+  for (char c; stream.get(c) && c != endOfText;)
   {
     const bool ofTwo = c == '\r' && stream.peek() == '\n';
     if (!ofTwo)
@@ -183,6 +185,15 @@ std::istringstream TakeLines(std::istream& stream)
     }
   }
   return std::istringstream(text);
+}
+
+/// The beginning of a line, for a message: control characters would end or tear it.
+std::string Quote(const std::string& line)
+{
+  std::string text = line.substr(0, 60);
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return '"' + text + '"';
 }
 
 /// Not strtod: a decimal point whatever the locale.
@@ -352,8 +363,8 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     }
     if (!read.Add(line, layout))
     {
-      error = file + ", line " + std::to_string(number) + " is \"" + line.substr(0, 60) +
-        "\"; expected three finite numbers x, y, z, " +
+      error = file + ", line " + std::to_string(number) + " is " + Quote(line) +
+        "; expected three finite numbers x, y, z, " +
         (read.IsEmpty() ? "" : "parted as in the lines before, ") +
         "or a header that says which columns they are in";
       return false;

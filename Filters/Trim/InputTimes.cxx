@@ -1,6 +1,8 @@
 #include "InputTimes.h"
 
+#include <vtkDataObject.h>
 #include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkInformationVector.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -44,6 +46,22 @@ void TellTimes(vtkInformation* grid, vtkInformation* surface, vtkInformationVect
     {
       output->Set(Pipeline::TIME_RANGE(), range.data(), 2);
     }
+  }
+}
+
+void TellTime(vtkDataObject* grid, vtkDataObject* surface, vtkDataObject* output)
+{
+  const auto key = vtkDataObject::DATA_TIME_STEP();
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  double time = none;
+  for (vtkDataObject* input : { grid, surface })
+  {
+    vtkInformation* own = input->GetInformation();
+    time = own->Has(key) ? std::max(time, own->Get(key)) : time;
+  }
+  if (time != none)
+  {
+    output->GetInformation()->Set(key, time);
   }
 }
 

@@ -297,6 +297,8 @@ int vtkTrimHexahedralGrid::Trim(
   for (vtkUnstructuredGrid* output : outputs)
   {
     trim::TellRanges(output);
+    trim::TellTime(
+      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), output);
   }
   for (std::size_t i = 0; ranks.Rank() == 0 && i < result.Warnings.size(); ++i)
   {

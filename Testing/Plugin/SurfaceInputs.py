@@ -4,6 +4,7 @@ import os
 
 from paraview.simple import (GroupDatasets, NURBSSurfaceSource, SaveData,
                              XMLPolyDataReader)
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from Checks import (OUTPUT_DIRECTORY, check, check_equal, fetch, plane_at, same_grids, sheet,
@@ -56,8 +57,10 @@ def check_times():
     check_equal(times, (0.0, 1.0, 2.0), "times of the result")
     for time, place in enumerate(places):
         result.UpdatePipeline(time)
-        same_grids(trimmed.GetOutputDataObject(0), fetch(trim(sheet(), plane_at(place))),
-                   "time %d" % time)
+        grid = trimmed.GetOutputDataObject(0)
+        same_grids(grid, fetch(trim(sheet(), plane_at(place))), "time %d" % time)
+        check_equal(grid.GetInformation().Get(vtkDataObject.DATA_TIME_STEP()), float(time),
+                    "time that the result is of")
 
 
 check_files(fetch(trim(sheet(), wave_at(10.3))))

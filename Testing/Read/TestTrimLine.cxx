@@ -440,7 +440,7 @@ void TestFile()
   for (const std::string text : { "x,y,z\n0,0,0\n4,0,0.5\n4,3,0\n-1e1,3,0\n0,0,0\n",
          "\xEF\xBB\xBF"
          "0,0,0\n4,0,0.5\n4,3,0\n-10,3,0\n",
-         "0,0,0\r4,0,0.5\r4,3,0\r-10,3,0\r",
+         "0,0,0\r4,0,0.5\r4,3,0\r-10,3,0\r\x1A",
          "# contour\r\n0; 0; 0\r\n+4;0;.5\r\n\r\n4 3\t0\r\n-10 3 0",
          "\"0\",\"0\",\"0\"\n\"4\",\"0\",\"0.5\"\n4,3,0\n-10,3,0\n0.0001,0,0\n",
          "\"Point ID\",\"Points:0\",\"Points:1\",\"Points:2\",\"Points_Magnitude\"\n0,0,0,0,0\n"
@@ -528,6 +528,7 @@ void TestBadInput()
 {
   CheckFileError("bad-line.csv\" holds no points", "");
   CheckFileError("bad-line.csv\" holds no points", "x,y,z\n# none\n");
+  CheckFileError("line 2 is \"1,2?\"; expected", "0,0,0\n1,2\f\n");
   CheckFileError("several lists of points, parted by blank lines as line 4 is",
     "0,0,0\n1,0,0\n2,1,0\n\n5,0,0\n6,0,0\n7,1,0\n");
   const double nan = std::numeric_limits<double>::quiet_NaN();
