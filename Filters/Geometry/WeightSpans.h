@@ -15,8 +15,9 @@
 namespace nurbs
 {
 
-/// Divides spans until the weights of each patch along u, and along v, are within a factor of 100
-/// of each other, as far as the parameters can be told apart. Few surfaces need it.
+/// Where the weights of a surface differ by a factor of 10 000 or more: divides spans until those
+/// of each patch along u, and along v, are within a factor of 100 of each other, as far as the
+/// parameters can be told apart.
 void DivideByWeights(const NurbsSurface& surface, KnotSpans& spansU, KnotSpans& spansV);
 
 }
