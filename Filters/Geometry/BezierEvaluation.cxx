@@ -175,15 +175,17 @@ void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double 
 namespace
 {
 
-/// Bernstein polynomials without derivatives.
+/// Bernstein polynomials without derivatives. P < 0: degree at run time.
+template <int P>
 struct BernsteinValues
 {
-  double N[MaximumBezierDegree + 1];
+  double N[P < 0 ? MaximumBezierDegree + 1 : P + 1];
 
   BernsteinValues(int degree, double x)
   {
+    const int p = P < 0 ? degree : P;
     this->N[0] = 1.0;
-    for (int j = 1; j <= degree; ++j)
+    for (int j = 1; j <= p; ++j)
     {
       double carry = 0.0;
       for (int i = 0; i < j; ++i)
@@ -197,21 +199,30 @@ struct BernsteinValues
   }
 };
 
-Quad HomogeneousPoint(const BezierPatch& patch, const Vec4* net, double s, double t)
+template <int P, int Q>
+Quad PointOfNet(const BezierPatch& patch, const Vec4* net, double s, double t)
 {
-  const BernsteinValues bu(patch.DegreeU, s), bv(patch.DegreeV, t);
+  const int p = P < 0 ? patch.DegreeU : P, q = Q < 0 ? patch.DegreeV : Q;
+  const BernsteinValues<P> bu(p, s);
+  const BernsteinValues<Q> bv(q, t);
   Quad a;
   const double* point = net->data();
-  for (int j = 0; j <= patch.DegreeV; ++j)
+  for (int j = 0; j <= q; ++j)
   {
     Quad row;
-    for (int i = 0; i <= patch.DegreeU; ++i, point += 4)
+    for (int i = 0; i <= p; ++i, point += 4)
     {
       row.Add(bu.N[i], point);
     }
     a.Add(bv.N[j], row);
   }
   return a;
+}
+
+Quad HomogeneousPoint(const BezierPatch& patch, const Vec4* net, double s, double t)
+{
+  return patch.DegreeU == 3 && patch.DegreeV == 3 ? PointOfNet<3, 3>(patch, net, s, t)
+                                                  : PointOfNet<-1, -1>(patch, net, s, t);
 }
 
 }
@@ -225,6 +236,20 @@ Vec3 BezierPoint(const BezierPatch& patch, const Vec4* net, double s, double t)
 double BezierWeight(const BezierPatch& patch, const Vec4* net, double s, double t)
 {
   return HomogeneousPoint(patch, net, s, t).W();
+}
+
+Vec3 MiddleOfSide(const BezierPatch& patch, const Vec4* net, int side)
+{
+  const bool alongV = side < 2;
+  const int width = patch.DegreeU + 1, degree = alongV ? patch.DegreeV : patch.DegreeU;
+  const int first = side == 1 ? patch.DegreeU : (side == 3 ? patch.DegreeV * width : 0);
+  const BernsteinValues<-1> b(degree, 0.5);
+  Quad a;
+  for (int k = 0; k <= degree; ++k)
+  {
+    a.Add(b.N[k], net[first + k * (alongV ? width : 1)].data());
+  }
+  return a.Head() / a.W();
 }
 
 }

@@ -18,6 +18,9 @@ Vec3 BezierPoint(const BezierPatch& patch, const Vec4* net, double s, double t);
 /// The weight there, the denominator of S.
 double BezierWeight(const BezierPatch& patch, const Vec4* net, double s, double t);
 
+/// S half-way along a side of the patch, in the order of BezierPatch::Sides.
+Vec3 MiddleOfSide(const BezierPatch& patch, const Vec4* net, int side);
+
 }
 
 #endif

@@ -7,14 +7,17 @@ namespace nurbs
 namespace
 {
 
-/// Restricts one row of coefficients to [x0, x1], 0 <= x0 < x1 <= 1, in place.
+/// Restricts one row of coefficients to [x0, x1], 0 <= x0 < x1 <= 1, in place. D < 0: degree at run
+/// time.
+template <int D>
 void RestrictRow(Vec4* c, int degree, std::size_t stride, double x0, double x1)
 {
+  const int p = D < 0 ? degree : D;
   if (x1 < 1.0)
   {
-    for (int r = 1; r <= degree; ++r)
+    for (int r = 1; r <= p; ++r)
     {
-      for (int i = degree; i >= r; --i)
+      for (int i = p; i >= r; --i)
       {
         c[i * stride] = (1.0 - x1) * c[(i - 1) * stride] + x1 * c[i * stride];
       }
@@ -23,14 +26,20 @@ void RestrictRow(Vec4* c, int degree, std::size_t stride, double x0, double x1)
   if (x0 > 0.0)
   {
     const double x = x0 / x1;
-    for (int r = 1; r <= degree; ++r)
+    for (int r = 1; r <= p; ++r)
     {
-      for (int i = 0; i <= degree - r; ++i)
+      for (int i = 0; i <= p - r; ++i)
       {
         c[i * stride] = (1.0 - x) * c[i * stride] + x * c[(i + 1) * stride];
       }
     }
   }
+}
+
+void RestrictRow(Vec4* c, int degree, std::size_t stride, double x0, double x1)
+{
+  return degree == 3 ? RestrictRow<3>(c, degree, stride, x0, x1)
+                     : RestrictRow<-1>(c, degree, stride, x0, x1);
 }
 
 }

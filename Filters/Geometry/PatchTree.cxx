@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace nurbs
@@ -51,8 +49,8 @@ Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
 
 Vec2 MeasureSize(const BezierPatch& patch, const Vec4* net)
 {
-  const auto at = [&](double s, double t) -> Vec3 { return BezierPoint(patch, net, s, t); };
-  return Vec2((at(1, 0.5) - at(0, 0.5)).norm(), (at(0.5, 1) - at(0.5, 0)).norm());
+  const auto middle = [&](int side) -> Vec3 { return MiddleOfSide(patch, net, side); };
+  return Vec2((middle(1) - middle(0)).norm(), (middle(3) - middle(2)).norm());
 }
 
 void ChooseGrid(const Vec2& bend, const Vec2& size, double flatness, BezierPatch& patch)
@@ -199,174 +197,6 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
   leaf.Deviation = static_cast<float>(std::min(2.0, deviation + 1e-6));
   const double weight = patch.Rational ? BezierWeight(patch, part, 0.5, 0.5) : 1.0;
   InvertMeans(b, weight, frame, domain, q == 0, leaf);
-}
-
-//------------------------------------------------------------------------------
-namespace
-{
-
-/// A leaf behind the key it is sorted by, so that whole numbers are compared and moved.
-using Item = std::uint64_t;
-
-int LeafOf(Item item)
-{
-  return static_cast<int>(item & 0xffffffffu);
-}
-
-/// Items go by rising value, those of the same value by leaf.
-Item MakeItem(float value, int leaf)
-{
-  const float x = value + 0.0f; // -0 is 0
-  std::uint32_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  constexpr std::uint32_t sign = 0x80000000u;
-  bits ^= (bits & sign) != 0 ? ~0u : sign;
-  return (static_cast<Item>(bits) << 32) | static_cast<std::uint32_t>(leaf);
-}
-
-/// Median of five items spread over a range.
-Item FindPivot(const Item* begin, const Item* end)
-{
-  const std::ptrdiff_t step = (end - begin - 1) / 4;
-  Item sample[5];
-  for (int k = 0; k < 5; ++k)
-  {
-    sample[k] = begin[k * step];
-  }
-  std::sort(sample, sample + 5);
-  return sample[2];
-}
-
-/// std::nth_element for items, all different; without branches that cannot be foreseen.
-void SelectItem(Item* begin, Item* middle, Item* end)
-{
-  constexpr std::ptrdiff_t Short = 24;
-  constexpr int MaximumRounds = 64; // bad pivots; beyond them the library's guarantee is taken
-  for (int round = 0; end - begin > Short && round < MaximumRounds; ++round)
-  {
-    const Item pivot = FindPivot(begin, end);
-    Item* below = begin;
-    for (Item* it = begin; it != end; ++it)
-    {
-      const Item item = *it;
-      *it = *below;
-      *below = item;
-      below += item < pivot ? 1 : 0;
-    }
-    if (middle < below)
-    {
-      end = below;
-    }
-    else
-    {
-      begin = below;
-    }
-  }
-  std::nth_element(begin, middle, end);
-}
-
-class TreeBuilder
-{
-public:
-  TreeBuilder(const std::vector<int>& leaves, const std::vector<Eigen::AlignedBox3f>& boxes)
-    : Boxes(boxes)
-  {
-    this->Centers.reserve(boxes.size());
-    for (const Eigen::AlignedBox3f& box : boxes)
-    {
-      this->Centers.emplace_back();
-      this->Centers.back() << box.min() + box.max(), 0;
-    }
-    this->Items.reserve(leaves.size());
-    for (const int leaf : leaves)
-    {
-      this->Items.push_back(MakeItem(0, leaf));
-    }
-    this->Nodes.reserve(leaves.size() / 2 + 1);
-  }
-
-  std::vector<Item> Items;
-  std::vector<TreeNode> Nodes;
-
-  /// @return the box of all.
-  Eigen::AlignedBox3f Build(std::ptrdiff_t begin, std::ptrdiff_t end)
-  {
-    const std::size_t index = this->Nodes.size();
-    this->Nodes.emplace_back();
-    std::ptrdiff_t bounds[5] = { begin, begin, 0, end, end };
-    bounds[2] = this->Split(begin, end);
-    bounds[1] = this->Split(begin, bounds[2]);
-    bounds[3] = this->Split(bounds[2], end);
-    Eigen::AlignedBox3f all;
-    for (int c = 0; c < 4; ++c)
-    {
-      const std::ptrdiff_t first = bounds[c], count = bounds[c + 1] - first;
-      Eigen::AlignedBox3f box;
-      int child = TreeNode::Empty;
-      if (count == 1)
-      {
-        child = ~static_cast<int>(first);
-        box = this->Boxes[LeafOf(this->Items[first])];
-      }
-      else if (count > 1)
-      {
-        child = static_cast<int>(this->Nodes.size());
-        box = this->Build(first, first + count);
-      }
-      all.extend(box);
-      TreeNode& node = this->Nodes[index]; // Build may have moved it
-      node.Child[c] = child;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        // Empty children lie too far away for any query, but not so far that squares overflow.
-        node.Low[axis][c] = child == TreeNode::Empty ? 1e18f : box.min()[axis];
-        node.High[axis][c] = child == TreeNode::Empty ? 1e18f : box.max()[axis];
-      }
-    }
-    return all;
-  }
-
-private:
-  /// Median along the longest axis of the centres; returns the index that parts the halves.
-  std::ptrdiff_t Split(std::ptrdiff_t begin, std::ptrdiff_t end)
-  {
-    const std::ptrdiff_t middle = begin + (end - begin + 1) / 2;
-    if (end - begin < 2)
-    {
-      return middle;
-    }
-    Eigen::Array4f low = this->Centers[LeafOf(this->Items[begin])], high = low;
-    for (std::ptrdiff_t k = begin + 1; k < end; ++k)
-    {
-      const Eigen::Array4f& center = this->Centers[LeafOf(this->Items[k])];
-      low = low.min(center);
-      high = high.max(center);
-    }
-    int axis;
-    (high - low).maxCoeff(&axis);
-    for (std::ptrdiff_t k = begin; k < end; ++k)
-    {
-      const int leaf = LeafOf(this->Items[k]);
-      this->Items[k] = MakeItem(this->Centers[leaf][axis], leaf);
-    }
-    Item* items = this->Items.data();
-    SelectItem(items + begin, items + middle, items + end);
-    return middle;
-  }
-
-  const std::vector<Eigen::AlignedBox3f>& Boxes;
-  std::vector<Eigen::Array4f> Centers; ///< twice their coordinates
-};
-
-}
-
-std::vector<TreeNode> BuildTree(
-  std::vector<int>& order, const std::vector<Eigen::AlignedBox3f>& boxes)
-{
-  TreeBuilder builder(order, boxes);
-  builder.Build(0, static_cast<std::ptrdiff_t>(order.size()));
-  std::transform(builder.Items.begin(), builder.Items.end(), order.begin(), LeafOf);
-  return std::move(builder.Nodes);
 }
 
 }

@@ -1,14 +1,12 @@
 /**
  * @file PatchTree.h
- * @brief Leaves (nearly flat parts of Bezier patches in oriented boxes) and their box tree.
- *
- * Boxes of inner nodes are kept in single precision, rounded outwards, four to a node, so that
- * one node is tested with one set of vector instructions.
+ * @brief Leaves: nearly flat parts of Bezier patches in oriented boxes, which hang in a box tree.
  */
 #ifndef PatchTree_h
 #define PatchTree_h
 
 #include "BezierPatch.h"
+#include "BoxTree.h"
 #include "NetBounds.h"
 #include "PageVector.h"
 #include "TrimLoops.h"
@@ -49,13 +47,6 @@ struct alignas(CacheLine) LeafBox
 };
 static_assert(sizeof(LeafBox) == CacheLine, "one line");
 
-struct alignas(CacheLine) TreeNode
-{
-  Eigen::Array4f Low[3], High[3];
-  int Child[4]; ///< a node, or ~ of a leaf box, or Empty
-  static constexpr int Empty = 0x7fffffff;
-};
-
 /// Parameter rectangle of a leaf.
 struct LeafDomain
 {
@@ -91,50 +82,6 @@ void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4*
 
 /// The box along the axes that a net lies in, rounded outwards.
 Eigen::AlignedBox3f BoxOfNet(const Vec4* net, int size);
-
-/// Four-way tree over aligned boxes; order is permuted into that of the tree.
-std::vector<TreeNode> BuildTree(
-  std::vector<int>& order, const std::vector<Eigen::AlignedBox3f>& boxes);
-
-/// Deep enough for any tree: three more entries a level at most.
-constexpr int TreeStackSize = 256;
-
-/**
- * Visits what hangs in the tree in boxes that pass, until it is told to stop.
- *
- * @param pass of a node: which of its four boxes do, as Eigen::Array<bool, 4, 1>.
- * @param visit takes the index of an item and returns false to stop.
- * @return false if it was stopped.
- */
-template <typename Pass, typename Visit>
-bool ForItemsPassing(const std::vector<TreeNode>& nodes, const Pass& pass, Visit&& visit)
-{
-  int stack[TreeStackSize];
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0)
-  {
-    const TreeNode& node = nodes[stack[--size]];
-    const Eigen::Array<bool, 4, 1> passes = pass(node);
-    for (int c = 0; c < 4; ++c)
-    {
-      const int child = node.Child[c];
-      if (child == TreeNode::Empty || !passes[c])
-      {
-        continue;
-      }
-      if (child >= 0)
-      {
-        stack[size++] = child;
-      }
-      else if (!visit(~child))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
 
 }
 

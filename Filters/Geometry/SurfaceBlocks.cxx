@@ -1,6 +1,7 @@
 #include "SurfaceBlocks.h"
 
 #include "BezierEvaluation.h"
+#include "BlockDirection.h"
 #include "ClosestPoint.h"
 #include "SurfaceModel.h"
 
@@ -10,77 +11,6 @@
 
 namespace nurbs
 {
-namespace
-{
-
-/// Blocks of one direction of a face: how many a span has, or which spans share one.
-void DivideDirection(const KnotSpans& spans, const std::vector<double>& bend, double flatness,
-  int least, std::vector<int>& first, std::vector<int>& divisions, std::vector<double>& breaks)
-{
-  const int count = static_cast<int>(spans.Breaks.size()) - 1;
-  const double length = spans.Breaks.back() - spans.Breaks.front();
-  int blocks = 0;
-  double open = 0; // bend of the block that the last span has left open
-  double start = spans.Breaks.front();
-  bool isOpen = false;
-  breaks.assign(1, start);
-  for (int k = 0; k < count; ++k)
-  {
-    const double low = spans.Breaks[k], high = spans.Breaks[k + 1];
-    const double parts =
-      std::max(std::ceil(bend[k] / flatness), std::floor(least * (high - low) / length + 1e-9));
-    const int n = static_cast<int>(std::clamp(parts, 1.0, 64.0));
-    const bool joins = isOpen && n == 1 && open + bend[k] <= flatness &&
-      (high - start) * least <= length * (1 + 1e-9) && spans.Kinds[k] == SideKind::Smooth;
-    if (joins)
-    {
-      open += bend[k];
-      breaks.back() = high;
-    }
-    else
-    {
-      start = low;
-      open = bend[k];
-      blocks += n;
-      for (int i = 1; i <= n; ++i)
-      {
-        breaks.push_back(i == n ? high : low + (high - low) * i / n);
-      }
-    }
-    isOpen = n == 1;
-    first.push_back(blocks - n);
-    divisions.push_back(n);
-  }
-}
-
-/// Raises the bend of spans that are long against the blocks of the other direction.
-void DivideSlender(const std::vector<double>& lengthU, const std::vector<double>& lengthV,
-  double flatness, std::vector<double>& bendU, std::vector<double>& bendV)
-{
-  const auto shortest = [flatness](
-                          const std::vector<double>& length, const std::vector<double>& bend)
-  {
-    double sum = 0, blocks = 0;
-    for (std::size_t k = 0; k < length.size(); ++k)
-    {
-      sum += length[k];
-      blocks += std::max(1.0, std::ceil(bend[k] / flatness));
-    }
-    return sum / blocks;
-  };
-  const double blockU = shortest(lengthU, bendU), blockV = shortest(lengthV, bendV);
-  for (std::size_t k = 0; k < bendU.size(); ++k)
-  {
-    bendU[k] = std::max(bendU[k], flatness * lengthU[k] / (MostSlender * blockV));
-  }
-  for (std::size_t k = 0; k < bendV.size(); ++k)
-  {
-    bendV[k] = std::max(bendV[k], flatness * lengthV[k] / (MostSlender * blockU));
-  }
-}
-
-}
-
 //------------------------------------------------------------------------------
 // Construction
 //------------------------------------------------------------------------------
@@ -89,27 +19,33 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face, const std::vect
   const std::vector<Vec2>& sizes, double flatness, int least, Grid& grid) const
 {
   const FaceData& data = model.Data[face];
-  const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
-  const int countV = static_cast<int>(data.SpansV.Breaks.size()) - 1;
-  std::vector<double> bendU(countU, 0.0), bendV(countV, 0.0);
-  std::vector<double> lengthU(countU, 0.0), lengthV(countV, 0.0); // in the mean over the others
-  for (int j = 0; j < countV; ++j)
+  BlockDirection u(data.SpansU), v(data.SpansV);
+  for (int j = 0; j < v.NumberOfSpans(); ++j)
   {
-    for (int i = 0; i < countU; ++i)
+    for (int i = 0; i < u.NumberOfSpans(); ++i)
     {
-      const int patch = data.FirstPatch + j * countU + i;
-      bendU[i] = std::max(bendU[i], bends[patch].x());
-      bendV[j] = std::max(bendV[j], bends[patch].y());
-      lengthU[i] += sizes[patch].x() / countV;
-      lengthV[j] += sizes[patch].y() / countU;
+      const int patch = data.FirstPatch + j * u.NumberOfSpans() + i;
+      u.Bend[i] = std::max(u.Bend[i], bends[patch].x());
+      v.Bend[j] = std::max(v.Bend[j], bends[patch].y());
+      u.Length[i] += sizes[patch].x() / v.NumberOfSpans();
+      v.Length[j] += sizes[patch].y() / u.NumberOfSpans();
     }
   }
-  DivideSlender(lengthU, lengthV, flatness, bendU, bendV);
-  grid = Grid();
-  DivideDirection(data.SpansU, bendU, flatness, least, grid.BlockU, grid.DivisionsU, grid.BreaksU);
-  DivideDirection(data.SpansV, bendV, flatness, least, grid.BlockV, grid.DivisionsV, grid.BreaksV);
-  grid.CountU = static_cast<int>(grid.BreaksU.size()) - 1;
-  grid.CountV = static_cast<int>(grid.BreaksV.size()) - 1;
+  u.Divide(flatness, least);
+  v.Divide(flatness, least);
+  const double blockU = u.LengthOfBlocks(), blockV = v.LengthOfBlocks();
+  u.BendSlender(flatness, blockV);
+  v.BendSlender(flatness, blockU);
+  u.Divide(flatness, least);
+  v.Divide(flatness, least);
+  grid.CountU = u.NumberOfBlocks();
+  grid.CountV = v.NumberOfBlocks();
+  grid.BlockU = std::move(u.First);
+  grid.BlockV = std::move(v.First);
+  grid.DivisionsU = std::move(u.Divisions);
+  grid.DivisionsV = std::move(v.Divisions);
+  grid.BreaksU = std::move(u.Breaks);
+  grid.BreaksV = std::move(v.Breaks);
 }
 
 void SurfaceBlocks::Build(

@@ -2,6 +2,7 @@
 
 #include "BezierEvaluation.h"
 #include "CurveOnPatch.h"
+#include "PatchTiles.h"
 #include "ShellOrientation.h"
 
 #include <algorithm>
@@ -161,20 +162,53 @@ void SurfaceModel::AddLeaves()
   }
   this->TrimStates.assign(count, TrimState::Inside);
   this->FindTrimStates();
-  const std::vector<Eigen::AlignedBox3f> boxes = this->BoxLeaves();
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    if (this->TrimStates[k] != TrimState::Outside)
-    {
-      this->LeafOrder.push_back(static_cast<int>(k));
-      this->Bounds.extend(boxes[k].min().cast<double>());
-      this->Bounds.extend(boxes[k].max().cast<double>());
-    }
-  }
-  this->Bounds.translate(this->Origin);
-  this->Nodes = BuildTree(this->LeafOrder, boxes);
+  this->HangLeaves(sizes);
   this->LeafBoxes = SparseVector<LeafBox>(this->LeafOrder.size());
   this->Leaves = SparseVector<Leaf>(count);
+}
+
+/// The tree of all leaves that are not outside the loops.
+void SurfaceModel::HangLeaves(const std::vector<Vec2>& sizes)
+{
+  const std::vector<Eigen::AlignedBox3f> boxes = this->BoxLeaves();
+  const auto addLeaves = [&](const BezierPatch& patch)
+  {
+    for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
+    {
+      if (this->TrimStates[k] != TrimState::Outside)
+      {
+        this->LeafOrder.push_back(k);
+        this->Bounds.extend(boxes[k].min().cast<double>());
+        this->Bounds.extend(boxes[k].max().cast<double>());
+      }
+    }
+  };
+  constexpr std::size_t Many = 20000;
+  if (boxes.size() < Many)
+  {
+    std::for_each(this->Patches.begin(), this->Patches.end(), addLeaves);
+    this->Nodes = BuildTree(this->LeafOrder, boxes);
+  }
+  else
+  {
+    const PatchTiles tiles = TilePatches(*this, sizes);
+    std::vector<int> ends;
+    int next = 0;
+    for (const int end : tiles.Ends)
+    {
+      const std::size_t before = this->LeafOrder.size();
+      for (; next < end; ++next)
+      {
+        addLeaves(this->Patches[tiles.Patches[next]]);
+      }
+      if (this->LeafOrder.size() > before)
+      {
+        ends.push_back(static_cast<int>(this->LeafOrder.size()));
+      }
+    }
+    this->Nodes = BuildTreeOfGroups(this->LeafOrder, ends, boxes);
+  }
+  this->Bounds.translate(this->Origin);
 }
 
 std::vector<Eigen::AlignedBox3f> SurfaceModel::BoxLeaves() const

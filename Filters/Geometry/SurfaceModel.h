@@ -90,6 +90,7 @@ private:
   void ChooseGrids(const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes);
   void RefineTrimmedGrids();
   void AddLeaves();
+  void HangLeaves(const std::vector<Vec2>& sizes);
   std::vector<Eigen::AlignedBox3f> BoxLeaves() const;
   void FindTrimStates();
   void FindTrimState(const BezierPatch& patch, int leaf);

@@ -1,0 +1,72 @@
+#include "BlockDirection.h"
+
+#include "PatchTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nurbs
+{
+
+BlockDirection::BlockDirection(const KnotSpans& spans)
+  : Bend(spans.Breaks.size() - 1, 0.0)
+  , Length(spans.Breaks.size() - 1, 0.0)
+  , Spans(spans)
+{
+}
+
+void BlockDirection::Divide(double flatness, int least)
+{
+  const std::vector<double>& knots = this->Spans.Breaks;
+  const double length = knots.back() - knots.front();
+  int blocks = 0;
+  double open = 0; // bend of the block that the last span has left open
+  double start = knots.front();
+  bool isOpen = false;
+  this->First.clear();
+  this->Divisions.clear();
+  this->Breaks.assign(1, start);
+  for (int k = 0; k < this->NumberOfSpans(); ++k)
+  {
+    const double low = knots[k], high = knots[k + 1], bend = this->Bend[k];
+    const double parts =
+      std::max(std::ceil(bend / flatness), std::floor(least * (high - low) / length + 1e-9));
+    const int n = static_cast<int>(std::clamp(parts, 1.0, 64.0));
+    const bool joins = isOpen && n == 1 && open + bend <= flatness &&
+      (high - start) * least <= length * (1 + 1e-9) && this->Spans.Kinds[k] == SideKind::Smooth;
+    if (joins)
+    {
+      open += bend;
+      this->Breaks.back() = high;
+    }
+    else
+    {
+      start = low;
+      open = bend;
+      blocks += n;
+      for (int i = 1; i <= n; ++i)
+      {
+        this->Breaks.push_back(i == n ? high : low + (high - low) * i / n);
+      }
+    }
+    isOpen = n == 1;
+    this->First.push_back(blocks - n);
+    this->Divisions.push_back(n);
+  }
+}
+
+void BlockDirection::BendSlender(double flatness, double width)
+{
+  for (std::size_t k = 0; k < this->Bend.size(); ++k)
+  {
+    this->Bend[k] = std::max(this->Bend[k], flatness * this->Length[k] / (MostSlender * width));
+  }
+}
+
+double BlockDirection::LengthOfBlocks() const
+{
+  return std::accumulate(this->Length.begin(), this->Length.end(), 0.0) / this->NumberOfBlocks();
+}
+
+}

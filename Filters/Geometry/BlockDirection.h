@@ -1,0 +1,50 @@
+/**
+ * @file BlockDirection.h
+ * @brief How the knot spans of one direction of a face are divided into blocks, or joined to some.
+ */
+#ifndef BlockDirection_h
+#define BlockDirection_h
+
+#include "KnotSpans.h"
+
+#include <vector>
+
+namespace nurbs
+{
+
+class BlockDirection
+{
+public:
+  explicit BlockDirection(const KnotSpans& spans);
+
+  std::vector<double> Bend;   ///< of each span, the largest over the other direction
+  std::vector<double> Length; ///< of each span, in the mean over the other direction
+
+  /**
+   * Divides spans that bend by more than the flatness, and joins neighbours that bend by less
+   * together.
+   *
+   * @param least the direction has at least about so many blocks.
+   */
+  void Divide(double flatness, int least);
+
+  /// Raises the bend of spans that are long against the blocks of the other direction, so that
+  /// blocks are not too slender.
+  void BendSlender(double flatness, double width);
+
+  // The result of Divide:
+  std::vector<int> First;     ///< of each span, its block or the first of them
+  std::vector<int> Divisions; ///< blocks in the span; 1 where one holds many spans
+  std::vector<double> Breaks; ///< where blocks begin, and the end
+
+  int NumberOfSpans() const { return static_cast<int>(this->Bend.size()); }
+  int NumberOfBlocks() const { return static_cast<int>(this->Breaks.size()) - 1; }
+  double LengthOfBlocks() const; ///< in the mean
+
+private:
+  const KnotSpans& Spans;
+};
+
+}
+
+#endif
