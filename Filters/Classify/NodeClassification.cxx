@@ -132,10 +132,11 @@ struct SurfaceEnd
   Place At{};
 };
 
-/// The border point nearest to a projected node; without one the surface contradicts itself.
-std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const SurfaceEnd& fallback)
+/// The end that was found (distance 0), or else the border point nearest to a projected node;
+/// without one the surface contradicts itself near the place that was found.
+std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const SurfaceEnd& found)
 {
-  std::vector<SurfaceEnd> ends{ fallback };
+  std::vector<SurfaceEnd> ends{ found };
   for (const auto& foot : near.Feet)
   {
     if (foot.Kind == FootKind::Border && foot.Distance < ends.front().Distance)
@@ -294,6 +295,10 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
     piece, [&sets](Id node) { return sets.Find(node); }, ofRoot);
   if (piece.All.Any(!parted || !partedAll))
   {
+    if (FindEndInside(mesh, result, surface, place.At))
+    {
+      place.Distance = 0.0;
+    }
     error = EndOfSurface(piece, near, place);
     return false;
   }

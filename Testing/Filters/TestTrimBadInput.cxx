@@ -378,6 +378,15 @@ void TestMixedSides(const Mesh& mesh)
     { "two sides mixed up near (", "closed lines within each other" });
 }
 
+// The place that a message gives; of NaN if it gives none.
+Vec3 PlaceIn(const std::string& text)
+{
+  double x = NAN, y = NAN, z = NAN;
+  const std::size_t place = std::min(text.find(", at (") + 6, text.size());
+  std::sscanf(text.c_str() + place, "%lf, %lf, %lf", &x, &y, &z);
+  return Vec3(x, y, z);
+}
+
 // The message gives a point where the surface ends: both surfaces are upright and end at a line
 // whose distance from the middle of the sheet is known.
 void TestEnds(const Mesh& mesh)
@@ -386,23 +395,39 @@ void TestEnds(const Mesh& mesh)
   at.X = at.Y = 0;
   const std::pair<Surface, double> ends[] = { { EndingPlane(mesh.Box, at), 0.2 * mesh.Box.HalfY },
     { EndingTrimLoop(mesh.Box, at), 0 } };
-  for (const auto& end : ends)
+  for (const auto& [surface, fromMiddle] : ends)
   {
-    const Surface& surface = end.first;
     Judge(surface.Name, mesh.Grid, surface.Data, { "ends inside the grid, at (" });
     const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
     const std::string text = outcome.Errors.empty() ? "" : outcome.Errors[0];
-    const std::size_t place = std::min(text.find(", at (") + 6, text.size());
-    double x = 0, y = 0, z = 0;
-    const bool found = std::sscanf(text.c_str() + place, "%lf, %lf, %lf", &x, &y, &z) == 3 &&
-      std::abs(surface.Signed(Vec3(x, y, z))) < 1e-6 &&
-      std::abs(std::hypot(x - mesh.Box.Centre[0], y - mesh.Box.Centre[1]) - end.second) < 1e-6 &&
-      std::abs(z) < 1;
+    const Vec3 end = PlaceIn(text);
+    const bool found = std::abs(surface.Signed(end)) < 1e-6 &&
+      std::abs((end - mesh.Box.Centre).head<2>().norm() - fromMiddle) < 1e-6 &&
+      std::abs(end.z()) < 1;
     if (!found)
     {
       std::printf("FAIL %s: not where it ends: %s\n", surface.Name.c_str(), text.c_str());
       ++Wrong;
     }
+  }
+}
+
+// Where the border is nearest to a node it lies beside the grid: that is not where it ends inside.
+void TestEndBesideTheGrid(const Mesh& mesh)
+{
+  const auto& box = mesh.Box;
+  const Vec3 node = box.Centre + Vec3(2 * box.ElementSize - box.HalfX, -box.HalfY, 0);
+  const Vec3 begin = node + box.ElementSize * Vec3(0.04, -0.01, 0);
+  const Vec3 along(std::sin(0.5), std::cos(0.5), 0);
+  const double half = 0.6 * box.HalfY;
+  const Surface plane = PlaneThrough(begin + half * along, Vec3(along.y(), -along.x(), 0), half);
+  Judge("ends beside the grid too", mesh.Grid, plane.Data, { "ends inside the grid, at (" });
+  const Outcome outcome = RunTrim(mesh, plane, TrimOptions());
+  const std::string text = outcome.Errors.empty() ? "" : outcome.Errors[0];
+  if (!((PlaceIn(text) - begin - 2 * half * along).head<2>().norm() < 1e-6))
+  {
+    std::printf("FAIL ends beside the grid too: not where it ends inside: %s\n", text.c_str());
+    ++Wrong;
   }
 }
 
@@ -515,6 +540,7 @@ int main()
   TestLoopsAndShells(mesh);
   TestOptionsAndBlocks(mesh);
   TestMixedSides(mesh);
+  TestEndBesideTheGrid(mesh);
   TestHoleInFace(mesh);
   TestEndsInAnElement(mesh);
   TestEnds(mesh);
