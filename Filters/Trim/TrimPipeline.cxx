@@ -98,8 +98,9 @@ NearestNode FindNearestNode(
   return nearest;
 }
 
-/// Whether a point lies beyond the surface: by projection near it, where the sign is certain,
-/// else as the nearest node, whose status was carried along the mesh.
+/// Whether a point lies beyond the surface: by projection near it, where the sign is certain, else
+/// on the side that one comes to on the way from the nearest node, whose status was carried along
+/// the mesh.
 bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   const nurbs::TrimmingSurface& surface, const NodeClassification& nodes, const Vec3& point)
 {
@@ -110,7 +111,13 @@ bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   {
     return foot.SignedDistance > 0.0;
   }
-  return node.Status == NodeEliminate;
+  constexpr double leastSlope = 1e-6; // a crossing, no touch
+  const Vec3 way = point - ToVec3(node.At);
+  const auto hits = surface.Intersect(ToVec3(node.At), point, 0.0, 1.0);
+  const auto last = std::find_if(hits.rbegin(), hits.rend(),
+    [&way](const nurbs::LineHit& hit)
+    { return std::abs(hit.Normal.dot(way)) > leastSlope * way.norm(); });
+  return last == hits.rend() ? node.Status == NodeEliminate : last->Normal.dot(way) > 0.0;
 }
 
 template <typename Statuses>

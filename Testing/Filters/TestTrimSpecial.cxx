@@ -293,13 +293,18 @@ void TestKeepPoint()
 {
   const Mesh mesh = MakeMesh("sheet2");
   const Surface cylinder = MakeSurface("cylinder", mesh.Box, Placement());
-  for (const Vec3& point : { Vec3(11.3, 7.4, 0), Vec3(0.1, 0.1, 0) })
+  const Surface sphere = MakeSurface("sphere", mesh.Box, Placement());
+  // Above the sphere the nearest node lies within it.
+  const std::pair<const Surface*, Vec3> points[] = { { &cylinder, Vec3(11.3, 7.4, 0) },
+    { &cylinder, Vec3(0.1, 0.1, 0) }, { &sphere, mesh.Box.Centre },
+    { &sphere, mesh.Box.Centre + 10 * mesh.Box.HalfX * Vec3::UnitZ() } };
+  for (const auto& [surface, point] : points)
   {
     TrimOptions options;
     options.UseKeepPoint = true;
     options.KeepPoint = point;
     Report report("special keep point");
-    const Outcome outcome = RunAndJudge(mesh, cylinder, options, report);
+    const Outcome outcome = RunAndJudge(mesh, *surface, options, report);
     Wrong += report.Failures() > 0;
   }
   // On the surface: it says nothing, and the filter says so.
