@@ -297,9 +297,11 @@ private:
     std::vector<double>& worth)
   {
     const std::vector<StepDemand> demands = this->DemandsFor(part, now, target);
+    std::vector<int> missed; // with more damping much the same ones
     for (int trial = 0; trial < MostTrials; ++trial, damping *= 8.0)
     {
-      const Eigen::VectorXd way = FindLeastSquaresStep(demands, now.Free.Direction.size(), damping);
+      const Eigen::VectorXd way =
+        FindLeastSquaresStep(demands, now.Free.Direction.size(), damping, missed);
       if (!(way.norm() < LongestStep))
       {
         continue;

@@ -32,9 +32,12 @@ struct StepDemand
  * miss them is found by repetition.
  *
  * @param damping weight of the square of the step's length, positive.
+ * @param[in,out] missed where to begin: demands that may miss their targets after the step; empty:
+ * those that do before it. The nearer they are to those that do in the end, which come out, the
+ * fewer repetitions it takes.
  */
-Eigen::VectorXd FindLeastSquaresStep(
-  const std::vector<StepDemand>& demands, std::size_t variables, double damping);
+Eigen::VectorXd FindLeastSquaresStep(const std::vector<StepDemand>& demands, std::size_t variables,
+  double damping, std::vector<int>& missed);
 
 }
 

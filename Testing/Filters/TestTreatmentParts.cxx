@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -189,16 +190,29 @@ void CheckNear(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const std::st
   Expect((a - b).norm() < 1e-9 * (1.0 + b.norm()), what);
 }
 
+/// The step, whatever demands it begins with.
+Eigen::VectorXd StepFor(const std::vector<StepDemand>& demands, int variables, double damping)
+{
+  std::vector<int> missed, all(demands.size()), first{ 0 };
+  std::iota(all.begin(), all.end(), 0);
+  const Eigen::VectorXd step = FindLeastSquaresStep(demands, variables, damping, missed);
+  for (std::vector<int> begin : { missed, all, first })
+  {
+    CheckNear(FindLeastSquaresStep(demands, variables, damping, begin), step, "begun elsewhere");
+    Expect(begin == missed, "the same demands are missed");
+  }
+  return step;
+}
+
 void CheckStep()
 {
   const Slope up{ 0, 1.0 }, down{ 0, -1.0 }, steep{ 0, 2.0 };
-  CheckNear(FindLeastSquaresStep({ { 0.0, 1.0, &steep, &steep + 1 } }, 1, 0.5),
+  CheckNear(StepFor({ { 0.0, 1.0, &steep, &steep + 1 } }, 1, 0.5),
     Eigen::VectorXd::Constant(1, 2.0 / 4.5), "one value, damped");
-  CheckNear(FindLeastSquaresStep({ { 2.0, 1.0, &up, &up + 1 } }, 3, 0.5), Eigen::VectorXd::Zero(3),
+  CheckNear(StepFor({ { 2.0, 1.0, &up, &up + 1 } }, 3, 0.5), Eigen::VectorXd::Zero(3),
     "what is reached asks for nothing");
   // The step for the first makes the second miss: between the two.
-  CheckNear(
-    FindLeastSquaresStep({ { 0.0, 1.0, &up, &up + 1 }, { 0.6, 0.2, &down, &down + 1 } }, 1, 0.01),
+  CheckNear(StepFor({ { 0.0, 1.0, &up, &up + 1 }, { 0.6, 0.2, &down, &down + 1 } }, 1, 0.01),
     Eigen::VectorXd::Constant(1, 1.4 / 2.01), "a value that the step makes miss is heard");
 
   // Targets that no step reaches, so that all miss, against the dense normal equations.
@@ -218,6 +232,7 @@ void CheckStep()
         slopes[i].push_back({ v, any(random) });
         dense(i, v) = slopes[i].back().By;
       }
+      std::shuffle(slopes[i].begin(), slopes[i].end(), random);
       misses[i] = 10.0 + any(random);
       demands.push_back(
         { 1.0 - misses[i], 1.0, slopes[i].data(), slopes[i].data() + slopes[i].size() });
@@ -225,7 +240,7 @@ void CheckStep()
     const double damping = 100.0;
     const Eigen::MatrixXd normal =
       dense.transpose() * dense + damping * Eigen::MatrixXd::Identity(variables, variables);
-    CheckNear(FindLeastSquaresStep(demands, variables, damping),
+    CheckNear(StepFor(demands, variables, damping),
       normal.fullPivLu().solve(dense.transpose() * misses), "as by dense normal equations");
   }
 }
