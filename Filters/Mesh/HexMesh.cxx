@@ -77,16 +77,13 @@ bool TakePoints(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
       ", but must be float or double: convert them, e.g. with a Calculator.";
     return false;
   }
-  const Id bad = FirstFailure(mesh.NumberOfPoints,
-    [&mesh](Id i)
-    {
-      return mesh.PointsDouble
-        ? !(std::isfinite(mesh.PointsDouble[3 * i]) &&
-            std::isfinite(mesh.PointsDouble[3 * i + 1]) &&
-            std::isfinite(mesh.PointsDouble[3 * i + 2]))
-        : !(std::isfinite(mesh.PointsFloat[3 * i]) && std::isfinite(mesh.PointsFloat[3 * i + 1]) &&
-            std::isfinite(mesh.PointsFloat[3 * i + 2]));
-    });
+  return true;
+}
+
+bool CheckPoints(const HexMesh& mesh, std::string& error)
+{
+  const Id bad =
+    FirstFailure(mesh.NumberOfPoints, [&mesh](Id i) { return !mesh.Point(i).allFinite(); });
   if (bad < mesh.NumberOfPoints)
   {
     error = "Point " + std::to_string(bad) +
@@ -97,7 +94,7 @@ bool TakePoints(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
 }
 
 /// Data arrays are taken along by node and cell: they have to hold a tuple for each.
-bool CheckAttributes(vtkDataSetAttributes* data, Id count, const char* what, std::string& error)
+bool CheckArrays(vtkDataSetAttributes* data, Id count, const char* what, std::string& error)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -111,6 +108,13 @@ bool CheckAttributes(vtkDataSetAttributes* data, Id count, const char* what, std
     }
   }
   return true;
+}
+
+bool CheckAttributes(vtkUnstructuredGrid* grid, const HexMesh& mesh, std::string& error)
+{
+  return mesh.NumberOfCells == 0 ||
+    (CheckArrays(grid->GetPointData(), mesh.NumberOfPoints, "points", error) &&
+      CheckArrays(grid->GetCellData(), mesh.NumberOfCells, "cells", error));
 }
 
 enum class CellDefect
@@ -161,30 +165,37 @@ bool IsGoodHexahedron(const T* nodes, Id numberOfPoints)
   return inRange && !AnyRepeated(a, b);
 }
 
+/// Whether a cell is such a hexahedron.
 template <typename T>
-CellDefect FindCellDefect(const T* connectivity, const T* offsets, Id connectivitySize,
-  const unsigned char* types, Id numberOfPoints, Id c)
+bool IsGoodHexahedron(const HexMesh& mesh, const T* connectivity, const T* offsets, Id c)
 {
-  if (types[c] == VTK_HEXAHEDRON && offsets[c] >= 0 && offsets[c] <= connectivitySize - 8 &&
-    offsets[c + 1] == offsets[c] + 8 && IsGoodHexahedron(connectivity + offsets[c], numberOfPoints))
+  return mesh.Types[c] == VTK_HEXAHEDRON && offsets[c] >= 0 &&
+    offsets[c] <= mesh.ConnectivitySize - 8 && offsets[c + 1] == offsets[c] + 8 &&
+    IsGoodHexahedron(connectivity + offsets[c], mesh.NumberOfPoints);
+}
+
+template <typename T>
+CellDefect FindCellDefect(const HexMesh& mesh, const T* connectivity, const T* offsets, Id c)
+{
+  if (IsGoodHexahedron(mesh, connectivity, offsets, c))
   {
     return CellDefect::None;
   }
-  const int expected = types[c] == VTK_HEXAHEDRON ? 8 : types[c] == VTK_WEDGE ? 6 : 0;
+  const int expected = mesh.Types[c] == VTK_HEXAHEDRON ? 8 : mesh.Types[c] == VTK_WEDGE ? 6 : 0;
   if (expected == 0)
   {
     return CellDefect::Type;
   }
   // In this order, so that no difference overflows.
   const T first = offsets[c], last = offsets[c + 1];
-  if (first < 0 || last < first || last > connectivitySize || last - first != expected)
+  if (first < 0 || last < first || last > mesh.ConnectivitySize || last - first != expected)
   {
     return CellDefect::Size;
   }
   const T* nodes = connectivity + first;
   for (int i = 0; i < expected; ++i)
   {
-    if (nodes[i] < 0 || nodes[i] >= numberOfPoints)
+    if (nodes[i] < 0 || nodes[i] >= mesh.NumberOfPoints)
     {
       return CellDefect::Range;
     }
@@ -200,6 +211,12 @@ CellDefect FindCellDefect(const T* connectivity, const T* offsets, Id connectivi
     }
   }
   return CellDefect::None;
+}
+
+CellDefect FindCellDefect(const HexMesh& mesh, Id c)
+{
+  return mesh.Offsets64 ? FindCellDefect(mesh, mesh.Connectivity64, mesh.Offsets64, c)
+                        : FindCellDefect(mesh, mesh.Connectivity32, mesh.Offsets32, c);
 }
 
 std::string Describe(CellDefect defect, Id c, int type)
@@ -226,6 +243,50 @@ std::string Describe(CellDefect defect, Id c, int type)
   }
 }
 
+bool TakeCells(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
+{
+  mesh.NumberOfCells = grid->GetNumberOfCells();
+  if (mesh.NumberOfCells == 0)
+  {
+    return true;
+  }
+  vtkCellArray* cells = grid->GetCells();
+  if (grid->GetCellTypesArray()->GetNumberOfValues() < mesh.NumberOfCells)
+  {
+    error = "The grid has " + std::to_string(mesh.NumberOfCells) + " cells, but the types of " +
+      std::to_string(grid->GetCellTypesArray()->GetNumberOfValues()) +
+      ": the grid is corrupt, rewrite it.";
+    return false;
+  }
+  mesh.Types = grid->GetCellTypesArray()->GetPointer(0);
+  mesh.ConnectivitySize = cells->GetNumberOfConnectivityIds();
+  if (cells->IsStorage64Bit())
+  {
+    mesh.Connectivity64 =
+      reinterpret_cast<const vtkTypeInt64*>(cells->GetConnectivityArray64()->GetPointer(0));
+    mesh.Offsets64 =
+      reinterpret_cast<const vtkTypeInt64*>(cells->GetOffsetsArray64()->GetPointer(0));
+  }
+  else
+  {
+    mesh.Connectivity32 = cells->GetConnectivityArray32()->GetPointer(0);
+    mesh.Offsets32 = cells->GetOffsetsArray32()->GetPointer(0);
+  }
+  return true;
+}
+
+bool CheckCells(const HexMesh& mesh, std::string& error)
+{
+  const Id bad = FirstFailure(
+    mesh.NumberOfCells, [&mesh](Id c) { return FindCellDefect(mesh, c) != CellDefect::None; });
+  if (bad < mesh.NumberOfCells)
+  {
+    error = Describe(FindCellDefect(mesh, bad), bad, mesh.Types[bad]);
+    return false;
+  }
+  return true;
+}
+
 }
 
 void HexMesh::OrientWedge(std::array<Id, 8>& nodes) const
@@ -240,58 +301,31 @@ void HexMesh::OrientWedge(std::array<Id, 8>& nodes) const
   }
 }
 
+bool HexMesh::AreGood(Id begin, Id end) const
+{
+  for (Id c = begin; c < end; ++c)
+  {
+    if (FindCellDefect(*this, c) != CellDefect::None)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool ViewUnchecked(vtkUnstructuredGrid* grid, HexMesh& mesh)
+{
+  mesh = HexMesh{};
+  std::string error;
+  return TakePoints(grid, mesh, error) && TakeCells(grid, mesh, error) &&
+    CheckAttributes(grid, mesh, error);
+}
+
 bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
 {
   mesh = HexMesh{};
-  if (!TakePoints(grid, mesh, error))
-  {
-    return false;
-  }
-  mesh.NumberOfCells = grid->GetNumberOfCells();
-  if (mesh.NumberOfCells == 0)
-  {
-    return true;
-  }
-  vtkCellArray* cells = grid->GetCells();
-  if (grid->GetCellTypesArray()->GetNumberOfValues() < mesh.NumberOfCells)
-  {
-    error = "The grid has " + std::to_string(mesh.NumberOfCells) + " cells, but the types of " +
-      std::to_string(grid->GetCellTypesArray()->GetNumberOfValues()) +
-      ": the grid is corrupt, rewrite it.";
-    return false;
-  }
-  const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
-  Id connectivitySize = 0;
-  if (cells->IsStorage64Bit())
-  {
-    mesh.Connectivity64 =
-      reinterpret_cast<const vtkTypeInt64*>(cells->GetConnectivityArray64()->GetPointer(0));
-    mesh.Offsets64 =
-      reinterpret_cast<const vtkTypeInt64*>(cells->GetOffsetsArray64()->GetPointer(0));
-    connectivitySize = cells->GetConnectivityArray64()->GetNumberOfValues();
-  }
-  else
-  {
-    mesh.Connectivity32 = cells->GetConnectivityArray32()->GetPointer(0);
-    mesh.Offsets32 = cells->GetOffsetsArray32()->GetPointer(0);
-    connectivitySize = cells->GetConnectivityArray32()->GetNumberOfValues();
-  }
-  const auto defectOf = [&](Id c)
-  {
-    return mesh.Offsets64 ? FindCellDefect(mesh.Connectivity64, mesh.Offsets64, connectivitySize,
-                              types, mesh.NumberOfPoints, c)
-                          : FindCellDefect(mesh.Connectivity32, mesh.Offsets32, connectivitySize,
-                              types, mesh.NumberOfPoints, c);
-  };
-  const Id bad =
-    FirstFailure(mesh.NumberOfCells, [&](Id c) { return defectOf(c) != CellDefect::None; });
-  if (bad < mesh.NumberOfCells)
-  {
-    error = Describe(defectOf(bad), bad, types[bad]);
-    return false;
-  }
-  return CheckAttributes(grid->GetPointData(), mesh.NumberOfPoints, "points", error) &&
-    CheckAttributes(grid->GetCellData(), mesh.NumberOfCells, "cells", error);
+  return TakePoints(grid, mesh, error) && CheckPoints(mesh, error) &&
+    TakeCells(grid, mesh, error) && CheckCells(mesh, error) && CheckAttributes(grid, mesh, error);
 }
 
 }

@@ -35,6 +35,8 @@ struct HexMesh
   const vtkTypeInt64* Offsets64 = nullptr;
   const vtkTypeInt32* Connectivity32 = nullptr;
   const vtkTypeInt32* Offsets32 = nullptr;
+  Id ConnectivitySize = 0;
+  const unsigned char* Types = nullptr;
 
   Vec3 Point(Id i) const
   {
@@ -81,6 +83,22 @@ struct HexMesh
                            : this->Connectivity32[this->Offsets32[c]];
   }
 
+  /// Whether cells are free of the defects that ViewGrid tells; asked before anything else of cells
+  /// that were not checked.
+  bool AreGood(Id begin, Id end) const;
+
+  /// Has the processor fetch the nodes of a cell that is asked for soon: of itself it does so
+  /// within a page of memory only.
+  void Prefetch(Id c) const
+  {
+    const Id first = 8 * c; // most are hexahedra
+    if (first < this->ConnectivitySize)
+    {
+      __builtin_prefetch(this->Offsets64 ? static_cast<const void*>(this->Connectivity64 + first)
+                                         : static_cast<const void*>(this->Connectivity32 + first));
+    }
+  }
+
 private:
   void OrientWedge(std::array<Id, 8>& nodes) const;
 
@@ -111,6 +129,10 @@ private:
  * number of nodes, node ids out of range or repeated, or coordinates that are not finite.
  */
 bool ViewGrid(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error);
+
+/// The same without a look at each cell and point: true does not tell that these are free of
+/// defects.
+bool ViewUnchecked(vtkUnstructuredGrid* grid, HexMesh& mesh);
 
 }
 

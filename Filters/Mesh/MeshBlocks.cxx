@@ -1,5 +1,6 @@
 #include "MeshBlocks.h"
 
+#include "ClusterJoiner.h"
 #include "Runs.h"
 
 #include <vtkSMPTools.h>
@@ -53,133 +54,20 @@ int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points)
 namespace
 {
 
-void FindUnusedNodes(const HexMesh& mesh, MeshBlocks& blocks)
+/// Returns whether their places are finite.
+bool FindUnusedNodes(const HexMesh& mesh, MeshBlocks& blocks)
 {
+  bool finite = true;
   for (Id p = 0; p < mesh.NumberOfPoints; ++p)
   {
     if (blocks.FirstClusterOf(p) == MeshBlocks::NoCluster)
     {
       blocks.UnusedNodes.push_back(p);
+      finite &= mesh.Point(p).allFinite();
     }
   }
+  return finite;
 }
-
-bool ShareNode(const std::array<Id, 8>& a, int countA, const std::array<Id, 8>& b, int countB)
-{
-  return std::find_first_of(a.begin(), a.begin() + countA, b.begin(), b.begin() + countB) !=
-    a.begin() + countA;
-}
-
-/// Finds what joins the cells of one stretch of the mesh with the rest, while other threads do so
-/// elsewhere: which sets of nodes the links join in the end does not depend on who came first.
-class Joiner
-{
-public:
-  Joiner(const HexMesh& mesh, MeshBlocks& blocks, bool alone)
-    : Mesh(mesh)
-    , Blocks(blocks)
-    , Alone(alone)
-  {
-  }
-
-  std::vector<std::pair<int, int>> Links;
-  Id NumberOfNodes = 0; ///< that no cell had used before
-
-  void JoinRun(int run)
-  {
-    const std::size_t first = this->Links.size();
-    const Id begin = run * MeshBlocks::CellsPerClusterRun;
-    const Id end = std::min(this->Mesh.NumberOfCells, begin + MeshBlocks::CellsPerClusterRun);
-    Id firstLength = MeshBlocks::CellsPerClusterRun;
-    int cluster = 2 * run;
-    std::array<int, 8> known; // earlier cluster at corners of the cell before: most are the same
-    known.fill(MeshBlocks::NoCluster - cluster);
-    std::array<Id, 8> nodes{}, before{};
-    int countBefore = 0;
-    for (Id c = begin; c < end; ++c)
-    {
-      const int count = this->Mesh.Cell(c, nodes);
-      if (c > begin && !ShareNode(nodes, count, before, countBefore))
-      {
-        firstLength = firstLength == MeshBlocks::CellsPerClusterRun ? c - begin : 0;
-        cluster = 2 * run + 1;
-        known.fill(MeshBlocks::NoCluster - cluster);
-      }
-      this->JoinCell(nodes, count, cluster, firstLength > 0, known);
-      before = nodes;
-      countBefore = count;
-    }
-    this->Blocks.FirstLength[run] = static_cast<unsigned char>(firstLength);
-    if (firstLength == 0)
-    {
-      this->Links.resize(first);
-    }
-    this->Links.insert(this->Links.end(), this->Later.begin(), this->Later.end());
-    this->Later.clear();
-  }
-
-private:
-  /// @param isCluster links to earlier clusters are to be added.
-  void JoinCell(const std::array<Id, 8>& nodes, int count, int cluster, bool isCluster,
-    std::array<int, 8>& known)
-  {
-    std::atomic<int>* const clusters = this->Blocks.ClusterOfNode.data();
-    const int own = MeshBlocks::NoCluster - cluster;
-    for (int i = 0; i < count; ++i)
-    {
-      const int seen = clusters[nodes[i]].load(std::memory_order_relaxed);
-      if (seen != own && seen != known[i])
-      {
-        known[i] = this->JoinNode(clusters[nodes[i]], seen, own);
-        if (isCluster && known[i] != own)
-        {
-          this->AddLink(cluster, MeshBlocks::NoCluster - known[i]);
-        }
-      }
-    }
-  }
-
-  /// Clusters are told by how far they are before NoCluster. Returns the first that the node has
-  /// now.
-  int JoinNode(std::atomic<int>& node, int seen, int own)
-  {
-    if (this->Alone && seen == 0)
-    {
-      node.store(own, std::memory_order_relaxed);
-      ++this->NumberOfNodes;
-      return own;
-    }
-    while (own > seen && !node.compare_exchange_weak(seen, own, std::memory_order_relaxed))
-    {
-    }
-    this->NumberOfNodes += seen == 0;
-    if (seen != 0 && seen < own)
-    {
-      this->Later.emplace_back(MeshBlocks::NoCluster - seen, MeshBlocks::NoCluster - own);
-    }
-    return std::max(seen, own);
-  }
-
-  void AddLink(int cluster, int earlier)
-  {
-    // Those of a cluster are the last ones.
-    const std::pair<int, int> link(cluster, earlier);
-    for (auto known = this->Links.rbegin(); known != this->Links.rend() && known->first == cluster;
-         ++known)
-    {
-      if (*known == link)
-      {
-        return;
-      }
-    }
-    this->Links.push_back(link);
-  }
-
-  const HexMesh& Mesh;
-  MeshBlocks& Blocks;
-  bool Alone;                             ///< no other thread is at work
-  std::vector<std::pair<int, int>> Later; ///< from runs that another thread came to first
-};
 
 /// A coordinate of two cells.
 using Two = Eigen::Array2d;
@@ -211,6 +99,8 @@ struct RunSize
   Two Low[3], High[3]; ///< the boxes of the first and of the second cells of pairs
   Two Sides[3] = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } };
   Two Diagonal{ 0.0, 0.0 }; ///< squared
+  /// Of terms that each coordinate is in: finite only if all of these are.
+  Two Sum{ 0.0, 0.0 };
 
   RunSize()
   {
@@ -264,9 +154,10 @@ Two MeasureHexahedra(const Coordinate* points, const std::array<Id, 8>& nodesA,
     high[2] = high[2].max(p[i].Z);
   }
   run.Add(low, high);
-  return HexahedronVolume(
-    p, [](const auto& a, const auto& b, const auto& c) { return Determinant(a, b, c); })
-    .abs();
+  const Two volumes = HexahedronVolume(
+    p, [](const auto& a, const auto& b, const auto& c) { return Determinant(a, b, c); });
+  run.Sum += volumes;
+  return volumes.abs();
 }
 
 double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
@@ -277,6 +168,7 @@ double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
   for (int i = 0; i < count; ++i)
   {
     box.extend(points[i]);
+    run.Sum += points[i].sum();
   }
   Two low[3], high[3];
   for (int k = 0; k < 3; ++k)
@@ -288,17 +180,18 @@ double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
   return std::abs(VolumeOf(points, count));
 }
 
-/// The largest cells of a block.
-struct LargestCells
+/// What is found of the cells of a block.
+struct BlockSize
 {
-  double Diagonal = 0.0;
+  double Diagonal = 0.0; ///< the largest
   Vec3 Sides = Vec3::Zero();
+  bool Finite = true; ///< all coordinates certainly are
 };
 
 /// Boxes and volumes of one block of cells.
 template <typename Coordinate>
-void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks,
-  LargestCells& largest)
+void MeasureBlock(
+  const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks, BlockSize& size)
 {
   const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
   for (Id first = MeshBlocks::FirstCell(block); first < last; first += MeshBlocks::CellsPerRun)
@@ -326,16 +219,17 @@ void MeasureBlock(const HexMesh& mesh, const Coordinate* points, Id block, MeshB
     const Box3 box = run.Box();
     blocks.RunBoxes[first / MeshBlocks::CellsPerRun] = RoundOutwards(box);
     blocks.Boxes[block].extend(box);
-    largest.Diagonal = std::max(largest.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
+    size.Diagonal = std::max(size.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
     for (int k = 0; k < 3; ++k)
     {
-      largest.Sides[k] = std::max(largest.Sides[k], run.Sides[k].maxCoeff());
+      size.Sides[k] = std::max(size.Sides[k], run.Sides[k].maxCoeff());
     }
+    size.Finite &= std::isfinite(run.Sum.sum());
   }
 }
 
 void MeasureAndJoin(
-  const HexMesh& mesh, Id block, MeshBlocks& blocks, Joiner& joiner, LargestCells& largest)
+  const HexMesh& mesh, Id block, MeshBlocks& blocks, ClusterJoiner& joiner, BlockSize& size)
 {
   constexpr Id runs = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerClusterRun;
   const Id end = std::min(blocks.NumberOfClusterRuns(), (block + 1) * runs);
@@ -345,56 +239,82 @@ void MeasureAndJoin(
   }
   if (mesh.PointsDouble)
   {
-    MeasureBlock(mesh, mesh.PointsDouble, block, blocks, largest);
+    MeasureBlock(mesh, mesh.PointsDouble, block, blocks, size);
   }
   else
   {
-    MeasureBlock(mesh, mesh.PointsFloat, block, blocks, largest);
+    MeasureBlock(mesh, mesh.PointsFloat, block, blocks, size);
   }
 }
 
+/// Returns whether all coordinates certainly are finite.
+bool Gather(const HexMesh& mesh, const std::vector<ClusterJoiner>& joiners,
+  const std::vector<BlockSize>& sizes, MeshBlocks& blocks)
+{
+  Id usedNodes = 0;
+  std::size_t links = 0;
+  for (const ClusterJoiner& joiner : joiners)
+  {
+    usedNodes += joiner.NumberOfNodes;
+    links += joiner.Links.size();
+  }
+  blocks.Links.reserve(links);
+  for (const ClusterJoiner& joiner : joiners)
+  {
+    blocks.Links.insert(blocks.Links.end(), joiner.Links.begin(), joiner.Links.end());
+  }
+  bool finite = true;
+  for (std::size_t b = 0; b < sizes.size(); ++b)
+  {
+    blocks.Bounds.extend(blocks.Boxes[b]);
+    blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, sizes[b].Diagonal);
+    blocks.LargestCell = blocks.LargestCell.cwiseMax(sizes[b].Sides);
+    finite &= sizes[b].Finite;
+  }
+  return (usedNodes == mesh.NumberOfPoints || FindUnusedNodes(mesh, blocks)) && finite;
 }
 
-MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
+}
+
+bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
 {
   static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerClusterRun == 0 &&
       MeshBlocks::CellsPerClusterRun % MeshBlocks::CellsPerRun == 0,
     "blocks are filled by several threads, clusters by runs");
-  MeshBlocks blocks;
+  blocks = MeshBlocks();
   const Id count = NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
   blocks.Boxes.resize(count);
   blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
   blocks.FirstLength.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerClusterRun));
-  std::vector<LargestCells> largest(count);
+  std::vector<BlockSize> sizes(count);
   blocks.ClusterOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   constexpr Id grain = 256;
   const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
-  std::vector<Joiner> joiners(NumberOfRuns(count, grain), Joiner(mesh, blocks, alone));
+  std::vector<ClusterJoiner> joiners(
+    NumberOfRuns(count, grain), ClusterJoiner(mesh, blocks, alone));
+  std::atomic<bool> good{ true };
   ForRuns(count, grain,
     [&](Id run, Id begin, Id end)
     {
-      for (Id b = begin; b < end; ++b)
+      for (Id b = begin; b < end && good; ++b)
       {
-        MeasureAndJoin(mesh, b, blocks, joiners[run], largest[b]);
+        // Nothing is done with the nodes of a block before all of its cells were looked at.
+        if (!mesh.AreGood(MeshBlocks::FirstCell(b), MeshBlocks::EndCell(b, mesh.NumberOfCells)))
+        {
+          good = false;
+          return;
+        }
+        MeasureAndJoin(mesh, b, blocks, joiners[run], sizes[b]);
       }
     });
-  Id usedNodes = 0;
-  for (const Joiner& joiner : joiners)
-  {
-    usedNodes += joiner.NumberOfNodes;
-    blocks.Links.insert(blocks.Links.end(), joiner.Links.begin(), joiner.Links.end());
-  }
-  for (Id b = 0; b < count; ++b)
-  {
-    blocks.Bounds.extend(blocks.Boxes[b]);
-    blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, largest[b].Diagonal);
-    blocks.LargestCell = blocks.LargestCell.cwiseMax(largest[b].Sides);
-  }
-  if (usedNodes < mesh.NumberOfPoints)
-  {
-    FindUnusedNodes(mesh, blocks);
-  }
+  return good && Gather(mesh, joiners, sizes, blocks);
+}
+
+MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
+{
+  MeshBlocks blocks;
+  ScanMesh(mesh, blocks);
   return blocks;
 }
 

@@ -80,6 +80,10 @@ struct MeshBlocks
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh);
 
+/// The same of a mesh that was not checked: false, and blocks that are not to be used, if it has a
+/// defect, or if that is not certain. For each cell to be read from memory once.
+bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks);
+
 /// Places of the nodes of one cell; returns their number.
 int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points);
 

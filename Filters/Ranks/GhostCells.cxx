@@ -103,17 +103,22 @@ void CopyCells(
 
 }
 
+bool HasGhosts(vtkUnstructuredGrid* grid)
+{
+  return grid->GetNumberOfCells() > 0 &&
+    (HasFlags(grid->GetCellGhostArray()) || HasFlags(grid->GetPointGhostArray()));
+}
+
 OwnCells TakeOwnCells(vtkUnstructuredGrid* input, const HexMesh& mesh)
 {
   OwnCells own;
   own.Grid = input;
-  vtkUnsignedCharArray* cellGhosts = input->GetCellGhostArray();
-  if (mesh.NumberOfCells == 0 || (!HasFlags(cellGhosts) && !HasFlags(input->GetPointGhostArray())))
+  if (!HasGhosts(input))
   {
     return own;
   }
   own.Selected = true;
-  FindOwn(mesh, cellGhosts, own);
+  FindOwn(mesh, input->GetCellGhostArray(), own);
   vtkNew<vtkUnstructuredGrid> grid;
   if (mesh.PointsDouble)
   {

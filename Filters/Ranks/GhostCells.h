@@ -25,6 +25,9 @@ struct OwnCells
   Id Hidden = 0;                             ///< others left out: hidden or refined ones
 };
 
+/// Whether some cells or points are flagged as ghosts, so that not all cells are a rank's own.
+bool HasGhosts(vtkUnstructuredGrid* grid);
+
 /**
  * The cells of `input` that are no ghosts (copies of other ranks' cells, hidden or refined ones),
  * with their points and arrays; the ghost arrays are left out, as a trim would make them wrong.

@@ -143,8 +143,23 @@ std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurf
 
 void TrimInputs::ForgetOtherRanks()
 {
-  this->Joined = false;
+  this->Grid = nullptr; // what is known of it is to be found anew
   this->TheSurface = nullptr;
+}
+
+bool TrimInputs::TakeChecked(vtkUnstructuredGrid* grid, std::string& error)
+{
+  if (!ViewGrid(grid, this->TheMesh, error))
+  {
+    return false;
+  }
+  this->TheOwn = TakeOwnCells(grid, this->TheMesh);
+  if (this->TheOwn.Selected && !ViewGrid(this->TheOwn.Grid, this->TheMesh, error))
+  {
+    return false;
+  }
+  this->TheBlocks = BuildMeshBlocks(this->TheMesh);
+  return true;
 }
 
 bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
@@ -156,12 +171,13 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   this->Grid = nullptr;
   this->Joined = false;
   const auto plain = WithPointsInOneArray(grid);
-  if (!ViewGrid(plain, this->TheMesh, error))
+  // Most grids have no defect: only others are looked at for which is the first.
+  if (!HasGhosts(plain) && ViewUnchecked(plain, this->TheMesh) &&
+    ScanMesh(this->TheMesh, this->TheBlocks))
   {
-    return false;
+    this->TheOwn = TakeOwnCells(plain, this->TheMesh);
   }
-  this->TheOwn = TakeOwnCells(plain, this->TheMesh);
-  if (this->TheOwn.Selected && !ViewGrid(this->TheOwn.Grid, this->TheMesh, error))
+  else if (!this->TakeChecked(plain, error))
   {
     return false;
   }
@@ -176,7 +192,11 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
   {
     return true;
   }
-  this->Joined = false;
+  if (this->Joined)
+  {
+    this->TheBlocks = BuildMeshBlocks(this->TheMesh); // they know of the pieces of before
+    this->Joined = false;
+  }
   if (ranks.Sum(this->TheMesh.NumberOfCells) == 0)
   {
     error = "The input grid has no cells: connect a grid of hexahedra.";
@@ -190,7 +210,6 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
       "several pieces are known by their places: make new ones, e.g. with Generate Global Ids."
     : "";
   this->HiddenRemark = DescribeLeftOut(this->TheOwn, ranks);
-  this->TheBlocks = BuildMeshBlocks(this->TheMesh);
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
   {

@@ -51,6 +51,7 @@ public:
 
 private:
   bool TakeGrid(vtkUnstructuredGrid* grid, std::string& error);
+  bool TakeChecked(vtkUnstructuredGrid* grid, std::string& error);
   bool TakeSurface(vtkDataObject* data, std::string& error);
   /// Collective: what the pieces have in common.
   bool JoinPieces(const Ranks& ranks, std::string& error);
