@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace trim
 {
@@ -180,8 +181,8 @@ double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
   return std::abs(VolumeOf(points, count));
 }
 
-/// What is found of the cells of a block.
-struct BlockSize
+/// What is found of the cells of several blocks.
+struct BlockSizes
 {
   double Diagonal = 0.0; ///< the largest
   Vec3 Sides = Vec3::Zero();
@@ -191,7 +192,7 @@ struct BlockSize
 /// Boxes and volumes of one block of cells.
 template <typename Coordinate>
 void MeasureBlock(
-  const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks, BlockSize& size)
+  const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks, BlockSizes& sizes)
 {
   const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
   for (Id first = MeshBlocks::FirstCell(block); first < last; first += MeshBlocks::CellsPerRun)
@@ -219,17 +220,17 @@ void MeasureBlock(
     const Box3 box = run.Box();
     blocks.RunBoxes[first / MeshBlocks::CellsPerRun] = RoundOutwards(box);
     blocks.Boxes[block].extend(box);
-    size.Diagonal = std::max(size.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
+    sizes.Diagonal = std::max(sizes.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
     for (int k = 0; k < 3; ++k)
     {
-      size.Sides[k] = std::max(size.Sides[k], run.Sides[k].maxCoeff());
+      sizes.Sides[k] = std::max(sizes.Sides[k], run.Sides[k].maxCoeff());
     }
-    size.Finite &= std::isfinite(run.Sum.sum());
+    sizes.Finite &= std::isfinite(run.Sum.sum());
   }
 }
 
 void MeasureAndJoin(
-  const HexMesh& mesh, Id block, MeshBlocks& blocks, ClusterJoiner& joiner, BlockSize& size)
+  const HexMesh& mesh, Id block, MeshBlocks& blocks, ClusterJoiner& joiner, BlockSizes& sizes)
 {
   constexpr Id runs = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerClusterRun;
   const Id end = std::min(blocks.NumberOfClusterRuns(), (block + 1) * runs);
@@ -239,37 +240,44 @@ void MeasureAndJoin(
   }
   if (mesh.PointsDouble)
   {
-    MeasureBlock(mesh, mesh.PointsDouble, block, blocks, size);
+    MeasureBlock(mesh, mesh.PointsDouble, block, blocks, sizes);
   }
   else
   {
-    MeasureBlock(mesh, mesh.PointsFloat, block, blocks, size);
+    MeasureBlock(mesh, mesh.PointsFloat, block, blocks, sizes);
   }
 }
 
+/// What a stretch of blocks is found to have.
+struct Stretch
+{
+  BlockSizes Sizes;
+  std::vector<std::pair<int, int>> Links;
+  Id NumberOfNodes = 0; ///< that no stretch before it in time had used
+};
+
 /// Returns whether all coordinates certainly are finite.
-bool Gather(const HexMesh& mesh, const std::vector<ClusterJoiner>& joiners,
-  const std::vector<BlockSize>& sizes, MeshBlocks& blocks)
+bool Gather(const HexMesh& mesh, const std::vector<Stretch>& stretches, MeshBlocks& blocks)
 {
   Id usedNodes = 0;
   std::size_t links = 0;
-  for (const ClusterJoiner& joiner : joiners)
+  bool finite = true;
+  for (const Stretch& stretch : stretches)
   {
-    usedNodes += joiner.NumberOfNodes;
-    links += joiner.Links.size();
+    blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, stretch.Sizes.Diagonal);
+    blocks.LargestCell = blocks.LargestCell.cwiseMax(stretch.Sizes.Sides);
+    finite &= stretch.Sizes.Finite;
+    usedNodes += stretch.NumberOfNodes;
+    links += stretch.Links.size();
   }
   blocks.Links.reserve(links);
-  for (const ClusterJoiner& joiner : joiners)
+  for (const Stretch& stretch : stretches)
   {
-    blocks.Links.insert(blocks.Links.end(), joiner.Links.begin(), joiner.Links.end());
+    blocks.Links.insert(blocks.Links.end(), stretch.Links.begin(), stretch.Links.end());
   }
-  bool finite = true;
-  for (std::size_t b = 0; b < sizes.size(); ++b)
+  for (const Box3& box : blocks.Boxes)
   {
-    blocks.Bounds.extend(blocks.Boxes[b]);
-    blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, sizes[b].Diagonal);
-    blocks.LargestCell = blocks.LargestCell.cwiseMax(sizes[b].Sides);
-    finite &= sizes[b].Finite;
+    blocks.Bounds.extend(box);
   }
   return (usedNodes == mesh.NumberOfPoints || FindUnusedNodes(mesh, blocks)) && finite;
 }
@@ -287,16 +295,16 @@ bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
   blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
   blocks.FirstLength.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerClusterRun));
-  std::vector<BlockSize> sizes(count);
   blocks.ClusterOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   constexpr Id grain = 256;
   const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
-  std::vector<ClusterJoiner> joiners(
-    NumberOfRuns(count, grain), ClusterJoiner(mesh, blocks, alone));
+  std::vector<Stretch> stretches(NumberOfRuns(count, grain));
   std::atomic<bool> good{ true };
   ForRuns(count, grain,
     [&](Id run, Id begin, Id end)
     {
+      ClusterJoiner joiner(mesh, blocks, alone);
+      BlockSizes sizes;
       for (Id b = begin; b < end && good; ++b)
       {
         // Nothing is done with the nodes of a block before all of its cells were looked at.
@@ -305,10 +313,11 @@ bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
           good = false;
           return;
         }
-        MeasureAndJoin(mesh, b, blocks, joiners[run], sizes[b]);
+        MeasureAndJoin(mesh, b, blocks, joiner, sizes);
       }
+      stretches[run] = { sizes, std::move(joiner.Links), joiner.NumberOfNodes };
     });
-  return good && Gather(mesh, joiners, sizes, blocks);
+  return good && Gather(mesh, stretches, blocks);
 }
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
