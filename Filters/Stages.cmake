@@ -80,6 +80,8 @@ add_library(NURBSTrimStages STATIC
   Write/ValueWeights.cxx
   Trim/BandDecision.cxx
   Trim/CutColumns.cxx
+  Trim/EdgesCrossedTwice.cxx
+  Trim/ElementProbe.cxx
   Trim/ElementsAstray.cxx
   Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx

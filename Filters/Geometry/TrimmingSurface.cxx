@@ -1,6 +1,7 @@
 #include "TrimmingSurface.h"
 
 #include "ClosestPoint.h"
+#include "LeafSearch.h"
 #include "LineIntersection.h"
 #include "ModelEvaluation.h"
 #include "Neighbourhood.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace nurbs
 {
@@ -294,55 +294,6 @@ std::vector<LineHit> TrimmingSurface::Intersect(
   return hits;
 }
 
-namespace
-{
-
-/**
- * Visits the leaves whose oriented boxes meet a box, until it is told to stop.
- *
- * @param gap how far from the box they count all the same.
- * @param visit takes the index of a leaf box and returns false to stop.
- * @return false if it was stopped.
- */
-template <typename Visit>
-bool ForLeavesMeeting(const SurfaceModel& model, const Box3& box, double gap, const Visit& visit)
-{
-  if (box.isEmpty())
-  {
-    return true;
-  }
-  const Vec3 center = box.center() - model.Origin, half = 0.5 * box.sizes();
-  const double slack = 2e-7 * (center.cwiseAbs().maxCoeff() + half.maxCoeff()) + gap;
-  float low[3], high[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    low[axis] = static_cast<float>(center[axis] - half[axis] - slack);
-    high[axis] = static_cast<float>(center[axis] + half[axis] + slack);
-  }
-  const auto meetsBoxes = [&](const TreeNode& node) -> Eigen::Array<bool, 4, 1>
-  {
-    return (node.Low[0] <= high[0]) && (node.High[0] >= low[0]) && (node.Low[1] <= high[1]) &&
-      (node.High[1] >= low[1]) && (node.Low[2] <= high[2]) && (node.High[2] >= low[2]);
-  };
-  return ForItemsPassing(model.Nodes, meetsBoxes,
-    [&](int index)
-    {
-      // Separating axes of the leaf's oriented box.
-      const LeafBox& leaf = model.BoxAt(index);
-      const Eigen::Vector3f d = (center - leaf.Center.cast<double>()).cast<float>();
-      const Eigen::Vector3f h = half.cast<float>();
-      const float rim = 1e-6f * (d.cwiseAbs().sum() + h.sum()) + static_cast<float>(slack);
-      const auto apart = [&](const Eigen::Vector3f& axis, int k)
-      {
-        const float x = axis.dot(d), reach = axis.cwiseAbs().dot(h) + rim;
-        return x - reach > leaf.High[k] || x + reach < leaf.Low[k];
-      };
-      return apart(leaf.X.cross(leaf.Y), 2) || apart(leaf.X, 0) || apart(leaf.Y, 1) || visit(index);
-    });
-}
-
-}
-
 bool TrimmingSurface::MayIntersect(const Box3& box) const
 {
   const SurfaceModel& model = this->Impl->Model;
@@ -383,77 +334,6 @@ int TrimmingSurface::NumberOfFaces() const
 const NurbsSurface& TrimmingSurface::Face(int i) const
 {
   return this->Impl->Model.Faces[i];
-}
-
-namespace
-{
-
-/// Where a surface has a tangent plane.
-struct Tangents
-{
-  SurfaceJet Jet;
-  Vec3 Normal; ///< S_u x S_v
-  double Area; ///< its square, > 0
-};
-
-/// @param map applied to the surface.
-std::optional<Tangents> TangentsAt(const TrimmingSurface& surface, const Foot& foot,
-  const Eigen::Matrix3d& map = Eigen::Matrix3d::Identity())
-{
-  if (foot.Face < 0 || foot.Face >= surface.NumberOfFaces())
-  {
-    return std::nullopt;
-  }
-  SurfaceJet jet = EvaluateJet(surface.Face(foot.Face), foot.U, foot.V);
-  for (Vec3* derivative : { &jet.Su, &jet.Sv, &jet.Suu, &jet.Suv, &jet.Svv })
-  {
-    *derivative = map * *derivative;
-  }
-  const Vec3 normal = jet.Su.cross(jet.Sv);
-  const double area = normal.squaredNorm();
-  return area > 0 ? std::optional<Tangents>({ jet, normal, area }) : std::nullopt;
-}
-
-}
-
-double TrimmingSurface::RadiusOfCurvature(const Foot& foot) const
-{
-  return this->MappedRadiusOfCurvature(foot, Eigen::Matrix3d::Identity());
-}
-
-double TrimmingSurface::MappedRadiusOfCurvature(const Foot& foot, const Eigen::Matrix3d& map) const
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  const auto tangents = TangentsAt(*this, foot, map);
-  if (!tangents)
-  {
-    return infinity;
-  }
-  const auto& [jet, n, area] = *tangents;
-  // First and second fundamental forms; k^2 - 2 H k + K = 0.
-  const double E = jet.Su.squaredNorm(), F = jet.Su.dot(jet.Sv), G = jet.Sv.squaredNorm();
-  const Vec3 unit = n / std::sqrt(area);
-  const double L = jet.Suu.dot(unit), M = jet.Suv.dot(unit), N = jet.Svv.dot(unit);
-  const double H = 0.5 * (E * N - 2 * F * M + G * L) / area, K = (L * N - M * M) / area;
-  const double k = std::abs(H) + std::sqrt(std::max(0.0, H * H - K));
-  return k > 0 ? 1.0 / k : infinity;
-}
-
-double TrimmingSurface::RadiusOfCurvature(const Foot& foot, const Vec3& direction) const
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  const auto tangents = TangentsAt(*this, foot);
-  if (!tangents)
-  {
-    return infinity;
-  }
-  const auto& [jet, n, area] = *tangents;
-  // The direction as a Su + b Sv; its curvature is the second over the first fundamental form.
-  const double a = direction.cross(jet.Sv).dot(n) / area;
-  const double b = jet.Su.cross(direction).dot(n) / area;
-  const double bend =
-    std::abs((a * a * jet.Suu + 2 * a * b * jet.Suv + b * b * jet.Svv).dot(n)) / std::sqrt(area);
-  return bend > 0 ? (a * jet.Su + b * jet.Sv).squaredNorm() / bend : infinity;
 }
 
 }

@@ -111,16 +111,6 @@ public:
   int NumberOfFaces() const;
   const NurbsSurface& Face(int i) const;
 
-  /// Smallest radius of curvature at the foot (infinity where flat); for warnings.
-  double RadiusOfCurvature(const Foot& foot) const;
-
-  /// The same of the surface as a linear map shows it, as that from space to elements.
-  double MappedRadiusOfCurvature(const Foot& foot, const Eigen::Matrix3d& map) const;
-
-  /// Radius of normal curvature at the foot along a direction, of which only the part in the
-  /// tangent plane counts (infinity where flat, or where there is no such part); for warnings.
-  double RadiusOfCurvature(const Foot& foot, const Vec3& direction) const;
-
 private:
   struct Implementation;
   std::unique_ptr<Implementation> Impl;

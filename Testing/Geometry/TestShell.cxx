@@ -1,5 +1,6 @@
 // Sides, seams, poles, sharp edges, free borders, orientation of shells and box queries.
 #include "Check.h"
+#include "Curvature.h"
 #include "RandomPlaces.h"
 #include "SampleSurfaces.h"
 #include "TrimmingSurface.h"
@@ -397,28 +398,30 @@ void TestCurvature()
   const TrimmingSurface plane(
     { samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)) }, 1e-9);
   check::Near(
-    sphere.RadiusOfCurvature(sphere.ClosestPoint(Vec3(3, 1, 1))), 2, 1e-6, "radius of the sphere");
+    RadiusOfCurvature(sphere, sphere.ClosestPoint(Vec3(3, 1, 1))), 2, 1e-6, "radius of the sphere");
   check::Near(
-    torus.RadiusOfCurvature(torus.ClosestPoint(Vec3(1, 1, 1))), 0.25, 1e-9, "radius of the torus");
+    RadiusOfCurvature(torus, torus.ClosestPoint(Vec3(1, 1, 1))), 0.25, 1e-9, "radius of the torus");
   check::That(
-    std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)))), "a plane is flat");
+    std::isinf(RadiusOfCurvature(plane, plane.ClosestPoint(Vec3(0.5, 0.5, 1)))), "a plane is flat");
 
   // On the outer equator of the torus: 1.25 along it, 0.25 across.
   const Foot equator = torus.ClosestPoint(Vec3(1.2, 0.9, 0));
   const Vec3 along(-0.6, 0.8, 0);
-  check::Near(torus.RadiusOfCurvature(equator, along), 1.25, 1e-9, "radius along the equator");
-  check::Near(torus.RadiusOfCurvature(equator, Vec3::UnitZ()), 0.25, 1e-9, "across the equator");
-  check::Near(torus.RadiusOfCurvature(equator, 3 * along + Vec3(8, 6, 0)), 1.25, 1e-9,
+  check::Near(
+    RadiusOfCurvatureAlong(torus, equator, along), 1.25, 1e-9, "radius along the equator");
+  check::Near(
+    RadiusOfCurvatureAlong(torus, equator, Vec3::UnitZ()), 0.25, 1e-9, "across the equator");
+  check::Near(RadiusOfCurvatureAlong(torus, equator, 3 * along + Vec3(8, 6, 0)), 1.25, 1e-9,
     "only the part in the tangent plane counts");
   check::That(
-    std::isinf(plane.RadiusOfCurvature(plane.ClosestPoint(Vec3(0.5, 0.5, 1)), Vec3(1, 2, 0))),
+    std::isinf(RadiusOfCurvatureAlong(plane, plane.ClosestPoint(Vec3(0.5, 0.5, 1)), Vec3(1, 2, 0))),
     "a plane is flat in each direction");
 
   // The sphere becomes an ellipsoid with the half axes 1, 2 and 4.
   const Eigen::Matrix3d map = Vec3(0.5, 1, 2).asDiagonal();
-  check::Near(sphere.MappedRadiusOfCurvature(sphere.ClosestPoint(Vec3(0, 3, 0)), map), 0.5, 1e-6,
+  check::Near(RadiusOfCurvature(sphere, sphere.ClosestPoint(Vec3(0, 3, 0)), map), 0.5, 1e-6,
     "radius of an ellipsoid where it is the shortest axis that bends");
-  check::Near(sphere.MappedRadiusOfCurvature(sphere.ClosestPoint(Vec3(3, 0, 0)), map), 4, 1e-6,
+  check::Near(RadiusOfCurvature(sphere, sphere.ClosestPoint(Vec3(3, 0, 0)), map), 4, 1e-6,
     "and where the other two do");
 }
 

@@ -4,6 +4,7 @@
  * the last bit. Under ThreadSanitizer (Testing/run-sanitizers.sh) it also shows data races.
  */
 #include "Check.h"
+#include "Curvature.h"
 #include "SampleSurfaces.h"
 
 #include "TrimmingSurface.h"
@@ -32,7 +33,7 @@ std::vector<double> Ask(const TrimmingSurface& surface, const Vec3& p, const Vec
     answers.insert(answers.end(),
       { f.Point.x(), f.Point.y(), f.Point.z(), f.Normal.sum(), f.SignedDistance, f.U, f.V });
   }
-  answers.push_back(surface.RadiusOfCurvature(foot));
+  answers.push_back(nurbs::RadiusOfCurvature(surface, foot));
   for (const LineHit& hit : surface.Intersect(p, q))
   {
     answers.insert(answers.end(), { hit.K, hit.Point.sum(), hit.Normal.sum() });
