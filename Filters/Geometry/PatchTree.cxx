@@ -53,18 +53,20 @@ Vec2 MeasureSize(const BezierPatch& patch, const Vec4* net)
   return Vec2((middle(1) - middle(0)).norm(), (middle(3) - middle(2)).norm());
 }
 
-void ChooseGrid(const Vec2& bend, const Vec2& size, double flatness, BezierPatch& patch)
+void ChooseGrid(const Vec2& bend, const Vec2& size, const LeafLimits& limits, BezierPatch& patch)
 {
-  constexpr double Finest = 16;
-  Vec2 divisions = (bend / flatness).array().ceil().max(1.0).min(Finest).matrix();
+  static constexpr double Finest = 16;
+  // Most patches of a large surface are not divided: rounding up is a call of its own.
+  const auto roundUp = [](double x) { return x > 1.0 ? std::min(std::ceil(x), Finest) : 1.0; };
+  Vec2 divisions(roundUp(bend.x() / limits.Flatness), roundUp(bend.y() / limits.Flatness));
   const Vec2 leaf = size.cwiseQuotient(divisions);
   for (int along = 0; along < 2; ++along)
   {
     const double width = leaf[1 - along];
     if (width > 0)
     {
-      const double least = std::ceil(size[along] / (MostSlender * width));
-      divisions[along] = std::max(divisions[along], std::min(least, Finest));
+      divisions[along] =
+        std::max(divisions[along], roundUp(size[along] / (limits.Slenderness * width)));
     }
   }
   patch.GridU = static_cast<int>(divisions.x());

@@ -68,9 +68,15 @@ Vec2 MeasureSize(const BezierPatch& patch, const Vec4* net);
 /// that is more slender, and the boxes of such leaves are full of each other.
 constexpr double MostSlender = 8.0;
 
-/// Divides a patch so that no leaf bends by more than the flatness or is too slender, within
-/// bounds.
-void ChooseGrid(const Vec2& bend, const Vec2& size, double flatness, BezierPatch& patch);
+/// What leaves may be: how far one may bend (about radians), and how long it may be against its
+/// width.
+struct LeafLimits
+{
+  double Flatness, Slenderness;
+};
+
+/// Divides a patch so that its leaves are within the limits, as far as a few divisions do.
+void ChooseGrid(const Vec2& bend, const Vec2& size, const LeafLimits& limits, BezierPatch& patch);
 
 /**
  * Oriented box, inverse map and certificates of one leaf.

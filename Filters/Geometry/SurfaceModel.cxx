@@ -247,25 +247,27 @@ const LeafBox& SurfaceModel::MeasureBox(int index) const
   return box;
 }
 
-/// Nearly flat leaves, but not more of them than a surface of many patches can afford.
+/// Nearly flat leaves, none too slender, but not many more of them than patches where these are
+/// many.
 void SurfaceModel::ChooseGrids(const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes)
 {
-  constexpr double Flat = 0.25; // of a few patches; beyond about 0.5 queries get slower
   constexpr std::size_t Affordable = 50000;
-  double flatness = Flat;
-  for (int attempt = 0; attempt < 4; ++attempt, flatness *= 1.5)
+  LeafLimits limits{ 0.25, MostSlender }; // beyond a flatness of about 0.5 queries get slower
+  for (int attempt = 0; attempt < 4; ++attempt)
   {
     std::size_t count = 0;
     for (std::size_t k = 0; k < bends.size(); ++k)
     {
       BezierPatch& patch = this->Patches[k];
-      ChooseGrid(bends[k], sizes[k], flatness, patch);
+      ChooseGrid(bends[k], sizes[k], limits, patch);
       count += static_cast<std::size_t>(patch.GridU) * patch.GridV;
     }
-    if (count <= std::max(Affordable, 2 * bends.size()))
+    if (count <= std::max(Affordable, bends.size() + bends.size() / 2))
     {
       break;
     }
+    limits.Flatness *= 1.5;
+    limits.Slenderness *= 1.5;
   }
 }
 
