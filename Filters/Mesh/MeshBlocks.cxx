@@ -252,28 +252,22 @@ void MeasureAndJoin(
 struct Stretch
 {
   BlockSizes Sizes;
-  std::vector<std::pair<int, int>> Links;
+  MeshBlocks::LinkList Links;
   Id NumberOfNodes = 0; ///< that no stretch before it in time had used
 };
 
 /// Returns whether all coordinates certainly are finite.
-bool Gather(const HexMesh& mesh, const std::vector<Stretch>& stretches, MeshBlocks& blocks)
+bool Gather(const HexMesh& mesh, std::vector<Stretch>& stretches, MeshBlocks& blocks)
 {
   Id usedNodes = 0;
-  std::size_t links = 0;
   bool finite = true;
-  for (const Stretch& stretch : stretches)
+  for (Stretch& stretch : stretches)
   {
     blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, stretch.Sizes.Diagonal);
     blocks.LargestCell = blocks.LargestCell.cwiseMax(stretch.Sizes.Sides);
     finite &= stretch.Sizes.Finite;
     usedNodes += stretch.NumberOfNodes;
-    links += stretch.Links.size();
-  }
-  blocks.Links.reserve(links);
-  for (const Stretch& stretch : stretches)
-  {
-    blocks.Links.insert(blocks.Links.end(), stretch.Links.begin(), stretch.Links.end());
+    blocks.Links.push_back(std::move(stretch.Links));
   }
   for (const Box3& box : blocks.Boxes)
   {
@@ -315,6 +309,7 @@ bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
         }
         MeasureAndJoin(mesh, b, blocks, joiner, sizes);
       }
+      joiner.Links.shrink_to_fit();
       stretches[run] = { sizes, std::move(joiner.Links), joiner.NumberOfNodes };
     });
   return good && Gather(mesh, stretches, blocks);

@@ -41,7 +41,8 @@ struct MeshBlocks
   PageVector<std::atomic<int>> ClusterOfNode;
   /// Cluster and one before it with a common node. All clusters with a node are linked with one
   /// another, through others or through runs that are no clusters.
-  std::vector<std::pair<int, int>> Links;
+  using LinkList = std::vector<std::pair<int, int>>;
+  std::vector<LinkList> Links; ///< by the stretch of the mesh in which they were found
   std::vector<Id> UnusedNodes; ///< ascending
 
   Box3 Bounds;                     ///< of all points used by cells

@@ -6,8 +6,7 @@
 #include "Runs.h"
 #include "SortUnique.h"
 #include "Status.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <Eigen/LU>
 
@@ -104,7 +103,7 @@ public:
     this->FindCrossedTwice();
     this->FindCellsAtSeams();
     std::vector<Feasibility> values(cells.size(), Feasibility::Fine);
-    vtkSMPTools::For(0, static_cast<Id>(cells.size()), 64,
+    ParallelFor(0, static_cast<Id>(cells.size()), 64,
       [&](Id begin, Id end)
       {
         for (Id i = begin; i < end; ++i)
@@ -490,7 +489,7 @@ private:
   {
     const std::vector<Edge> edges = this->FindNearEdges();
     std::vector<char> twice(edges.size(), 0);
-    vtkSMPTools::For(0, static_cast<Id>(edges.size()), 256,
+    ParallelFor(0, static_cast<Id>(edges.size()), 256,
       [&](Id begin, Id end)
       {
         for (Id i = begin; i < end; ++i)

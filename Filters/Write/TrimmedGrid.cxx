@@ -172,8 +172,10 @@ void Summarise(const Ranks& ranks, const TrimResult& result, const GridPart& kep
 {
   const auto isInserted = [&result](int element)
   { return element >= 0 && result.Near->Mesh.IsInserted(element); };
-  summary.InsertedElements =
-    ranks.Sum(static_cast<Id>(std::count_if(kept.InBand.begin(), kept.InBand.end(), isInserted)));
+  const Id inserted = result.Near && result.Near->Mesh.BeforeLayer
+    ? std::count_if(kept.InBand.begin(), kept.InBand.end(), isInserted)
+    : 0;
+  summary.InsertedElements = ranks.Sum(inserted);
   summary.Kept = ranks.Sum(kept.Cells.size()) - summary.InsertedElements;
   summary.Eliminated = ranks.Sum(static_cast<Id>(result.Kept.size())) - summary.Kept;
   const Id treated =
