@@ -23,14 +23,27 @@ namespace trim
 {
 using nurbs::Box3;
 
+/// A box of which many are made at once: left as it is in memory, so that this is touched first by
+/// the thread that fills it.
+template <typename Scalar>
+struct UnsetBox
+{
+  Eigen::Matrix<Scalar, 3, 1> Low, High;
+
+  Box3 Box() const
+  {
+    return { this->Low.template cast<double>(), this->High.template cast<double>() };
+  }
+};
+
 struct MeshBlocks
 {
   static constexpr Id CellsPerBlock = 64;
   static constexpr Id CellsPerRun = 8;
 
-  PageVector<Box3> Boxes;
-  PageVector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
-  PageVector<double> Volumes;               ///< of every cell, >= 0
+  PageVector<UnsetBox<double>> Boxes;
+  PageVector<UnsetBox<float>> RunBoxes; ///< of short runs of cells, rounded outwards
+  PageVector<double> Volumes;           ///< of every cell, >= 0
 
   /// Clusters, whole pieces of the mesh: sequences of cells, each but the first of which shares a
   /// node with the one before. Each run of so many cells is two of them, the second one empty but
@@ -111,7 +124,7 @@ std::vector<Id> FindCells(
   std::vector<std::vector<Id>> found(NumberOfRuns(count, grain));
   const auto searchRun = [&](Id first, Id last, std::vector<Id>& cells)
   {
-    if (!test(blocks.RunBoxes[first / MeshBlocks::CellsPerRun].template cast<double>()))
+    if (!test(blocks.RunBoxes[first / MeshBlocks::CellsPerRun].Box()))
     {
       return;
     }
@@ -142,7 +155,7 @@ std::vector<Id> FindCells(
     {
       for (Id b = begin; b < end; ++b)
       {
-        if (!test(blocks.Boxes[b]))
+        if (!test(blocks.Boxes[b].Box()))
         {
           continue;
         }
