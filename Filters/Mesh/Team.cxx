@@ -1,5 +1,7 @@
 #include "Team.h"
 
+#include "PageVector.h"
+
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
 
@@ -9,6 +11,7 @@
 #include <exception>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace trim
 {
@@ -18,6 +21,12 @@ namespace
 /// Of this thread.
 thread_local Team* Own = nullptr;
 thread_local bool InLoop = false;
+
+/// The last may be shorter.
+Id NumberOfPieces(Id count, Id grain)
+{
+  return (count + grain - 1) / grain;
+}
 
 }
 
@@ -53,36 +62,55 @@ private:
 /// A loop; whoever comes when it is closed has nothing to do with it.
 struct Team::Loop
 {
+  /// Pieces of the range for one thread; when it has done them it helps the others. Far from each
+  /// other two threads seldom ask the kernel for the same page of memory, which both would clear.
+  struct alignas(nurbs::CacheLine) Part
+  {
+    std::atomic<Id> Next{ 0 };
+    Id End = 0;
+  };
+
   const Action& Call; ///< not to be used when closed
-  const Id Last, Grain;
-  std::atomic<Id> Next;
+  const Id First, Last, Grain;
+  std::vector<Part> Parts;
   std::mutex Lock;
   std::condition_variable Left;
-  int Inside = 0; ///< threads beside the caller
+  int Entered = 1, Inside = 0; ///< threads, with the caller; those beside it
   bool Closed = false;
   std::exception_ptr Failure;
 
-  Loop(Id first, Id last, Id grain, const Action& call)
+  Loop(Id first, Id last, Id grain, int threads, const Action& call)
     : Call(call)
+    , First(first)
     , Last(last)
     , Grain(grain)
-    , Next(first)
+    , Parts(threads)
   {
+    const Id pieces = NumberOfPieces(last - first, grain);
+    for (int i = 0; i < threads; ++i)
+    {
+      this->Parts[i].Next = pieces * i / threads;
+      this->Parts[i].End = pieces * (i + 1) / threads;
+    }
   }
 
-  void Work(Team* team)
+  /// Of a thread, the `place`th in the loop.
+  void Work(Team* team, int place)
   {
     const Member member(team);
     try
     {
-      for (Id begin; (begin = this->Next.fetch_add(this->Grain)) < this->Last;)
+      for (std::size_t i = 0; i < this->Parts.size(); ++i)
       {
-        this->Call(begin, std::min(this->Last, begin + this->Grain));
+        this->WorkOn(this->Parts[(place + i) % this->Parts.size()]);
       }
     }
     catch (...)
     {
-      this->Next = this->Last;
+      for (Part& part : this->Parts)
+      {
+        part.Next = part.End;
+      }
       const std::lock_guard<std::mutex> locked(this->Lock);
       if (!this->Failure)
       {
@@ -90,19 +118,29 @@ struct Team::Loop
       }
     }
   }
+  void WorkOn(Part& part)
+  {
+    for (Id piece; (piece = part.Next.fetch_add(1)) < part.End;)
+    {
+      const Id begin = this->First + piece * this->Grain;
+      this->Call(begin, std::min(this->Last, begin + this->Grain));
+    }
+  }
 
   /// For those beside the caller.
   void Join(Team* team)
   {
+    int place = 0;
     {
       const std::lock_guard<std::mutex> locked(this->Lock);
       if (this->Closed)
       {
         return;
       }
+      place = this->Entered++;
       ++this->Inside;
     }
-    this->Work(team);
+    this->Work(team, place);
     const std::lock_guard<std::mutex> locked(this->Lock);
     --this->Inside;
     this->Left.notify_one();
@@ -161,13 +199,13 @@ void Team::For(Id first, Id last, Id grain, const Action& action)
     action(first, last);
     return;
   }
-  const auto loop = std::make_shared<Loop>(first, last, piece, action);
-  const Id helpers = std::min<Id>(this->Size, (count + piece - 1) / piece) - 1;
-  for (Id i = 0; i < helpers; ++i)
+  const auto threads = static_cast<int>(std::min<Id>(this->Size, NumberOfPieces(count, piece)));
+  const auto loop = std::make_shared<Loop>(first, last, piece, threads, action);
+  for (int i = 1; i < threads; ++i)
   {
     boost::asio::post(*this->Pool, [loop, this] { loop->Join(this); });
   }
-  loop->Work(this);
+  loop->Work(this, 0);
   loop->Close();
   if (loop->Failure)
   {
