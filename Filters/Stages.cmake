@@ -13,6 +13,7 @@ add_library(NURBSTrimStages STATIC
   Mesh/Jacobian.cxx
   Mesh/LocalThickness.cxx
   Mesh/MeshBlocks.cxx
+  Mesh/Team.cxx
   Mesh/Wavefront.cxx
   Ranks/ControllerRanks.cxx
   Ranks/GatherBand.cxx

@@ -4,11 +4,11 @@
 #include "EndInside.h"
 #include "PieceSides.h"
 #include "Runs.h"
+#include "SetSides.h"
 #include "SideSets.h"
 #include "SortUnique.h"
 #include "SurfaceEnds.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ NodeFeet ProjectNearNodes(const HexMesh& mesh, const std::vector<Id>& cells,
   }
   SortUnique(near.Ids);
   near.Feet.resize(near.Ids.size());
-  vtkSMPTools::For(0, static_cast<Id>(near.Ids.size()), 256,
+  ParallelFor(0, static_cast<Id>(near.Ids.size()), 256,
     [&](Id begin, Id end)
     {
       if (aborted())
@@ -183,7 +183,7 @@ unsigned char SideOfFarPart(const OutermostNodes& nodes, const nurbs::TrimmingSu
 /// where a set has both; `place` is then one of its nodes.
 template <typename Index>
 bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassification& result,
-  SideSets<Index>& sets, std::vector<unsigned char>& ofRoot, SurfaceEnd& place)
+  SideSets<Index>& sets, SetSides& ofRoot, SurfaceEnd& place)
 {
   for (const Id node : near.Ids)
   {
@@ -192,13 +192,14 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
     {
       continue;
     }
-    unsigned char& root = ofRoot[sets.Find(node)];
-    if (root != NodeUnknown && root != status)
+    const Index root = sets.Find(node);
+    const unsigned char known = ofRoot.Of(root);
+    if (known != NodeUnknown && known != status)
     {
       place = { std::numeric_limits<double>::max(), ToPlace(mesh.Point(node)) };
       return false;
     }
-    root = status;
+    ofRoot.Set(root, status);
   }
   return true;
 }
@@ -206,7 +207,7 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
 /// Gives nodes the side of their set; returns, ascending, those that still have none.
 template <typename Index>
 std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks,
-  const std::vector<unsigned char>& ofRoot, SideSets<Index>& sets, NodeClassification& result)
+  const SetSides& ofRoot, SideSets<Index>& sets, NodeClassification& result)
 {
   constexpr Id grain = 50000;
   constexpr unsigned char unknown = NodeUnknown;
@@ -224,7 +225,7 @@ std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks
         }
         const int cluster = blocks.FirstClusterOf(i);
         const unsigned char side = cluster == MeshBlocks::NoCluster ? unknown : sides[cluster];
-        status[i] = side == NodeUnknown ? ofRoot[sets.Find(i)] : side;
+        status[i] = side == NodeUnknown ? ofRoot.Of(sets.Find(i)) : side;
         if (status[i] == NodeUnknown)
         {
           left[part].push_back(i);
@@ -240,14 +241,14 @@ std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks
 }
 
 template <typename Index>
-void AssignSidesOfClusters(const MeshBlocks& blocks, const std::vector<unsigned char>& ofRoot,
-  SideSets<Index>& sets, NodeClassification& result)
+void AssignSidesOfClusters(const MeshBlocks& blocks, const SetSides& ofRoot, SideSets<Index>& sets,
+  NodeClassification& result)
 {
   constexpr unsigned char unknown = NodeUnknown;
   const auto sideOf = [&](Id cluster)
-  { return sets.IsFarCluster(cluster) ? ofRoot[sets.FindCluster(cluster)] : unknown; };
+  { return sets.IsFarCluster(cluster) ? ofRoot.Of(sets.FindCluster(cluster)) : unknown; };
   result.ClusterSide.resize(blocks.NumberOfClusters());
-  vtkSMPTools::For(0, blocks.NumberOfClusterRuns(), 10000,
+  ParallelFor(0, blocks.NumberOfClusterRuns(), 10000,
     [&](Id begin, Id end)
     {
       for (Id run = begin; run < end; ++run)
@@ -263,7 +264,7 @@ void AssignSidesOfClusters(const MeshBlocks& blocks, const std::vector<unsigned 
 /// none: parts of the mesh that the surface does not meet.
 template <typename Index>
 std::vector<std::pair<Id, OutermostNodes>> AssignSides(const HexMesh& mesh,
-  const MeshBlocks& blocks, const std::vector<unsigned char>& ofRoot, SideSets<Index>& sets,
+  const MeshBlocks& blocks, const SetSides& ofRoot, SideSets<Index>& sets,
   NodeClassification& result)
 {
   AssignSidesOfClusters(blocks, ofRoot, sets, result);
@@ -287,7 +288,7 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
   const nurbs::TrimmingSurface& surface, const NodeFeet& near, NodeClassification& result,
   SideSets<Index>& sets, std::string& error)
 {
-  std::vector<unsigned char> ofRoot(sets.Size(), NodeUnknown);
+  SetSides ofRoot(sets.Size());
   SurfaceEnd place;
   const bool parted = FindSidesOfSets(mesh, near, result, sets, ofRoot, place);
   JoinedSets joined;
@@ -307,12 +308,12 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
   if (!farParts.empty())
   {
     // Points that no cell uses are parts, too, and there may be many.
-    vtkSMPTools::For(0, static_cast<Id>(farParts.size()), 256,
+    ParallelFor(0, static_cast<Id>(farParts.size()), 256,
       [&](Id begin, Id end)
       {
         for (Id i = begin; i < end; ++i)
         {
-          ofRoot[farParts[i].first] = SideOfFarPart(farParts[i].second, surface);
+          ofRoot.Set(farParts[i].first, SideOfFarPart(farParts[i].second, surface));
         }
       });
     AssignSides(mesh, blocks, ofRoot, sets, result);

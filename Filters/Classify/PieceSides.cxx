@@ -153,8 +153,7 @@ void OutermostNodes::Add(const OutermostNodes& other)
   }
 }
 
-bool JoinedSets::Join(
-  const Piece& piece, const std::function<Id(Id)>& rootOf, std::vector<unsigned char>& ofRoot)
+bool JoinedSets::Join(const Piece& piece, const std::function<Id(Id)>& rootOf, SetSides& ofRoot)
 {
   if (piece.All.Alone())
   {
@@ -170,7 +169,7 @@ bool JoinedSets::Join(
     const auto set = setOfRoot.emplace(root, static_cast<Id>(setOfRoot.size()));
     if (set.second)
     {
-      sides.push_back(ofRoot[root]);
+      sides.push_back(ofRoot.Of(root));
     }
     members.push_back({ piece.Shared.Number[i], set.first->second });
   }
@@ -209,7 +208,7 @@ bool JoinedSets::Join(
   for (const auto& set : setOfRoot)
   {
     const Id part = joined.Find(first + set.second);
-    ofRoot[set.first] = sideOfPart[part];
+    ofRoot.Set(set.first, sideOfPart[part]);
     this->Parts.emplace_back(set.first, part);
   }
   return !contradiction;

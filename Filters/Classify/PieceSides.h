@@ -12,6 +12,7 @@
 
 #include "NodeClassification.h"
 #include "Place.h"
+#include "SetSides.h"
 #include "SharedNodes.h"
 
 #include <functional>
@@ -77,8 +78,7 @@ public:
    * them has.
    * @return false, on all ranks, if joined sets have different sides.
    */
-  bool Join(
-    const Piece& piece, const std::function<Id(Id)>& rootOf, std::vector<unsigned char>& ofRoot);
+  bool Join(const Piece& piece, const std::function<Id(Id)>& rootOf, SetSides& ofRoot);
 
   /// Number of a set among the joined ones, the same on all ranks; -1: it is no other rank's.
   Id PartOf(Id root) const;

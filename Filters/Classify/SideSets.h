@@ -12,8 +12,7 @@
 #include "ConcurrentSets.h"
 #include "MeshBlocks.h"
 #include "Runs.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <vector>
@@ -81,7 +80,7 @@ private:
   /// Joins the nodes of each cell that the surface does not meet, outside of far clusters.
   void UniteCells(const std::vector<Id>& candidates)
   {
-    vtkSMPTools::For(0, this->Blocks.NumberOfClusters(), LightGrain,
+    ParallelFor(0, this->Blocks.NumberOfClusters(), LightGrain,
       [&](Id begin, Id end)
       {
         auto next = std::lower_bound(
@@ -119,29 +118,30 @@ private:
   /// Joins far clusters with one another, and with the sets of their nodes.
   void UniteClusters()
   {
-    const auto& links = this->Blocks.Links;
-    vtkSMPTools::For(0, static_cast<Id>(links.size()), 20000,
-      [&](Id begin, Id end)
+    const auto& lists = this->Blocks.Links;
+    ForAll(
+      static_cast<int>(lists.size()), [&](int i) { this->UniteLinked(lists[i]); }, 2);
+  }
+
+  void UniteLinked(const MeshBlocks::LinkList& links)
+  {
+    int done = -1; // cluster whose nodes are joined
+    for (const auto& link : links)
+    {
+      if (!this->IsFar[link.first])
       {
-        int done = -1; // cluster whose nodes are joined
-        for (Id i = begin; i < end; ++i)
-        {
-          const auto& link = links[i];
-          if (!this->IsFar[link.first])
-          {
-            continue;
-          }
-          if (this->IsFar[link.second])
-          {
-            this->Sets.Unite(Index(link.first), Index(link.second));
-          }
-          else if (done != link.first)
-          {
-            done = link.first;
-            this->UniteNodes(done);
-          }
-        }
-      });
+        continue;
+      }
+      if (this->IsFar[link.second])
+      {
+        this->Sets.Unite(Index(link.first), Index(link.second));
+      }
+      else if (done != link.first)
+      {
+        done = link.first;
+        this->UniteNodes(done);
+      }
+    }
   }
 
   void UniteNodes(Index cluster)

@@ -1,6 +1,6 @@
 #include "Moves.h"
 
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <map>
@@ -178,7 +178,7 @@ Moves MoveNodes(const Band& band, const NodeMover& mover, const std::vector<char
     }
     pillars[at].push_back(n);
   }
-  vtkSMPTools::For(0, static_cast<Id>(pillars.size()), 16,
+  ParallelFor(0, static_cast<Id>(pillars.size()), 16,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

@@ -3,8 +3,7 @@
 #include "AddUnique.h"
 #include "EdgeCrossing.h"
 #include "Status.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 
@@ -80,7 +79,7 @@ void CutEdges::ListEdges(const Band& band, const nurbs::TrimmingSurface& surface
 void CutEdges::Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
 {
   this->Shares.resize(this->Edges.size());
-  vtkSMPTools::For(0, static_cast<Id>(this->Edges.size()), 256,
+  ParallelFor(0, static_cast<Id>(this->Edges.size()), 256,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

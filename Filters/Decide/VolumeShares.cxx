@@ -3,8 +3,7 @@
 #include "CutEdges.h"
 #include "EliminatedFraction.h"
 #include "Status.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 namespace trim
 {
@@ -21,7 +20,7 @@ bool MeasureShares(const Band& band, const Columns& columns, const nurbs::Trimmi
   {
     return false;
   }
-  vtkSMPTools::For(0, count, 64,
+  ParallelFor(0, count, 64,
     [&](Id begin, Id end)
     {
       for (int e = static_cast<int>(begin); e < end; ++e)

@@ -1,8 +1,7 @@
 #include "Band.h"
 
 #include "Runs.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <limits>
@@ -64,8 +63,12 @@ Band::Band(BandCells cells, int rings, bool singlePrecision)
         }
       }
     });
-  this->BuildFaces();
-  this->BuildEdges();
+  // None of these needs the others.
+  constexpr std::array<void (Band::*)(), 3> tasks{ &Band::BuildFaces, &Band::BuildEdges,
+    &Band::OrderByCell };
+  const bool isLarge = this->NumberOfElements() > LightGrain;
+  ForAll(
+    3, [&](int task) { (this->*tasks[task])(); }, isLarge ? 1 : 3);
 }
 
 void Band::TakeElements(const BandCells& cells)
@@ -102,7 +105,11 @@ void Band::TakeElements(const BandCells& cells)
     },
     LightGrain);
   this->TakeOrigins(cells);
-  for (int e = 0; e < count; ++e)
+}
+
+void Band::OrderByCell()
+{
+  for (int e = 0; e < this->NumberOfElements(); ++e)
   {
     if (this->Elements[e].Global >= 0)
     {
@@ -154,7 +161,7 @@ std::vector<Band::Side> Band::FindTwins() const
       }
     });
   std::vector<Side> twins(keys.size());
-  vtkSMPTools::For(0, this->NumberOfNodes(), 1000,
+  ParallelFor(0, this->NumberOfNodes(), 1000,
     [&](Id begin, Id end)
     {
       for (int n = static_cast<int>(begin); n < end; ++n)

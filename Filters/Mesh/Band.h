@@ -139,6 +139,7 @@ private:
   /// For each face of each element (six to an element) the first later element with a face of the
   /// same nodes.
   std::vector<Side> FindTwins() const;
+  void OrderByCell();
   void BuildFaces();
   void SetFace(int number, Side side, Side twin);
   void BuildEdges();

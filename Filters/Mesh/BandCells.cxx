@@ -3,8 +3,7 @@
 #include "Band.h"
 #include "Runs.h"
 #include "SortUnique.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <atomic>
@@ -66,6 +65,8 @@ public:
   std::vector<BandCells::Cell> Cells(std::vector<Id>& ids)
   {
     std::vector<BandCells::Cell> cells;
+    cells.reserve(this->Near.size() -
+      std::count(this->OfCell.begin(), this->OfCell.end(), -1)); // as a growing list is copied
     for (std::size_t c = 0; c < this->Near.size(); ++c)
     {
       if (this->OfCell[c] >= 0)
@@ -84,7 +85,7 @@ private:
   template <typename Action>
   void ForCells(const Action& action)
   {
-    vtkSMPTools::For(0, static_cast<Id>(this->Near.size()), LightGrain,
+    ParallelFor(0, static_cast<Id>(this->Near.size()), LightGrain,
       [&](Id begin, Id end)
       {
         for (Id c = begin; c < end; ++c)
@@ -231,7 +232,7 @@ std::vector<int> OrderNodes(const BandCells& band)
 {
   Band::Lists buckets = BucketNodes(band.Nodes);
   const auto pointOf = [&band](int node) -> const Vec3& { return band.Nodes[node].Point; };
-  vtkSMPTools::For(0, static_cast<Id>(buckets.Offset.size()) - 1, 50,
+  ParallelFor(0, static_cast<Id>(buckets.Offset.size()) - 1, 50,
     [&](Id begin, Id end)
     {
       for (Id b = begin; b < end; ++b)
@@ -259,17 +260,20 @@ std::vector<int> OrderCells(const BandCells& band)
       }
     });
   const auto key = [&band](int c) { return CellKey(band.Cells[c], [](int node) { return node; }); };
-  for (std::size_t n = 0; n < band.Nodes.size(); ++n)
+  const auto isBefore = [&key](int a, int b)
   {
-    std::sort(byFirstNode.Item.begin() + byFirstNode.Offset[n],
-      byFirstNode.Item.begin() + byFirstNode.Offset[n + 1],
-      [&key](int a, int b)
-      {
-        const auto keyA = key(a);
-        const auto keyB = key(b);
-        return keyA == keyB ? a < b : keyA < keyB;
-      });
-  }
+    const auto keyA = key(a);
+    const auto keyB = key(b);
+    return keyA == keyB ? a < b : keyA < keyB;
+  };
+  ForAll(
+    static_cast<int>(band.Nodes.size()),
+    [&](int n)
+    {
+      std::sort(byFirstNode.Item.begin() + byFirstNode.Offset[n],
+        byFirstNode.Item.begin() + byFirstNode.Offset[n + 1], isBefore);
+    },
+    LightGrain / 2);
   return std::move(byFirstNode.Item);
 }
 
@@ -303,25 +307,31 @@ void SortByPlace(BandCells& band)
   const std::vector<int> order = OrderNodes(band);
   std::vector<int> number(order.size());
   std::vector<BandCells::Node> nodes(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    number[order[i]] = static_cast<int>(i);
-    nodes[i] = band.Nodes[order[i]];
-  }
-  band.Nodes = std::move(nodes);
-  for (auto& cell : band.Cells)
-  {
-    for (int i = 0; i < cell.Count; ++i)
+  ForAll(
+    static_cast<int>(order.size()),
+    [&](int i)
     {
-      cell.Node[i] = number[cell.Node[i]];
-    }
-  }
-  std::vector<BandCells::Cell> cells;
-  cells.reserve(band.Cells.size());
-  for (const int c : OrderCells(band))
-  {
-    cells.push_back(band.Cells[c]);
-  }
+      number[order[i]] = i;
+      nodes[i] = band.Nodes[order[i]];
+    },
+    LightGrain);
+  band.Nodes = std::move(nodes);
+  const auto count = static_cast<int>(band.Cells.size());
+  ForAll(
+    count,
+    [&](int c)
+    {
+      auto& cell = band.Cells[c];
+      for (int i = 0; i < cell.Count; ++i)
+      {
+        cell.Node[i] = number[cell.Node[i]];
+      }
+    },
+    LightGrain);
+  const std::vector<int> cellOrder = OrderCells(band);
+  std::vector<BandCells::Cell> cells(count);
+  ForAll(
+    count, [&](int i) { cells[i] = band.Cells[cellOrder[i]]; }, LightGrain);
   band.Cells = std::move(cells);
 }
 

@@ -1,6 +1,7 @@
 #include "BandStretches.h"
 
-#include "DisjointSets.h"
+#include "ConcurrentSets.h"
+#include "Runs.h"
 
 #include <utility>
 
@@ -30,14 +31,18 @@ void AppendCells(const Band& own, const BandStretch& stretch, BandCells& cells)
 
 std::vector<BandStretch> FindStretches(const Band& band)
 {
-  DisjointSets<int> joined(band.NumberOfNodes());
-  for (const auto& element : band.Elements)
-  {
-    for (int i = 1; i < element.Count; ++i)
+  ConcurrentSets<int> joined(band.NumberOfNodes());
+  ForAll(
+    band.NumberOfElements(),
+    [&](int e)
     {
-      joined.Unite(element.Node[0], element.Node[i]);
-    }
-  }
+      const auto& element = band.Elements[e];
+      for (int i = 1; i < element.Count; ++i)
+      {
+        joined.Unite(element.Node[0], element.Node[i]);
+      }
+    },
+    LightGrain / 8);
   std::vector<int> ofRoot(band.NumberOfNodes(), -1);
   std::vector<BandStretch> stretches;
   for (int e = 0; e < band.NumberOfElements(); ++e)

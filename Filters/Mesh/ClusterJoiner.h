@@ -62,7 +62,7 @@ public:
   {
   }
 
-  std::vector<std::pair<int, int>> Links;
+  MeshBlocks::LinkList Links;
   Id NumberOfNodes = 0; ///< that no cell had used before
 
   /// Finds the clusters of a run, and adds their nodes and links.
@@ -166,8 +166,8 @@ private:
 
   const HexMesh& Mesh;
   MeshBlocks& Blocks;
-  bool Alone;                             ///< no other thread is at work
-  std::vector<std::pair<int, int>> Later; ///< from runs that another thread came to first
+  bool Alone;                 ///< no other thread is at work
+  MeshBlocks::LinkList Later; ///< from runs that another thread came to first
 };
 
 }

@@ -1,11 +1,11 @@
 #include "GatherAttributes.h"
 
 #include "FreshArray.h"
+#include "Team.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
 #include <cstring>
@@ -23,7 +23,7 @@ void GatherRaw(vtkDataArray* source, const vtkIdType* ids, vtkIdType count, vtkD
   const char* from = static_cast<const char*>(source->GetVoidPointer(0));
   char* to = static_cast<char*>(target->GetVoidPointer(0));
   PreferLargePages(to, size * static_cast<std::size_t>(count));
-  vtkSMPTools::For(0, count, 50000,
+  ParallelFor(0, count, 50000,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

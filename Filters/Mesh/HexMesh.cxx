@@ -1,5 +1,7 @@
 #include "HexMesh.h"
 
+#include "Team.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellTypes.h>
@@ -7,7 +9,6 @@
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -30,7 +31,7 @@ template <typename Test>
 Id FirstFailure(Id count, const Test& fails)
 {
   std::atomic<Id> first{ count };
-  vtkSMPTools::For(0, count, 100000,
+  ParallelFor(0, count, 100000,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

@@ -17,7 +17,7 @@ namespace
 {
 
 /// In single precision, a little larger.
-Eigen::AlignedBox3f RoundOutwards(const Box3& box)
+UnsetBox<float> RoundOutwards(const Box3& box)
 {
   constexpr float unit = 2.0f * std::numeric_limits<float>::epsilon();
   constexpr float least = std::numeric_limits<float>::min();
@@ -195,6 +195,7 @@ void MeasureBlock(
   const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks, BlockSizes& sizes)
 {
   const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
+  Box3 whole;
   for (Id first = MeshBlocks::FirstCell(block); first < last; first += MeshBlocks::CellsPerRun)
   {
     const Id end = std::min(last, first + MeshBlocks::CellsPerRun);
@@ -219,7 +220,7 @@ void MeasureBlock(
     }
     const Box3 box = run.Box();
     blocks.RunBoxes[first / MeshBlocks::CellsPerRun] = RoundOutwards(box);
-    blocks.Boxes[block].extend(box);
+    whole.extend(box);
     sizes.Diagonal = std::max(sizes.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
     for (int k = 0; k < 3; ++k)
     {
@@ -227,6 +228,7 @@ void MeasureBlock(
     }
     sizes.Finite &= std::isfinite(run.Sum.sum());
   }
+  blocks.Boxes[block] = { whole.min(), whole.max() };
 }
 
 void MeasureAndJoin(
@@ -252,32 +254,26 @@ void MeasureAndJoin(
 struct Stretch
 {
   BlockSizes Sizes;
-  std::vector<std::pair<int, int>> Links;
+  MeshBlocks::LinkList Links;
   Id NumberOfNodes = 0; ///< that no stretch before it in time had used
 };
 
 /// Returns whether all coordinates certainly are finite.
-bool Gather(const HexMesh& mesh, const std::vector<Stretch>& stretches, MeshBlocks& blocks)
+bool Gather(const HexMesh& mesh, std::vector<Stretch>& stretches, MeshBlocks& blocks)
 {
   Id usedNodes = 0;
-  std::size_t links = 0;
   bool finite = true;
-  for (const Stretch& stretch : stretches)
+  for (Stretch& stretch : stretches)
   {
     blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, stretch.Sizes.Diagonal);
     blocks.LargestCell = blocks.LargestCell.cwiseMax(stretch.Sizes.Sides);
     finite &= stretch.Sizes.Finite;
     usedNodes += stretch.NumberOfNodes;
-    links += stretch.Links.size();
+    blocks.Links.push_back(std::move(stretch.Links));
   }
-  blocks.Links.reserve(links);
-  for (const Stretch& stretch : stretches)
+  for (const auto& box : blocks.Boxes)
   {
-    blocks.Links.insert(blocks.Links.end(), stretch.Links.begin(), stretch.Links.end());
-  }
-  for (const Box3& box : blocks.Boxes)
-  {
-    blocks.Bounds.extend(box);
+    blocks.Bounds.extend(box.Box());
   }
   return (usedNodes == mesh.NumberOfPoints || FindUnusedNodes(mesh, blocks)) && finite;
 }
@@ -315,6 +311,7 @@ bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
         }
         MeasureAndJoin(mesh, b, blocks, joiner, sizes);
       }
+      joiner.Links.shrink_to_fit();
       stretches[run] = { sizes, std::move(joiner.Links), joiner.NumberOfNodes };
     });
   return good && Gather(mesh, stretches, blocks);

@@ -23,14 +23,27 @@ namespace trim
 {
 using nurbs::Box3;
 
+/// A box of which many are made at once: left as it is in memory, so that this is touched first by
+/// the thread that fills it.
+template <typename Scalar>
+struct UnsetBox
+{
+  Eigen::Matrix<Scalar, 3, 1> Low, High;
+
+  Box3 Box() const
+  {
+    return { this->Low.template cast<double>(), this->High.template cast<double>() };
+  }
+};
+
 struct MeshBlocks
 {
   static constexpr Id CellsPerBlock = 64;
   static constexpr Id CellsPerRun = 8;
 
-  PageVector<Box3> Boxes;
-  PageVector<Eigen::AlignedBox3f> RunBoxes; ///< of short runs of cells, rounded outwards
-  PageVector<double> Volumes;               ///< of every cell, >= 0
+  PageVector<UnsetBox<double>> Boxes;
+  PageVector<UnsetBox<float>> RunBoxes; ///< of short runs of cells, rounded outwards
+  PageVector<double> Volumes;           ///< of every cell, >= 0
 
   /// Clusters, whole pieces of the mesh: sequences of cells, each but the first of which shares a
   /// node with the one before. Each run of so many cells is two of them, the second one empty but
@@ -41,7 +54,8 @@ struct MeshBlocks
   PageVector<std::atomic<int>> ClusterOfNode;
   /// Cluster and one before it with a common node. All clusters with a node are linked with one
   /// another, through others or through runs that are no clusters.
-  std::vector<std::pair<int, int>> Links;
+  using LinkList = std::vector<std::pair<int, int>>;
+  std::vector<LinkList> Links; ///< by the stretch of the mesh in which they were found
   std::vector<Id> UnusedNodes; ///< ascending
 
   Box3 Bounds;                     ///< of all points used by cells
@@ -110,7 +124,7 @@ std::vector<Id> FindCells(
   std::vector<std::vector<Id>> found(NumberOfRuns(count, grain));
   const auto searchRun = [&](Id first, Id last, std::vector<Id>& cells)
   {
-    if (!test(blocks.RunBoxes[first / MeshBlocks::CellsPerRun].template cast<double>()))
+    if (!test(blocks.RunBoxes[first / MeshBlocks::CellsPerRun].Box()))
     {
       return;
     }
@@ -141,7 +155,7 @@ std::vector<Id> FindCells(
     {
       for (Id b = begin; b < end; ++b)
       {
-        if (!test(blocks.Boxes[b]))
+        if (!test(blocks.Boxes[b].Box()))
         {
           continue;
         }

@@ -6,8 +6,7 @@
 #define Runs_h
 
 #include "HexMesh.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 
@@ -24,7 +23,7 @@ inline Id NumberOfRuns(Id count, Id length)
 template <typename Action>
 void ForRuns(Id count, Id length, const Action& action)
 {
-  vtkSMPTools::For(0, NumberOfRuns(count, length), 1,
+  ParallelFor(0, NumberOfRuns(count, length), 1,
     [&](Id begin, Id end)
     {
       for (Id run = begin; run < end; ++run)
@@ -42,7 +41,7 @@ constexpr int LightGrain = 5000;
 template <typename Action>
 void ForAll(int count, const Action& action, int grain = 256)
 {
-  vtkSMPTools::For(0, count, grain,
+  ParallelFor(0, count, grain,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

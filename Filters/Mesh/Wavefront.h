@@ -10,6 +10,7 @@
 #define Wavefront_h
 
 #include "Band.h"
+#include "Team.h"
 
 #include <vtkSMPTools.h>
 
@@ -36,7 +37,7 @@ public:
     std::atomic<int> next{ 0 };
     // Whoever runs begins where the last one did: also if one thread has to do all of it. Nobody
     // waits for a task that nobody has begun, as those that it waits for come before it.
-    vtkSMPTools::For(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
+    ParallelFor(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
       [&](Id, Id)
       {
         for (int begin; (begin = next.fetch_add(AtOnce)) < count;)

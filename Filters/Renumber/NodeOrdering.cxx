@@ -3,12 +3,11 @@
 #include "Band.h"
 #include "PillarOrdering.h"
 #include "PointFrame.h"
+#include "Team.h"
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 #include <boost/graph/properties.hpp>
-
-#include <vtkSMPTools.h>
 
 #include <array>
 #include <atomic>
@@ -361,7 +360,7 @@ void OfferCuthillMcKee(const NodeGraph& graph, const PageVector<int>& number, Be
 int NodeBandwidth(const NodeGraph& graph, const PageVector<int>& number)
 {
   std::atomic<int> widest{ 0 };
-  vtkSMPTools::For(0, std::max<Id>(1, graph.Offset.size()) - 1, 30000,
+  ParallelFor(0, std::max<Id>(1, graph.Offset.size()) - 1, 30000,
     [&](Id begin, Id end)
     {
       int own = 0;

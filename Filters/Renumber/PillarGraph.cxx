@@ -1,8 +1,7 @@
 #include "PillarGraph.h"
 
 #include "ElementTopology.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <array>
@@ -325,7 +324,7 @@ PageVector<int> PillarGraph::ReverseCuthillMcKee(
 int PillarGraph::Bandwidth(const PageVector<int>& first, int enough) const
 {
   std::atomic<int> widest{ 0 };
-  vtkSMPTools::For(0, this->PillarsOf.Count(), 20000,
+  ParallelFor(0, this->PillarsOf.Count(), 20000,
     [&](Id begin, Id end)
     {
       int own = 0;

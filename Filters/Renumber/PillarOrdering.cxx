@@ -4,6 +4,7 @@
 #include "PointFrame.h"
 #include "RowSort.h"
 #include "Runs.h"
+#include "Team.h"
 
 #include <vtkSMPTools.h>
 
@@ -178,7 +179,7 @@ private:
     const bool atOnce = vtkSMPTools::GetEstimatedNumberOfThreads() > 1;
     if (atOnce)
     {
-      vtkSMPTools::For(0, count, 1, make);
+      ParallelFor(0, count, 1, make);
     }
     for (Id i = 0; i < count && !this->Done(); ++i)
     {
@@ -221,7 +222,7 @@ PageVector<int> OrderByPillars(const NodeGraph& graph, const Pillars& pillars,
 {
   std::optional<PillarGraph> pillarGraph;
   std::optional<PillarPlaces> places;
-  vtkSMPTools::For(0, 2, 1,
+  ParallelFor(0, 2, 1,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

@@ -3,8 +3,7 @@
 #include "ConcurrentSets.h"
 #include "ElementTopology.h"
 #include "Runs.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <array>
@@ -74,7 +73,7 @@ const Edges& ShortestEdges(const int* nodes, int count, const NodePlaces& positi
 void Arrange(const NodePlaces& position, const Vec3& up, Pillars& pillars)
 {
   pillars.Centre.resize(pillars.Count);
-  vtkSMPTools::For(0, pillars.Count, 10000,
+  ParallelFor(0, pillars.Count, 10000,
     [&](Id begin, Id end)
     {
       struct Layer

@@ -1,6 +1,6 @@
 #include "RowSort.h"
 
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <array>
@@ -212,7 +212,7 @@ PageVector<int> SortByRows(const PageVector<nurbs::Vec3>& points, const Eigen::M
 {
   std::array<PageVector<int>, 3> row;
   std::array<int, 3> rows{};
-  vtkSMPTools::For(0, 3, 1,
+  ParallelFor(0, 3, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType axis = begin; axis < end; ++axis)

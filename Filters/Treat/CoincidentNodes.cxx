@@ -1,5 +1,6 @@
 #include "CoincidentNodes.h"
 
+#include "Runs.h"
 #include "SortUnique.h"
 
 #include <algorithm>
@@ -86,10 +87,18 @@ private:
     {
       if (chosen[n] && this->Users[n] > 0)
       {
-        candidates.push_back(
-          { n, line.dot(this->NodeMoves.Position[n]), ReachOf(this->TheBand, n) });
+        candidates.push_back({ n, 0.0, 0.0 });
       }
     }
+    ForAll(
+      static_cast<int>(candidates.size()),
+      [&](int i)
+      {
+        Candidate& own = candidates[i];
+        own.Place = line.dot(this->NodeMoves.Position[own.Node]);
+        own.Reach = ReachOf(this->TheBand, own.Node);
+      },
+      LightGrain / 5);
     std::sort(candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b)
       { return a.Place != b.Place ? a.Place < b.Place : a.Node < b.Node; });

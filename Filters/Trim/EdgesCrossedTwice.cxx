@@ -5,8 +5,7 @@
 #include "Runs.h"
 #include "SortUnique.h"
 #include "Status.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +113,7 @@ std::vector<MeshEdge> FindEdgesCrossedTwice(
 {
   const std::vector<MeshEdge> edges = FindNearEdges(mesh, surface, nodes);
   std::vector<char> twice(edges.size());
-  vtkSMPTools::For(0, static_cast<Id>(edges.size()), 256,
+  ParallelFor(0, static_cast<Id>(edges.size()), 256,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

@@ -6,8 +6,7 @@
 #include "ElementTopology.h"
 #include "OpenSeams.h"
 #include "Status.h"
-
-#include <vtkSMPTools.h>
+#include "Team.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +52,7 @@ public:
     const auto& cells = this->Result.Nodes.CandidateCells;
     this->FindCellsAtSeams();
     std::vector<Feasibility> values(cells.size(), Feasibility::Fine);
-    vtkSMPTools::For(0, static_cast<Id>(cells.size()), 64,
+    ParallelFor(0, static_cast<Id>(cells.size()), 64,
       [&](Id begin, Id end)
       {
         for (Id i = begin; i < end; ++i)

@@ -7,6 +7,8 @@
 #ifndef ThreadScope_h
 #define ThreadScope_h
 
+#include "Team.h"
+
 #include <vtkSMP.h>
 #include <vtkSMPTools.h>
 
@@ -31,6 +33,14 @@ inline std::string ThreadedBackend()
 #endif
 }
 
+/// Runs work() with a team, where the active backend would start threads for each loop.
+template <typename Work>
+void WithTeam(Work&& work)
+{
+  const Team team(Team::SizeForBackend());
+  work();
+}
+
 /**
  * Runs work() with a threaded backend, which is active for this call only. It is left as it is
  * where somebody has chosen: the environment variable VTK_SMP_BACKEND_IN_USE is set, a backend
@@ -49,11 +59,11 @@ void WithThreads(bool alone, Work&& work)
   if (!alone || backend.empty() || (chosen && *chosen) || active != "Sequential" || limit == 1 ||
     vtkSMPTools::IsParallelScope())
   {
-    work();
+    WithTeam(std::forward<Work>(work));
     return;
   }
   vtkSMPTools::LocalScope(vtkSMPTools::Config(limit, backend, vtkSMPTools::GetNestedParallelism()),
-    std::forward<Work>(work));
+    [&work]() { WithTeam(std::forward<Work>(work)); });
 }
 
 }

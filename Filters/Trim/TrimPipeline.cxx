@@ -11,9 +11,8 @@
 #include "StretchTrims.h"
 #include "SurfaceEnds.h"
 #include "SurfaceGaps.h"
+#include "Team.h"
 #include "TrimWarnings.h"
-
-#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -183,7 +182,7 @@ void ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
   const nurbs::TrimmingSurface& surface, double tolerance, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
-  vtkSMPTools::For(0, blocks.NumberOfClusters(), 6000,
+  ParallelFor(0, blocks.NumberOfClusters(), 6000,
     [&](Id begin, Id end)
     {
       const auto& sides = result.Nodes.ClusterSide;
@@ -345,7 +344,7 @@ void NumberInserted(Id next, Band& band)
 void SetFates(const HexMesh& mesh, TrimResult& result)
 {
   result.Kept.resize(mesh.NumberOfCells);
-  vtkSMPTools::For(0, mesh.NumberOfCells, 100000,
+  ParallelFor(0, mesh.NumberOfCells, 100000,
     [&result](Id begin, Id end)
     {
       const auto& status = result.ElementStatus;

@@ -249,9 +249,10 @@ void WarnOfVolumeAstray(const Piece& piece, const BandOptions& options, TrimResu
 bool WarnIfMissed(const Piece& piece, const std::string& unitsHint, TrimResult& result)
 {
   std::array<bool, 3> own{};
-  for (const unsigned char status : result.ElementStatus)
+  for (auto status = result.ElementStatus.begin();
+       status != result.ElementStatus.end() && !own[ElementToTreat]; ++status)
   {
-    own[status] = true;
+    own[*status] = true; // what comes behind one to treat says nothing
   }
   const auto has = piece.All.Any(own);
   if (has[ElementToTreat] || has[ElementKeep] == has[ElementEliminate] ||

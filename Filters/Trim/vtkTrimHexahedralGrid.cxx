@@ -18,7 +18,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -26,6 +25,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -199,7 +199,7 @@ int vtkTrimHexahedralGrid::RequestData(
     trim::WithThreads(
       ranks.Alone(), [&]() { success = this->Trim(inputVector, outputVector, ranks); });
   }
-  catch (const std::bad_alloc&) // of this thread; in another one of VTK's it ends the process
+  catch (const std::bad_alloc&) // of any thread, but those of OpenMP: there it ends the process
   {
     if (!ranks.Alone())
     {
@@ -251,10 +251,10 @@ int vtkTrimHexahedralGrid::Trim(
     return this->Refuse(ranks, error);
   }
 
-  // Asked from every thread, but only one of them looks; negative: no news of the progress.
-  const trim::Progress progress = [this](double done)
+  // Asked from every thread, but only the caller's looks; negative: no news of the progress.
+  const trim::Progress progress = [this, caller = std::this_thread::get_id()](double done)
   {
-    if (!vtkSMPTools::IsParallelScope() || vtkSMPTools::GetSingleThread())
+    if (std::this_thread::get_id() == caller)
     {
       if (done >= 0.0)
       {

@@ -3,6 +3,7 @@
 #include "FindingArrays.h"
 #include "GatherAttributes.h"
 #include "SparseArray.h"
+#include "Team.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -29,7 +30,7 @@ void WriteCoordinates(
   const Id count = part.Points.size();
   const auto coordinates = MakeArray<ArrayType>(nullptr, count, 3);
   Value* to = coordinates->GetPointer(0);
-  vtkSMPTools::For(0, count, PartGrain,
+  ParallelFor(0, count, PartGrain,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)
@@ -58,13 +59,17 @@ void WriteCoordinates(
 std::vector<Id> PlacesInBand(const GridPart& part, int count)
 {
   std::vector<Id> places(count, -1);
-  for (Id i = 0; i < part.Cells.size(); ++i)
-  {
-    if (part.InBand[i] >= 0)
+  ForRuns(part.Cells.size(),
+    [&](Id, Id begin, Id end)
     {
-      places[part.InBand[i]] = i;
-    }
-  }
+      for (Id i = begin; i < end; ++i)
+      {
+        if (part.InBand[i] >= 0)
+        {
+          places[part.InBand[i]] = i;
+        }
+      }
+    });
   return places;
 }
 

@@ -1,6 +1,7 @@
 #include "PartQuality.h"
 
 #include "OrderlessSum.h"
+#include "Team.h"
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
@@ -50,7 +51,7 @@ void AddScaledJacobians(const HexMesh& mesh, const GridPart& part, const BandSha
   const Id count = part.Cells.size();
   const auto scaled = MakeArray<vtkFloatArray>("ScaledJacobian", count);
   float* values = scaled->GetPointer(0);
-  vtkSMPTools::For(0, count, 10000,
+  ParallelFor(0, count, 10000,
     [&](Id begin, Id end)
     {
       std::fill(values + begin, values + end, std::numeric_limits<float>::quiet_NaN());

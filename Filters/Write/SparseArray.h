@@ -8,9 +8,9 @@
 
 #include "ArrayRanges.h"
 #include "FreshArray.h"
+#include "Team.h"
 
 #include <vtkDataSetAttributes.h>
-#include <vtkSMPTools.h>
 
 #include <vector>
 
@@ -29,7 +29,7 @@ void AddSparseArray(const char* name, Id tuples, int components, const std::vect
   const auto array = MakeZeros<Array>(name, tuples, components,
     nurbs::PagesForPlaces(tuples * components * sizeof(Value), places.size()));
   Value* values = array->GetPointer(0);
-  vtkSMPTools::For(0, static_cast<Id>(places.size()), grain,
+  ParallelFor(0, static_cast<Id>(places.size()), grain,
     [&](Id begin, Id end)
     {
       for (Id i = begin; i < end; ++i)

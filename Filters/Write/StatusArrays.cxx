@@ -1,14 +1,15 @@
 #include "StatusArrays.h"
 
 #include "Rescue.h"
+#include "Runs.h"
 #include "SparseArray.h"
 #include "Status.h"
+#include "Team.h"
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -113,7 +114,7 @@ void AddPointStatuses(
   const auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
   unsigned char* statuses = status->GetPointer(0);
   float* distances = distance->GetPointer(0);
-  vtkSMPTools::For(0, count, Grain,
+  ParallelFor(0, count, Grain,
     [&](Id begin, Id end)
     {
       std::fill(distances + begin, distances + end, std::numeric_limits<float>::quiet_NaN());
@@ -135,7 +136,7 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
   const auto fraction = MakeArray<vtkFloatArray>("EliminatedFraction", count);
   unsigned char* statuses = status->GetPointer(0);
   float* fractions = fraction->GetPointer(0);
-  vtkSMPTools::For(0, count, Grain,
+  ParallelFor(0, count, Grain,
     [&](Id begin, Id end)
     {
       ids.Gather(result.ElementStatus.data(), begin, end, statuses);
@@ -145,15 +146,18 @@ void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData
       }
     });
   const int elements = result.Near ? result.Near->Mesh.NumberOfElements() : 0;
-  for (int e = 0; e < elements; ++e)
-  {
-    const Id cell = result.Near->Mesh.Elements[e].Global;
-    if (cell >= 0 && result.ElementStatus[cell] == ElementToTreat)
+  ForAll(
+    elements,
+    [&](int e)
     {
-      const auto share = static_cast<float>(result.Near->Shares.Element[e]);
-      ids.ForPlaces(cell, [fractions, share](Id place) { fractions[place] = share; });
-    }
-  }
+      const Id cell = result.Near->Mesh.Elements[e].Global;
+      if (cell >= 0 && result.ElementStatus[cell] == ElementToTreat)
+      {
+        const auto share = static_cast<float>(result.Near->Shares.Element[e]);
+        ids.ForPlaces(cell, [fractions, share](Id place) { fractions[place] = share; });
+      }
+    },
+    LightGrain);
   cellData->AddArray(status);
   cellData->AddArray(fraction);
 }

@@ -168,12 +168,14 @@ void CountRescues(const TrimResult& result, Summary& summary)
 }
 
 void Summarise(const Ranks& ranks, const TrimResult& result, const GridPart& kept,
-  const nurbs::TrimmingSurface& surface, Summary& summary)
+  const MovedNodes& moved, const nurbs::TrimmingSurface& surface, Summary& summary)
 {
   const auto isInserted = [&result](int element)
   { return element >= 0 && result.Near->Mesh.IsInserted(element); };
-  summary.InsertedElements =
-    ranks.Sum(static_cast<Id>(std::count_if(kept.InBand.begin(), kept.InBand.end(), isInserted)));
+  const Id inserted = result.Near && result.Near->Mesh.BeforeLayer
+    ? std::count_if(kept.InBand.begin(), kept.InBand.end(), isInserted)
+    : 0;
+  summary.InsertedElements = ranks.Sum(inserted);
   summary.Kept = ranks.Sum(kept.Cells.size()) - summary.InsertedElements;
   summary.Eliminated = ranks.Sum(static_cast<Id>(result.Kept.size())) - summary.Kept;
   const Id treated =
@@ -182,7 +184,7 @@ void Summarise(const Ranks& ranks, const TrimResult& result, const GridPart& kep
   // The band, and all that is counted in it, is the same on every rank.
   if (result.Near)
   {
-    summary.MovedNodes = static_cast<Id>(MovedNodesOfKept(result).Nodes.size());
+    summary.MovedNodes = static_cast<Id>(moved.Nodes.size());
     summary.Pentahedra = result.Near->Trimmed.Treated.Count;
     summary.Wedges = static_cast<Id>(result.Near->Trimmed.Treated.Wedges.size());
     summary.MaximumDistanceToSurface = LargestDistance(result, surface);
@@ -261,7 +263,7 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   AddScaledJacobians(mesh, kept, shapes, options.QualityOfAllElements, output);
   summary.Volume = VolumeOfPart(blocks, kept, shapes, ranks);
   SummariseTouched(shapes, summary);
-  Summarise(ranks, result, kept, surface, summary);
+  Summarise(ranks, result, kept, moved, surface, summary);
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
   summary.AddTo(output->GetFieldData());
   progress(0.95);

@@ -2,7 +2,7 @@
  * @file TestTreatmentParts.cxx
  * @brief What the ladder relies on, by itself: a decision that is taken again, the bound of the
  * scaled Jacobian, the step of least squares, the worth of an element, the way to a sharp edge, the
- * way behind several planes, nodes that lie near each other, tasks in turn.
+ * way behind several planes, nodes that lie near each other, tasks in turn, threads that stay.
  */
 #include "Decision.h"
 #include "DirectionBehind.h"
@@ -14,15 +14,22 @@
 #include "NodeMover.h"
 #include "SampleSurfaces.h"
 #include "Status.h"
+#include "Team.h"
 #include "Wavefront.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <mutex>
+#include <new>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
+#include <thread>
 
 using namespace judge;
 using namespace trim;
@@ -452,10 +459,109 @@ void CheckWavefront()
       vtkSMPTools::Initialize(threads);
       std::vector<double> sums(count, 0.0);
       wavefront.Run([&](int task) { add(sums, task); });
-      Expect(sums == expected,
-        std::string("tasks in turn: ") + backend + ", " + std::to_string(threads) + " threads");
+      const std::string name = std::string(backend) + ", " + std::to_string(threads) + " threads";
+      Expect(sums == expected, "tasks in turn: " + name);
+      const Team team(Team::SizeForBackend());
+      std::fill(sums.begin(), sums.end(), 0.0);
+      wavefront.Run([&](int task) { add(sums, task); });
+      Expect(sums == expected, "tasks in turn by a team: " + name);
     }
   }
+  vtkSMPTools::SetBackend("Sequential");
+}
+
+// Each item once, whatever the pieces, and the caller does not sleep.
+void CheckLoopsOfTeam()
+{
+  const Team team(3);
+  constexpr Id count = 1003;
+  for (const Id grain : { 0, 1, 10, 1002, 1003, 5000 })
+  {
+    std::vector<std::atomic<int>> visits(count);
+    ParallelFor(3, count, grain,
+      [&](Id begin, Id end)
+      { std::for_each(&visits[begin], &visits[0] + end, [](auto& n) { ++n; }); });
+    bool once = true;
+    for (Id i = 0; i < count; ++i)
+    {
+      once &= visits[i] == (i < 3 ? 0 : 1);
+    }
+    Expect(once, "team: an item is left out or comes twice, grain " + std::to_string(grain));
+  }
+  ParallelFor(5, 5, 1, [](Id, Id) { Expect(false, "team: an empty range is not"); });
+
+  const auto caller = std::this_thread::get_id();
+  std::mutex lock;
+  std::set<std::thread::id> seen;
+  bool apart = false;
+  for (int loop = 0; loop < 50; ++loop)
+  {
+    ParallelFor(0, 300, 1,
+      [&](Id, Id)
+      {
+        const auto own = std::this_thread::get_id();
+        const std::lock_guard<std::mutex> locked(lock);
+        seen.insert(own);
+        ParallelFor(0, 300, 1, [&](Id, Id) { apart |= own != std::this_thread::get_id(); });
+      });
+  }
+  Expect(seen.count(caller) == 1, "team: the caller has no part in its loops");
+  Expect(seen.size() <= 3, "team: its threads do not stay");
+  Expect(!apart, "team: a loop within a loop is given to other threads");
+}
+
+// What one of the others throws comes to the caller; VTK's threads would end the process.
+void CheckFailureInTeam()
+{
+  const auto caller = std::this_thread::get_id();
+  const Team team(3);
+  for (int loop = 0; loop < 20; ++loop)
+  {
+    std::atomic<bool> thrown{ false };
+    bool caught = false;
+    try
+    {
+      ParallelFor(0, 3, 1,
+        [&](Id, Id)
+        {
+          if (std::this_thread::get_id() != caller)
+          {
+            thrown = true;
+            throw std::bad_alloc();
+          }
+          const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+          while (!thrown && std::chrono::steady_clock::now() < end)
+          {
+            std::this_thread::yield();
+          }
+        });
+    }
+    catch (const std::bad_alloc&)
+    {
+      caught = true;
+    }
+    Expect(caught, "team: what one of its threads throws does not come to the caller");
+  }
+}
+
+// Where VTK would start threads for each loop, and only there.
+void CheckSizeOfTeam()
+{
+  vtkSMPTools::SetBackend("Sequential");
+  Expect(Team::SizeForBackend() == 1 && !Team::Current(), "team: against the sequential backend");
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(2);
+  const int size = Team::SizeForBackend();
+  Expect(size == vtkSMPTools::GetEstimatedNumberOfThreads(), "team: not VTK's number of threads");
+  std::atomic<int> within{ 1 };
+  vtkSMPTools::For(
+    0, 2, 1, [&within](Id, Id) { within = std::max<int>(within, Team::SizeForBackend()); });
+  Expect(within == 1, "team: within a loop of VTK's");
+  {
+    const Team team(2);
+    Expect(Team::Current() == &team, "team: it is not that of its thread");
+  }
+  Expect(!Team::Current(), "team: it is still there");
   vtkSMPTools::SetBackend("Sequential");
 }
 
@@ -465,6 +571,9 @@ int main()
 {
   CheckNodeGrid();
   CheckWavefront();
+  CheckLoopsOfTeam();
+  CheckFailureInTeam();
+  CheckSizeOfTeam();
   CheckDirectionBehind();
   CheckDecisionAgain();
   CheckBound();

@@ -1,0 +1,216 @@
+#include "Team.h"
+
+#include "PageVector.h"
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace trim
+{
+namespace
+{
+
+/// Of this thread.
+thread_local Team* Own = nullptr;
+thread_local bool InLoop = false;
+
+/// The last may be shorter.
+Id NumberOfPieces(Id count, Id grain)
+{
+  return (count + grain - 1) / grain;
+}
+
+}
+
+/// Those beside the caller.
+class Team::Others : public boost::asio::thread_pool
+{
+public:
+  using boost::asio::thread_pool::thread_pool;
+};
+
+/// This thread's part in a loop.
+class Team::Member
+{
+public:
+  explicit Member(Team* team)
+    : Before(Own)
+  {
+    Own = team;
+    InLoop = true;
+  }
+  ~Member()
+  {
+    Own = this->Before;
+    InLoop = false;
+  }
+  Member(const Member&) = delete;
+  void operator=(const Member&) = delete;
+
+private:
+  Team* Before;
+};
+
+/// A loop; whoever comes when it is closed has nothing to do with it.
+struct Team::Loop
+{
+  /// Pieces of the range for one thread; when it has done them it helps the others. Far from each
+  /// other two threads seldom ask the kernel for the same page of memory, which both would clear.
+  struct alignas(nurbs::CacheLine) Part
+  {
+    std::atomic<Id> Next{ 0 };
+    Id End = 0;
+  };
+
+  const Action& Call; ///< not to be used when closed
+  const Id First, Last, Grain;
+  std::vector<Part> Parts;
+  std::mutex Lock;
+  std::condition_variable Left;
+  int Entered = 1, Inside = 0; ///< threads, with the caller; those beside it
+  bool Closed = false;
+  std::exception_ptr Failure;
+
+  Loop(Id first, Id last, Id grain, int threads, const Action& call)
+    : Call(call)
+    , First(first)
+    , Last(last)
+    , Grain(grain)
+    , Parts(threads)
+  {
+    const Id pieces = NumberOfPieces(last - first, grain);
+    for (int i = 0; i < threads; ++i)
+    {
+      this->Parts[i].Next = pieces * i / threads;
+      this->Parts[i].End = pieces * (i + 1) / threads;
+    }
+  }
+
+  /// Of a thread, the `place`th in the loop.
+  void Work(Team* team, int place)
+  {
+    const Member member(team);
+    try
+    {
+      for (std::size_t i = 0; i < this->Parts.size(); ++i)
+      {
+        this->WorkOn(this->Parts[(place + i) % this->Parts.size()]);
+      }
+    }
+    catch (...)
+    {
+      for (Part& part : this->Parts)
+      {
+        part.Next = part.End;
+      }
+      const std::lock_guard<std::mutex> locked(this->Lock);
+      if (!this->Failure)
+      {
+        this->Failure = std::current_exception();
+      }
+    }
+  }
+  void WorkOn(Part& part)
+  {
+    for (Id piece; (piece = part.Next.fetch_add(1)) < part.End;)
+    {
+      const Id begin = this->First + piece * this->Grain;
+      this->Call(begin, std::min(this->Last, begin + this->Grain));
+    }
+  }
+
+  /// For those beside the caller.
+  void Join(Team* team)
+  {
+    int place = 0;
+    {
+      const std::lock_guard<std::mutex> locked(this->Lock);
+      if (this->Closed)
+      {
+        return;
+      }
+      place = this->Entered++;
+      ++this->Inside;
+    }
+    this->Work(team, place);
+    const std::lock_guard<std::mutex> locked(this->Lock);
+    --this->Inside;
+    this->Left.notify_one();
+  }
+
+  /// Nobody is in it any more.
+  void Close()
+  {
+    std::unique_lock<std::mutex> locked(this->Lock);
+    this->Closed = true;
+    this->Left.wait(locked, [this] { return this->Inside == 0; });
+  }
+};
+
+Team::Team(int threads)
+  : Size(threads)
+{
+  if (threads > 1 && !Own)
+  {
+    this->Pool = std::make_unique<Others>(threads - 1);
+    Own = this;
+  }
+}
+
+Team::~Team()
+{
+  if (this->Pool)
+  {
+    Own = nullptr;
+    this->Pool->join();
+  }
+}
+
+int Team::SizeForBackend()
+{
+  const bool starts =
+    std::string(vtkSMPTools::GetBackend()) == "STDThread" && !vtkSMPTools::IsParallelScope();
+  return starts ? vtkSMPTools::GetEstimatedNumberOfThreads() : 1;
+}
+
+Team* Team::Current()
+{
+  return Own;
+}
+
+void Team::For(Id first, Id last, Id grain, const Action& action)
+{
+  const Id count = last - first;
+  if (count <= 0)
+  {
+    return;
+  }
+  const Id piece = grain > 0 ? grain : std::max<Id>(1, count / (4 * this->Size));
+  if (InLoop || piece >= count)
+  {
+    action(first, last);
+    return;
+  }
+  const auto threads = static_cast<int>(std::min<Id>(this->Size, NumberOfPieces(count, piece)));
+  const auto loop = std::make_shared<Loop>(first, last, piece, threads, action);
+  for (int i = 1; i < threads; ++i)
+  {
+    boost::asio::post(*this->Pool, [loop, this] { loop->Join(this); });
+  }
+  loop->Work(this, 0);
+  loop->Close();
+  if (loop->Failure)
+  {
+    std::rethrow_exception(loop->Failure);
+  }
+}
+
+}
