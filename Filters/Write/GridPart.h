@@ -19,7 +19,6 @@
 #include "StatusArrays.h"
 #include "TrimResult.h"
 
-#include <vtkSMPTools.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 
