@@ -153,6 +153,13 @@ struct Team::Loop
     this->Closed = true;
     this->Left.wait(locked, [this] { return this->Inside == 0; });
   }
+
+  /// Closes a loop also where no more threads can be asked.
+  struct Closing
+  {
+    Loop& Own;
+    ~Closing() { this->Own.Close(); }
+  };
 };
 
 Team::Team(int threads)
@@ -201,12 +208,14 @@ void Team::For(Id first, Id last, Id grain, const Action& action)
   }
   const auto threads = static_cast<int>(std::min<Id>(this->Size, NumberOfPieces(count, piece)));
   const auto loop = std::make_shared<Loop>(first, last, piece, threads, action);
-  for (int i = 1; i < threads; ++i)
   {
-    boost::asio::post(*this->Pool, [loop, this] { loop->Join(this); });
+    const Loop::Closing closing{ *loop };
+    for (int i = 1; i < threads; ++i)
+    {
+      boost::asio::post(*this->Pool, [loop, this] { loop->Join(this); });
+    }
+    loop->Work(this, 0);
   }
-  loop->Work(this, 0);
-  loop->Close();
   if (loop->Failure)
   {
     std::rethrow_exception(loop->Failure);
