@@ -34,7 +34,8 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
   , Surface(given.Surface)
   , Options(options)
   , Quality(given.TheBand, options.Treatment, options.QualityFloor)
-  , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind)
+  , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind,
+      given.Memory)
   , TheDecision(given.TheBand, given.TheColumns, given.Shares, given.Surface,
       options.EliminationFraction, options.CorrectionType != Correction::Eliminate)
 {
