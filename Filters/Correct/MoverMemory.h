@@ -34,6 +34,7 @@ struct MoverMemory
     , SlidingEdges(band.NumberOfNodes())
     , HeldByStatus(band.NumberOfNodes())
     , HeldAsKept(band.NumberOfNodes())
+    , EdgesBefore(band.NumberOfElements())
   {
   }
 
@@ -42,6 +43,7 @@ struct MoverMemory
   Remembered<std::vector<int>> SlidingEdges; ///< by node
   Remembered<NodeHold> HeldByStatus;         ///< by node
   Remembered<NodeHold> HeldAsKept;           ///< by node, as if there were no cut
+  Remembered<EdgeSquares> EdgesBefore;       ///< by element of eight nodes
 };
 
 }

@@ -83,6 +83,13 @@ public:
     return this->TheColumns.Pillar[a] != this->TheColumns.Pillar[b];
   }
 
+  /// Of an element of eight nodes, as it came.
+  const EdgeSquares& EdgesBefore(int element) const
+  {
+    return this->Memory->EdgesBefore.At(
+      element, [&] { return SquaresOfEdges(PointsOf(this->TheBand, element)); });
+  }
+
   /// The smallest node of a node's pillar.
   int PillarOf(int node) const { return this->TheColumns.Pillar[node]; }
 

@@ -494,7 +494,7 @@ std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trim
 
 TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed, double goal) const
 {
-  const BandQuality quality(this->TheBand, this->Options.Treatment, goal, Measure::Worth);
+  const BandQuality quality = this->Quality.With(goal, Measure::Worth);
   return { goal, this->Quality.FindInvalid(trimmed).size(),
     this->Quality.FindBelowFloor(trimmed).size(), quality.MeasureShortage(trimmed) };
 }
