@@ -11,6 +11,7 @@
 #include "Remembered.h"
 #include "SkinRing.h"
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -34,17 +35,26 @@ struct MoverMemory
     , SlidingEdges(band.NumberOfNodes())
     , HeldByStatus(band.NumberOfNodes())
     , HeldAsKept(band.NumberOfNodes())
+    , AskedOffCut(band.NumberOfNodes())
     , EdgesBefore(band.NumberOfElements())
   {
   }
 
-  Remembered<NodeMove> Projected;            ///< by node
-  Remembered<NodeMove> Slid;                 ///< by edge, from its first node and from its second
-  Remembered<std::vector<int>> SlidingEdges; ///< by node
-  Remembered<NodeHold> HeldByStatus;         ///< by node
-  Remembered<NodeHold> HeldAsKept;           ///< by node, as if there were no cut
-  Remembered<EdgeSquares> EdgesBefore;       ///< by element of eight nodes
+  Remembered<NodeMove> Projected;             ///< by node
+  Remembered<NodeMove> Slid;                  ///< by edge, from its first node and from its second
+  Remembered<std::vector<int>> SlidingEdges;  ///< by node
+  Remembered<NodeHold> HeldByStatus;          ///< by node
+  Remembered<NodeHold> HeldAsKept;            ///< by node, as if there were no cut
+  std::vector<std::atomic<char>> AskedOffCut; ///< by node: how it is held behind the cut mattered
+  Remembered<EdgeSquares> EdgesBefore;        ///< by element of eight nodes
 };
+
+/**
+ * Whether a mover whose nodes slide behind the cut (see NodeMover) would do otherwise than those
+ * of this memory, whose nodes do not: it would be asked for the same nodes, one of which the border
+ * beyond the surface holds in another way.
+ */
+bool SlidingMatters(const Band& band, const Columns& columns, const MoverMemory& memory);
 
 }
 

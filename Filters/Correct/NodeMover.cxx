@@ -46,6 +46,10 @@ double NodeMover::Reach(int node) const
 const NodeHold& NodeMover::HoldOf(int node, bool onCut) const
 {
   const bool byStatus = onCut || this->AllKept.empty();
+  if (!onCut)
+  {
+    this->Memory->AskedOffCut[node].store(1, std::memory_order_relaxed);
+  }
   return (byStatus ? this->Memory->HeldByStatus : this->Memory->HeldAsKept)
     .At(node,
       [&]

@@ -84,7 +84,10 @@ BothParts ClimbForBothParts(
 {
   const Band& band = alone.TheBand;
   TrimCase given = alone;
-  given.Memory = std::make_shared<MoverMemory>(band); // of all climbs
+  if (!given.Memory)
+  {
+    given.Memory = std::make_shared<MoverMemory>(band); // of all climbs
+  }
   LadderOptions demanding = options;
   demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
