@@ -33,6 +33,7 @@ add_library(NURBSTrimStages STATIC
   Decide/MovingNodes.cxx
   Decide/VolumeShares.cxx
   Correct/Facet.cxx
+  Correct/MoverMemory.cxx
   Correct/Moves.cxx
   Correct/NodeConstraint.cxx
   Correct/NodeMover.cxx

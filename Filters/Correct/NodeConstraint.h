@@ -32,6 +32,12 @@ struct NodeConstraint
   std::vector<int> Faces;      ///< band faces that the node may slide on
   std::vector<int> RidgeEdges; ///< band edges that the node may slide along
   bool SharpCorner = false; ///< its ridge turns more than at a vertex of a smooth border, or ends
+
+  bool operator==(const NodeConstraint& other) const
+  {
+    return this->Kind == other.Kind && this->Faces == other.Faces &&
+      this->RidgeEdges == other.RidgeEdges && this->SharpCorner == other.SharpCorner;
+  }
 };
 
 /// True for a face all of whose nodes lie beyond the surface: it goes with what is cut off.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace trim
 {
@@ -17,8 +18,6 @@ namespace
 /// No node moves farther than this many of its longest edges, if the cut has not chosen the
 /// columns.
 constexpr double LongestMove = 3.0;
-/// Rings of faces in which a node looks for the facet that it comes to lie on.
-constexpr std::size_t SkinRange = 3;
 /// How many ridge edges a node may slide along to either side.
 constexpr int LongestRidgeWalk = 4;
 /// A corner nearer to the surface than this many of its shortest edges is right beside it.
@@ -27,12 +26,14 @@ constexpr double BesideCut = 0.5;
 }
 
 NodeMover::NodeMover(const Band& band, const Columns& columns,
-  const nurbs::TrimmingSurface& surface, double precision, bool slidesBehind)
+  const nurbs::TrimmingSurface& surface, double precision, bool slidesBehind,
+  std::shared_ptr<MoverMemory> memory)
   : TheBand(band)
   , TheColumns(columns)
   , Surface(surface)
   , Precision(precision)
   , AllKept(slidesBehind ? band.NumberOfNodes() : 0, NodeKeep)
+  , Memory(memory ? std::move(memory) : std::make_shared<MoverMemory>(band))
 {
 }
 
@@ -42,21 +43,41 @@ double NodeMover::Reach(int node) const
     LongestEdgeAt(this->TheBand, node);
 }
 
-NodeConstraint NodeMover::ConstraintOf(int node, bool onCut) const
+const NodeHold& NodeMover::HoldOf(int node, bool onCut) const
 {
   const bool byStatus = onCut || this->AllKept.empty();
-  return ConstrainNode(
-    this->TheBand, this->TheColumns, byStatus ? this->TheBand.NodeStatus : this->AllKept, node);
+  if (!onCut)
+  {
+    this->Memory->AskedOffCut[node].store(1, std::memory_order_relaxed);
+  }
+  return (byStatus ? this->Memory->HeldByStatus : this->Memory->HeldAsKept)
+    .At(node,
+      [&]
+      {
+        NodeHold hold;
+        hold.Constraint = ConstrainNode(this->TheBand, this->TheColumns,
+          byStatus ? this->TheBand.NodeStatus : this->AllKept, node);
+        const auto& constraint = hold.Constraint;
+        hold.Rings = std::make_shared<SkinRings>(this->TheBand, this->TheColumns, constraint.Faces);
+        hold.Straight = this->TheColumns.IsOnBorder(this->TheBand, node) &&
+          (constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Ridge) &&
+          this->IsStraight(node, constraint);
+        return hold;
+      });
 }
 
 NodeFreedom NodeMover::FreedomOf(int node, bool onCut) const
 {
-  NodeFreedom freedom;
-  freedom.Constraint = this->ConstraintOf(node, onCut);
-  return freedom;
+  const NodeHold& hold = this->HoldOf(node, onCut);
+  return { hold.Constraint, hold.Rings, {} };
 }
 
-NodeMove NodeMover::Project(int node) const
+const NodeMove& NodeMover::Project(int node) const
+{
+  return this->Memory->Projected.At(node, [&] { return this->FindProjection(node); });
+}
+
+NodeMove NodeMover::FindProjection(int node) const
 {
   NodeFreedom freedom = this->FreedomOf(node);
   NodeMove move;
@@ -93,7 +114,7 @@ void NodeMover::WalkRidge(int node, int firstEdge, const Visit& visit) const
       return;
     }
     walked += (this->TheBand.Point[to] - this->TheBand.Point[from]).norm();
-    const NodeConstraint next = this->ConstraintOf(to);
+    const NodeConstraint& next = this->ConstraintOf(to);
     // Where the ridge beyond the surface goes with what is cut off, the rest of it is one edge.
     const auto on = std::find_if(
       next.RidgeEdges.begin(), next.RidgeEdges.end(), [edge](int ridge) { return ridge != edge; });
@@ -167,7 +188,7 @@ NodeMove NodeMover::EndAtCorner(int node) const
     return constraint.Kind == ConstraintKind::Ridge && constraint.SharpCorner &&
       this->IsBesideCut(n, constraint);
   };
-  const NodeConstraint constraint = this->FreedomOf(node).Constraint;
+  const NodeConstraint& constraint = this->ConstraintOf(node);
   const bool stays = this->StaysAtCorner(node, constraint);
   const bool isAtEnd = isCorner(node, constraint);
   if (stays || isAtEnd)
@@ -184,7 +205,7 @@ NodeMove NodeMover::EndAtCorner(int node) const
       {
         const Vec3& corner = this->TheBand.Point[to];
         const double away = (corner - this->TheBand.Point[node]).norm();
-        if (away < nearest && isCorner(to, this->FreedomOf(to).Constraint))
+        if (away < nearest && isCorner(to, this->ConstraintOf(to)))
         {
           nearest = away;
           move.Found = true;
@@ -321,13 +342,12 @@ bool NodeMover::MeetFacet(int face, const Vec3& planePoint, const Vec3& planeNor
 
 const SkinRing& NodeMover::RingOf(NodeFreedom& freedom, std::size_t ring) const
 {
-  auto& rings = freedom.Rings;
-  while (rings.size() <= ring)
+  if (!freedom.Rings)
   {
-    rings.emplace_back(this->TheBand, this->TheColumns,
-      rings.empty() ? freedom.Constraint.Faces : rings.back().Faces);
+    freedom.Rings =
+      std::make_shared<SkinRings>(this->TheBand, this->TheColumns, freedom.Constraint.Faces);
   }
-  return rings[ring];
+  return freedom.Rings->At(ring);
 }
 
 bool NodeMover::Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot,
@@ -369,9 +389,14 @@ bool NodeMover::Meet(int node, int first, NodeFreedom& freedom, nurbs::Foot foot
     (meeting - this->TheBand.Point[node]).norm() <= this->Reach(node);
 }
 
-std::vector<int> NodeMover::SlidingEdges(int node) const
+const std::vector<int>& NodeMover::SlidingEdges(int node) const
 {
-  const NodeConstraint constraint = this->ConstraintOf(node);
+  return this->Memory->SlidingEdges.At(node, [&] { return this->FindSlidingEdges(node); });
+}
+
+std::vector<int> NodeMover::FindSlidingEdges(int node) const
+{
+  const NodeConstraint& constraint = this->ConstraintOf(node);
   std::vector<int> edges;
   if (constraint.Kind == ConstraintKind::Ridge || constraint.Kind == ConstraintKind::Fixed)
   {
@@ -398,7 +423,13 @@ std::vector<int> NodeMover::SlidingEdges(int node) const
   return edges;
 }
 
-NodeMove NodeMover::SlideAlong(int node, int edge) const
+const NodeMove& NodeMover::SlideAlong(int node, int edge) const
+{
+  const std::size_t end = this->TheBand.Edges[edge].First == node ? 0 : 1;
+  return this->Memory->Slid.At(2 * edge + end, [&] { return this->FindSlide(node, edge); });
+}
+
+NodeMove NodeMover::FindSlide(int node, int edge) const
 {
   NodeMove move;
   const Vec3& a = this->TheBand.Point[node];

@@ -7,21 +7,14 @@
 
 #include "Band.h"
 #include "Columns.h"
-#include "NodeConstraint.h"
-#include "SkinRing.h"
+#include "MoverMemory.h"
 #include "TrimmingSurface.h"
+
+#include <memory>
+#include <vector>
 
 namespace trim
 {
-
-enum class Correction : unsigned char
-{
-  None = 0,
-  Eliminate = 1, ///< type I: no node moves
-  Project = 2,   ///< type II
-  Slide = 3,     ///< type III
-  Relax = 4      ///< moved for the sake of the elements at the cut
-};
 
 /// No node moves farther than this many of its longest edges: columns that the cut has chosen lean.
 constexpr double LongestMoveByCut = 5.0;
@@ -30,21 +23,12 @@ constexpr double LongestMoveByCut = 5.0;
 /// degrees.
 constexpr double CreaseCosine = 0.94;
 
-struct NodeMove
-{
-  bool Found = false;
-  Vec3 Target = Vec3::Zero();
-  Correction By = Correction::None;
-  bool OnSurface = true; ///< false: as near to it as the model lets the node come
-  double Elements = 0;   ///< length of the move in edges of the face it leads into
-};
-
 /// Where a node may be while it is relaxed: what NodeMover finds out once for many places.
 struct NodeFreedom
 {
   NodeConstraint Constraint;
-  std::vector<SkinRing> Rings; ///< faces that it may come to lie on, as they are asked for
-  nurbs::Foot Start;           ///< where it is on the surface, if that is known
+  std::shared_ptr<const SkinRings> Rings; ///< of its faces; null: not asked for yet
+  nurbs::Foot Start;                      ///< where it is on the surface, if that is known
 };
 
 class NodeMover
@@ -54,19 +38,21 @@ public:
    * @param precision absolute distance to which a position is on the surface.
    * @param slidesBehind nodes behind the cut are held by the border beyond the surface, and slide
    * along it, as the elements there are kept; else that is as if it went with what is cut off.
+   * @param memory of other movers of the same band, columns, surface and precision; null: there are
+   * none.
    */
   NodeMover(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
-    double precision, bool slidesBehind = false);
+    double precision, bool slidesBehind = false, std::shared_ptr<MoverMemory> memory = nullptr);
 
   /// Type II: P1 on the surface, P2 on the skin facet, P3 = line(N, P2) with S (eqs. 16, 17).
   /// Nodes on a ridge slide along it, by type III.
-  NodeMove Project(int node) const;
+  const NodeMove& Project(int node) const;
 
   /**
    * Type III: along the edge to another pillar (eq. 18).
    * @param edge a band edge at the node; the move is found if the surface crosses it.
    */
-  NodeMove SlideAlong(int node, int edge) const;
+  const NodeMove& SlideAlong(int node, int edge) const;
 
   /**
    * The corner of the model, right beside the surface, that the border of a node leads to: a cut
@@ -79,7 +65,7 @@ public:
   NodeMove ComeToCorner(int node, const Vec3& from) const;
 
   /// Edges that type III may use at a node: not through the thickness, not off the skin.
-  std::vector<int> SlidingEdges(int node) const;
+  const std::vector<int>& SlidingEdges(int node) const;
 
   /**
    * The point of the surface, on the faces that hold the node, in the plane through `through`
@@ -95,6 +81,13 @@ public:
   bool IsLateral(int a, int b) const
   {
     return this->TheColumns.Pillar[a] != this->TheColumns.Pillar[b];
+  }
+
+  /// Of an element of eight nodes, as it came.
+  const EdgeSquares& EdgesBefore(int element) const
+  {
+    return this->Memory->EdgesBefore.At(
+      element, [&] { return SquaresOfEdges(PointsOf(this->TheBand, element)); });
   }
 
   /// The smallest node of a node's pillar.
@@ -133,7 +126,14 @@ private:
   static constexpr double SmallestSine = 0.05;
 
   /// @param onCut see FreedomOf.
-  NodeConstraint ConstraintOf(int node, bool onCut = true) const;
+  const NodeHold& HoldOf(int node, bool onCut) const;
+  const NodeConstraint& ConstraintOf(int node, bool onCut = true) const
+  {
+    return this->HoldOf(node, onCut).Constraint;
+  }
+  NodeMove FindProjection(int node) const;
+  NodeMove FindSlide(int node, int edge) const;
+  std::vector<int> FindSlidingEdges(int node) const;
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   /// Calls visit(from, to, walked) for the edges of a ridge from a node on, until that returns
   /// true or the ridge turns or ends; `walked` is the way to `from`.
@@ -168,6 +168,7 @@ private:
   /// Status of the nodes as if there were no cut: it holds those that are not on it, if they slide
   /// behind it; else empty.
   std::vector<unsigned char> AllKept;
+  std::shared_ptr<MoverMemory> Memory;
 };
 
 }

@@ -40,7 +40,8 @@ double SineRounding(const Band& band, int node)
 
 bool NodeMover::MayRelax(int node, bool onCut) const
 {
-  const NodeConstraint constraint = this->ConstraintOf(node, onCut);
+  const NodeHold& hold = this->HoldOf(node, onCut);
+  const NodeConstraint& constraint = hold.Constraint;
   // Asked of the faces themselves: the constraint forgets those that are cut off.
   if (!this->TheColumns.IsOnBorder(this->TheBand, node))
   {
@@ -49,7 +50,7 @@ bool NodeMover::MayRelax(int node, bool onCut) const
   const bool slides =
     (constraint.Kind == ConstraintKind::Faces && this->TheBand.NodeStatus[node] != NodeEliminate) ||
     (constraint.Kind == ConstraintKind::Ridge && !onCut);
-  return slides && this->IsStraight(node, constraint);
+  return slides && hold.Straight;
 }
 
 /// Whether the ridge of a node does not turn there, or its faces lie in one plane.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace trim
 {
@@ -99,6 +100,23 @@ int SkinRing::NearestFace(const Vec3& x, const std::vector<int>& without, Vec3& 
     }
   }
   return face;
+}
+
+SkinRings::SkinRings(const Band& band, const Columns& columns, std::vector<int> faces)
+  : TheBand(band)
+  , TheColumns(columns)
+  , Faces(std::move(faces))
+{
+}
+
+const SkinRing& SkinRings::At(std::size_t ring) const
+{
+  return this->Rings.At(ring,
+    [&]
+    {
+      return SkinRing(
+        this->TheBand, this->TheColumns, ring > 0 ? this->At(ring - 1).Faces : this->Faces);
+    });
 }
 
 }

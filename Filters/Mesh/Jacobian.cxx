@@ -121,10 +121,9 @@ struct FourEdges
 {
   std::array<Eigen::Array4d, 3> Way; ///< by coordinate
 
-  Eigen::Array4d Lengths() const
+  Eigen::Array4d Squares() const
   {
-    return (this->Way[0] * this->Way[0] + this->Way[1] * this->Way[1] + this->Way[2] * this->Way[2])
-      .sqrt();
+    return this->Way[0] * this->Way[0] + this->Way[1] * this->Way[1] + this->Way[2] * this->Way[2];
   }
 };
 
@@ -135,12 +134,18 @@ Eigen::Array4d Determinants(const FourEdges& a, const FourEdges& b, const FourEd
   return cross(1, 2) * c.Way[0] + cross(2, 0) * c.Way[1] + cross(0, 1) * c.Way[2];
 }
 
-/// The smallest determinant of unit vectors over the corners of a hexahedron; the four corners at
-/// either end of its last axis at once.
-double SmallestHexahedronCorner(const ElementPoints& p, double limit)
+/// The edges at the corners of a hexahedron, the four corners at either end of its last axis at
+/// once.
+struct CornerEdges
 {
-  std::array<FourEdges, 2> r, s;
-  FourEdges t;
+  explicit CornerEdges(const ElementPoints& p);
+
+  std::array<FourEdges, 2> R, S; ///< by end
+  FourEdges T;
+};
+
+CornerEdges::CornerEdges(const ElementPoints& p)
+{
   for (int c = 0; c < 3; ++c)
   {
     const auto way = [&p, c](int from, int to) { return p[to][c] - p[from][c]; };
@@ -149,21 +154,52 @@ double SmallestHexahedronCorner(const ElementPoints& p, double limit)
       const int o = 4 * end;
       const double r0 = way(o, o + 1), r1 = way(o + 3, o + 2);
       const double s0 = way(o, o + 3), s1 = way(o + 1, o + 2);
-      r[end].Way[c] << r0, r0, r1, r1;
-      s[end].Way[c] << s0, s1, s0, s1;
+      this->R[end].Way[c] << r0, r0, r1, r1;
+      this->S[end].Way[c] << s0, s1, s0, s1;
     }
-    t.Way[c] << way(0, 4), way(1, 5), way(3, 7), way(2, 6);
+    this->T.Way[c] << way(0, 4), way(1, 5), way(3, 7), way(2, 6);
   }
-  const Eigen::Array4d last = t.Lengths();
+}
+
+/// A determinant of unit vectors is surely below a limit if its square is so by more than rounding.
+constexpr double SurelyBelow = 1.0 - 1e-9;
+
+/// The smallest determinant of unit vectors over the corners of a hexahedron.
+/// @param limit what is below need not be exact, but below.
+/// @param[out] squares of the edges' lengths, if asked for.
+double SmallestHexahedronCorner(const ElementPoints& p, double limit, EdgeSquares* squares)
+{
+  const CornerEdges edges(p);
+  const Eigen::Array4d last = edges.T.Squares();
+  const double least = limit > 0.0 ? SurelyBelow * limit * limit : 0.0;
+  std::array<Eigen::Array4d, 2> first, second, determinants;
+  for (int end = 0; end < 2; ++end)
+  {
+    first[end] = edges.R[end].Squares();
+    second[end] = edges.S[end].Squares();
+    determinants[end] = Determinants(edges.R[end], edges.S[end], edges.T);
+    // Most of what is asked for fails, and needs no root to do so.
+    if (limit > 0.0 &&
+      (determinants[end] <= 0.0 ||
+        determinants[end] * determinants[end] < least * (first[end] * second[end] * last))
+        .any())
+    {
+      return -1.0;
+    }
+  }
   double smallest = std::numeric_limits<double>::infinity();
+  const Eigen::Array4d lastLengths = last.sqrt();
   for (int end = 0; end < 2 && smallest >= limit; ++end)
   {
-    const Eigen::Array4d lengths = r[end].Lengths() * s[end].Lengths() * last;
-    const Eigen::Array4d determinants = Determinants(r[end], s[end], t);
+    const Eigen::Array4d lengths = first[end].sqrt() * second[end].sqrt() * lastLengths;
     for (int i = 0; i < 4; ++i)
     {
-      smallest = std::min(smallest, lengths[i] > 0.0 ? determinants[i] / lengths[i] : 0.0);
+      smallest = std::min(smallest, lengths[i] > 0.0 ? determinants[end][i] / lengths[i] : 0.0);
     }
+  }
+  if (squares)
+  {
+    *squares = { last, first[0], first[1], second[0], second[1] };
   }
   return smallest;
 }
@@ -281,13 +317,20 @@ double VolumeOf(const ElementPoints& p, int count)
   return 0.5 * sum / samples;
 }
 
-double ScaledJacobian(const ElementPoints& p, int count, double limit)
+EdgeSquares SquaresOfEdges(const ElementPoints& p)
+{
+  const CornerEdges edges(p);
+  return { edges.T.Squares(), edges.R[0].Squares(), edges.R[1].Squares(), edges.S[0].Squares(),
+    edges.S[1].Squares() };
+}
+
+double ScaledJacobian(const ElementPoints& p, int count, double limit, EdgeSquares* squares)
 {
   if (count == 6)
   {
     return std::min(1.0, SmallestWedgeCorner(p) * WedgeScale);
   }
-  const double smallest = SmallestHexahedronCorner(p, limit);
+  const double smallest = SmallestHexahedronCorner(p, limit, squares);
   if (smallest < limit)
   {
     return smallest;

@@ -48,14 +48,19 @@ EIGEN_ALWAYS_INLINE auto HexahedronVolume(const Points& p, const Determinant& de
     12.0);
 }
 
+/// Squares of the lengths of a hexahedron's edges, four at a time, some of them twice.
+using EdgeSquares = std::array<Eigen::Array4d, 5>;
+EdgeSquares SquaresOfEdges(const ElementPoints& points);
+
 /**
  * Verdict's scaled Jacobian: the smallest determinant of unit edge vectors over the corners,
  * for hexahedra also over the centre's; for wedges scaled so that the ideal one has 1.
  *
  * @param limit what is below need not be exact, but below.
+ * @param[out] squares of the edges of a hexahedron that is not below it, if asked for.
  */
-double ScaledJacobian(
-  const ElementPoints& points, int count, double limit = -std::numeric_limits<double>::infinity());
+double ScaledJacobian(const ElementPoints& points, int count,
+  double limit = -std::numeric_limits<double>::infinity(), EdgeSquares* squares = nullptr);
 
 /// What the scaled Jacobian cannot exceed wherever some of the nodes go: the smallest determinant
 /// over the corners that they have no part in.

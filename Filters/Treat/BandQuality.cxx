@@ -80,13 +80,6 @@ bool WasInvalid(const Band& band, int e)
   return !IsValid(before.Points, before.Count, Optimization::None);
 }
 
-/// The scaled Jacobian that an element came with.
-double QualityBefore(const Band& band, int e)
-{
-  const ElementShape before = ShapeBefore(band, e);
-  return ScaledJacobian(before.Points, before.Count);
-}
-
 /// The touched elements that pass a test, ascending, asked by all threads.
 template <typename Test>
 std::vector<int> FindElements(const Band& band, const TrimmedBand& trimmed, const Test& test)
@@ -120,6 +113,27 @@ std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed)
     { return StaysInvalid(band, e, final.Points, final.Count); });
 }
 
+const BandQuality::Size& BandQuality::SizeBefore(int e) const
+{
+  return this->Before->Sizes.At(e,
+    [&]
+    {
+      const ElementShape before = ShapeBefore(this->TheBand, e);
+      return Size{ VolumeOf(before.Points, before.Count),
+        ShortestDistance(before.Points, before.Count) };
+    });
+}
+
+const BandQuality::Standard& BandQuality::StandardBefore(int e) const
+{
+  return this->Before->Standards.At(e,
+    [&]
+    {
+      const ElementShape before = ShapeBefore(this->TheBand, e);
+      return Standard{ ScaledJacobian(before.Points, before.Count), WasInvalid(this->TheBand, e) };
+    });
+}
+
 /// The straight corners that the treatment asked for makes.
 bool BandQuality::IsExempt(const TrimmedBand& trimmed, int e) const
 {
@@ -139,19 +153,17 @@ std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
 
 bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const
 {
-  const ElementShape before = ShapeBefore(this->TheBand, e);
-  const bool spoiled =
-    VolumeOf(points, count) < SmallestVolumeShare * VolumeOf(before.Points, before.Count) ||
+  const Size& before = this->SizeBefore(e);
+  const bool spoiled = VolumeOf(points, count) < SmallestVolumeShare * before.Volume ||
     !IsValid(points, count, this->Treatment) ||
-    ShortestDistance(points, count) <
-      SmallestDistanceShare * ShortestDistance(before.Points, before.Count);
-  return spoiled && !WasInvalid(this->TheBand, e);
+    ShortestDistance(points, count) < SmallestDistanceShare * before.ShortestDistance;
+  return spoiled && !this->StandardBefore(e).Invalid;
 }
 
 /// A higher floor must not let go what a lower one would hold.
 double BandQuality::FloorOf(int e) const
 {
-  const double before = QualityBefore(this->TheBand, e);
+  const double before = this->StandardBefore(e).ScaledJacobian;
   if (before >= this->Floor)
   {
     return this->Floor;
@@ -166,7 +178,7 @@ bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count)
 
 bool BandQuality::IsBelowFloor(int e, double measured) const
 {
-  return measured < this->Floor && measured < this->FloorOf(e) && !WasInvalid(this->TheBand, e);
+  return measured < this->Floor && measured < this->FloorOf(e) && !this->StandardBefore(e).Invalid;
 }
 
 double BandQuality::MeasureOf(const TrimmedBand& trimmed, int e, const FinalElement& final) const
@@ -206,8 +218,12 @@ std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double wor
         return false;
       }
       const double now = WorthOf(this->TheBand, final.Node, final.Points, final.Count);
-      return now < worth && now < SameQuality * QualityBefore(this->TheBand, e) &&
-        !WasInvalid(this->TheBand, e);
+      if (!(now < worth))
+      {
+        return false;
+      }
+      const Standard& before = this->StandardBefore(e);
+      return now < SameQuality * before.ScaledJacobian && !before.Invalid;
     });
 }
 

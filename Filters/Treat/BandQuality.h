@@ -5,8 +5,10 @@
 #ifndef BandQuality_h
 #define BandQuality_h
 
+#include "Remembered.h"
 #include "TrimmedBand.h"
 
+#include <memory>
 #include <vector>
 
 namespace trim
@@ -42,7 +44,17 @@ public:
     , Treatment(treatment)
     , Floor(floor)
     , By(measure)
+    , Before(std::make_shared<ElementsBefore>(band.NumberOfElements()))
   {
+  }
+
+  /// The same by another floor and measure.
+  BandQuality With(double floor, Measure measure) const
+  {
+    BandQuality other = *this;
+    other.Floor = floor;
+    other.By = measure;
+    return other;
   }
 
   double GetFloor() const { return this->Floor; }
@@ -76,6 +88,30 @@ public:
   bool FallsBelowFloor(int element, const ElementPoints& points, int count) const;
 
 private:
+  /// Of an element as it came.
+  struct Size
+  {
+    double Volume;
+    double ShortestDistance; ///< between any two of its nodes
+  };
+  struct Standard
+  {
+    double ScaledJacobian;
+    bool Invalid; ///< it is not held to anything
+  };
+  struct ElementsBefore
+  {
+    explicit ElementsBefore(int count)
+      : Sizes(count)
+      , Standards(count)
+    {
+    }
+    Remembered<Size> Sizes;
+    Remembered<Standard> Standards;
+  };
+
+  const Size& SizeBefore(int element) const;
+  const Standard& StandardBefore(int element) const;
   double FloorOf(int element) const;
   double MeasureOf(const TrimmedBand& trimmed, int element, const FinalElement& final) const;
   bool IsBelowFloor(int element, double measured) const;
@@ -85,6 +121,7 @@ private:
   Optimization Treatment;
   double Floor;
   Measure By;
+  std::shared_ptr<const ElementsBefore> Before; ///< of all that were made from one
 };
 
 }

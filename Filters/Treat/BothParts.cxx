@@ -1,6 +1,7 @@
 #include "BothParts.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace trim
 {
@@ -71,16 +72,22 @@ private:
 Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const TrimmedBand& kept)
 {
   const Band& band = given.TheBand;
-  const NodeMover mover(band, given.TheColumns, given.Surface, given.Precision);
+  const NodeMover mover(
+    band, given.TheColumns, given.Surface, given.Precision, false, given.Memory);
   const BandQuality quality(band, options.Treatment, options.QualityFloor);
   const double goal = std::max(options.QualityFloor, SmallestGoal);
   return FitOffcut(band, given.TheColumns, mover, kept, quality, goal);
 }
 
 BothParts ClimbForBothParts(
-  const TrimCase& given, const LadderOptions& options, const Progress& progress)
+  const TrimCase& alone, const LadderOptions& options, const Progress& progress)
 {
-  const Band& band = given.TheBand;
+  const Band& band = alone.TheBand;
+  TrimCase given = alone;
+  if (!given.Memory)
+  {
+    given.Memory = std::make_shared<MoverMemory>(band); // of all climbs
+  }
   LadderOptions demanding = options;
   demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);

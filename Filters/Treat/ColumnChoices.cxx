@@ -15,7 +15,7 @@ ColumnChoices::ColumnChoices(
   , Shares(given.Shares)
   , Options(options)
   , Quality(given.TheBand, options.Treatment, options.QualityFloor)
-  , Aimed(given.TheBand, options.Treatment, options.AimedQuality(), Measure::Worth)
+  , Aimed(this->Quality.With(options.AimedQuality(), Measure::Worth))
   , Trial(given, options)
   , PillarNodes(given.TheColumns.Nodes())
   , At(position)

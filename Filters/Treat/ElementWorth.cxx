@@ -7,6 +7,25 @@
 
 namespace trim
 {
+namespace
+{
+
+/// More than sums of squares differ by the order of their terms.
+constexpr double Rounding = 1e-9;
+
+/// False if all edges of a hexahedron are so long that it is worth what its corners are.
+bool MayVanish(const EdgeSquares& now, const EdgeSquares& before, double worth)
+{
+  const double least = (1.0 + Rounding) * worth * worth / (EdgeWorth * EdgeWorth);
+  bool may = false;
+  for (std::size_t i = 0; i < now.size(); ++i)
+  {
+    may |= !(now[i] >= least * before[i]).all();
+  }
+  return may;
+}
+
+}
 
 double ShortestEdgeShare(
   const Band& band, const std::array<int, 8>& node, const ElementPoints& points, int count)
@@ -25,9 +44,14 @@ double ShortestEdgeShare(
 }
 
 double WorthOf(const Band& band, const std::array<int, 8>& node, const ElementPoints& points,
-  int count, const std::vector<char>* fixed, double limit)
+  int count, const std::vector<char>* fixed, double limit, const EdgeSquares* before)
 {
-  double worth = ScaledJacobian(points, count, limit);
+  EdgeSquares squares;
+  double worth = ScaledJacobian(points, count, limit, before ? &squares : nullptr);
+  if (before && count == 8 && worth > 0.0 && worth >= limit && !MayVanish(squares, *before, worth))
+  {
+    return worth;
+  }
   const auto& topology = TopologyOf(count);
   for (int i = 0; worth > 0.0 && worth >= limit && i < topology.NumberOfEdges; ++i)
   {

@@ -190,11 +190,28 @@ private:
   /// Lets nodes go along with their neighbours; returns those that found no place.
   std::vector<int> TakeWays(const std::vector<int>& nodes)
   {
+    const Band::Lists beside = BuildLists(static_cast<int>(nodes.size()),
+      [&](auto&& add)
+      {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+        {
+          for (const int edge : this->TheBand.EdgesOfNode(nodes[i]))
+          {
+            const int other = this->TheBand.OtherEnd(edge, nodes[i]);
+            if (this->Mover.IsLateral(nodes[i], other))
+            {
+              add(static_cast<int>(i), other);
+            }
+          }
+        }
+      });
     for (int round = 0; round < SpreadRounds; ++round)
     {
-      for (const int node : nodes)
+      for (std::size_t i = 0; i < nodes.size(); ++i)
       {
-        this->TheMoves.Position[node] += this->WayOfNeighbours(node);
+        const int at = static_cast<int>(i);
+        this->TheMoves.Position[nodes[i]] +=
+          this->WayOf(nodes[i], Band::Range{ beside.begin(at), beside.end(at) });
       }
     }
     std::vector<int> lost;
@@ -320,7 +337,20 @@ private:
       active.begin(), active.end(), [this](int e) { return this->Worth(e) >= this->Goal; });
   }
 
-  /// Mean displacement of the neighbours within the layer, against the node's own.
+  /// Mean displacement of neighbours, against the node's own.
+  Vec3 WayOf(int node, const Band::Range& neighbours) const
+  {
+    Vec3 sum = Vec3::Zero();
+    for (const int other : neighbours)
+    {
+      sum += this->TheMoves.Position[other] - this->TheBand.Point[other];
+    }
+    const int count = neighbours.size();
+    const Vec3 own = this->TheMoves.Position[node] - this->TheBand.Point[node];
+    return count > 0 ? Vec3(sum / count - own) : Vec3::Zero();
+  }
+
+  /// The same of those within the layer.
   Vec3 WayOfNeighbours(int node) const
   {
     Vec3 sum = Vec3::Zero();

@@ -10,6 +10,13 @@
 
 namespace trim
 {
+namespace
+{
+
+/// Of so many nodes the elements are marked, which takes a list as long as the band.
+constexpr std::size_t FewNodes = 30;
+
+}
 
 ElementPoints RelaxedMesh::PointsOf(int element) const
 {
@@ -24,7 +31,9 @@ double RelaxedMesh::Quality(int element) const
 double RelaxedMesh::Worth(int element, double limit) const
 {
   const auto& e = this->Elements[element];
-  return WorthOf(this->TheBand, e.Node, this->PointsOf(element), e.Count, &this->Fixed, limit);
+  const EdgeSquares* before = e.Count == 8 ? &this->Mover.EdgesBefore(element) : nullptr;
+  return WorthOf(
+    this->TheBand, e.Node, this->PointsOf(element), e.Count, &this->Fixed, limit, before);
 }
 
 double RelaxedMesh::ShortestEdgeShare(int element) const
@@ -42,7 +51,25 @@ bool RelaxedMesh::Uses(int element, int node) const
 std::vector<int> RelaxedMesh::ElementsAt(const std::vector<int>& nodes) const
 {
   std::vector<int> elements;
-  elements.reserve(8 * nodes.size());
+  elements.reserve(std::min<std::size_t>(8 * nodes.size(), this->TheBand.NumberOfElements()));
+  if (nodes.size() >= FewNodes)
+  {
+    // Each of many once: sorting them as often as they come would take longer.
+    std::vector<char> listed(this->TheBand.NumberOfElements(), 0);
+    for (const int node : nodes)
+    {
+      for (const int e : this->TheBand.ElementsOfNode(node))
+      {
+        if (!listed[e] && this->Elements[e].Count > 0 && this->Uses(e, node))
+        {
+          listed[e] = 1;
+          elements.push_back(e);
+        }
+      }
+    }
+    std::sort(elements.begin(), elements.end());
+    return elements;
+  }
   for (const int node : nodes)
   {
     for (const int e : this->TheBand.ElementsOfNode(node))

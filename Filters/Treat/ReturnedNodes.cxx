@@ -259,6 +259,10 @@ private:
   /// The same with the nodes round it relaxed.
   bool ReturnRelaxed(int node)
   {
+    if (this->Relaxations == MostRelaxations)
+    {
+      return false;
+    }
     const std::vector<int> at = this->ElementsAt({ node });
     std::vector<int> nodes = this->NodesRound(at, RelaxedRings);
     nodes.push_back(node);

@@ -34,7 +34,8 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
   , Surface(given.Surface)
   , Options(options)
   , Quality(given.TheBand, options.Treatment, options.QualityFloor)
-  , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind)
+  , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind,
+      given.Memory)
   , TheDecision(given.TheBand, given.TheColumns, given.Shares, given.Surface,
       options.EliminationFraction, options.CorrectionType != Correction::Eliminate)
 {
@@ -493,7 +494,7 @@ std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trim
 
 TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed, double goal) const
 {
-  const BandQuality quality(this->TheBand, this->Options.Treatment, goal, Measure::Worth);
+  const BandQuality quality = this->Quality.With(goal, Measure::Worth);
   return { goal, this->Quality.FindInvalid(trimmed).size(),
     this->Quality.FindBelowFloor(trimmed).size(), quality.MeasureShortage(trimmed) };
 }

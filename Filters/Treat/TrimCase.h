@@ -10,8 +10,12 @@
 #include "TrimmingSurface.h"
 #include "VolumeShares.h"
 
+#include <memory>
+
 namespace trim
 {
+
+struct MoverMemory;
 
 /// A band that is to be trimmed. All that it refers to must outlive the trim.
 struct TrimCase
@@ -21,6 +25,8 @@ struct TrimCase
   const VolumeShares& Shares;
   const nurbs::TrimmingSurface& Surface;
   double Precision; ///< absolute distance up to which a node is on the surface
+  /// Of other trials of the same band, columns and surface; null: there are none.
+  std::shared_ptr<MoverMemory> Memory = nullptr;
 };
 
 }

@@ -5,11 +5,13 @@
 #include "ColumnChoices.h"
 #include "ElementsAstray.h"
 #include "LayerTrim.h"
+#include "MoverMemory.h"
 #include "Shortfalls.h"
 #include "Status.h"
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -88,8 +90,10 @@ ElementsAstray FindAstray(const TrimBand& near, const BandTask& task)
 /// Trims a band once more, as `climb` does that is given what there is; what was before comes back
 /// where it is no better.
 /// @param least the shortcomings of what there is, afterwards of what is taken.
+/// @return the trim that was made and not taken; null if it was.
 template <typename ClimbAnew, typename MeasureAll>
-void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, Shortcomings& least)
+std::unique_ptr<BandTrim> TryAnew(
+  TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, Shortcomings& least)
 {
   BandTrim before = std::move(static_cast<BandTrim&>(near));
   climb(before);
@@ -97,16 +101,26 @@ void TryAnew(TrimBand& near, const ClimbAnew& climb, const MeasureAll& measure, 
   if (now < least)
   {
     least = now;
-    return;
+    return nullptr;
   }
+  auto notTaken = std::make_unique<BandTrim>(std::move(static_cast<BandTrim&>(near)));
   static_cast<BandTrim&>(near) = std::move(before);
+  return notTaken;
+}
+
+/// The shares by which elements without columns are decided.
+VolumeShares SharesAlone(const VolumeShares& shares)
+{
+  return { shares.Volume, shares.Element, shares.Element };
 }
 
 /// Where columns take elements along that lie far from the surface, each sheet of a joint gets
 /// columns of its own, or the elements are decided one by one, if that is better on the whole. If
 /// no node is left and nothing lost the border is the surface, however far elements had to reach:
 /// then nothing is better that leaves some, and elements one by one do.
-void TryOtherColumns(TrimBand& near, const BandTask& task, const Progress& progress)
+/// @return the trim of elements one by one, if that was made and not taken.
+std::unique_ptr<BandTrim> TryOtherColumns(
+  TrimBand& near, const BandTask& task, const Progress& progress)
 {
   std::vector<Columns> others;
   Columns sheets = FindJoinedSheets(near.Mesh);
@@ -128,20 +142,27 @@ void TryOtherColumns(TrimBand& near, const BandTask& task, const Progress& progr
     return sum;
   };
   Shortcomings least = measure();
+  std::unique_ptr<BandTrim> alone;
   for (Columns& other : others)
   {
+    const bool isAlone = !other.AnyHasThickness();
     const auto climb = [&](const BandTrim& before)
     {
       near.Structure = std::move(other);
-      near.Shares = before.Shares;
-      MeasureColumnShares(near.Structure, near.Shares);
+      near.Shares = isAlone ? SharesAlone(before.Shares) : before.Shares;
+      if (!isAlone)
+      {
+        MeasureColumnShares(near.Structure, near.Shares);
+      }
       ClimbBand(near, task, progress);
     };
     if (!progress(-1.0) && FindAstray(near, task).Any())
     {
-      TryAnew(near, climb, measure, least);
+      auto notTaken = TryAnew(near, climb, measure, least);
+      alone = isAlone ? std::move(notTaken) : nullptr;
     }
   }
+  return alone;
 }
 
 /// Whether something is kept that is nearly all beyond the surface.
@@ -178,22 +199,32 @@ public:
 
   void Try(const BandOptions& with, bool columns, const Progress& progress)
   {
+    this->TryBy(
+      [&](const BandTrim& best)
+      {
+        this->Near.Structure =
+          columns ? best.Structure : NoColumns(this->Near.Mesh, best.Structure.Part);
+        this->Near.Shares = columns ? best.Shares : SharesAlone(best.Shares);
+        ClimbBand(this->Near, { this->Task.Surface, this->Task.Precision, with }, progress);
+      });
+  }
+
+  /// Takes a trim that was made already, if it is better.
+  void Try(BandTrim made)
+  {
+    this->TryBy([&](const BandTrim&) { static_cast<BandTrim&>(this->Near) = std::move(made); });
+  }
+
+private:
+  template <typename ClimbAnew>
+  void TryBy(const ClimbAnew& climb)
+  {
     const auto measure = [this]
     { return MeasureShortcomings(this->Near, this->Task.Options.Ladder); };
-    const auto climb = [&](const BandTrim& best)
-    {
-      const auto& shares = best.Shares;
-      this->Near.Structure =
-        columns ? best.Structure : NoColumns(this->Near.Mesh, best.Structure.Part);
-      this->Near.Shares =
-        columns ? shares : VolumeShares{ shares.Volume, shares.Element, shares.Element };
-      ClimbBand(this->Near, { this->Task.Surface, this->Task.Precision, with }, progress);
-    };
     Shortcomings least = measure();
     TryAnew(this->Near, climb, measure, least);
   }
 
-private:
   TrimBand& Near;
   const BandTask& Task;
 };
@@ -204,17 +235,21 @@ private:
 /// without, every element for itself, and what comes nearest to the surface is taken.
 void DecideWithMesh(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  ClimbBand(near, task, Part(progress, 0.0, 0.3));
+  auto memory = std::make_shared<MoverMemory>(near.Mesh);
+  ClimbBand(near, task, Part(progress, 0.0, 0.3), memory);
   OtherTrims others(near, task);
-  if (!progress(-1.0) && near.Structure.AnyHasThickness() && others.AreWorthwhile())
+  if (!progress(-1.0) && near.Structure.AnyHasThickness() && others.AreWorthwhile() &&
+    SlidingMatters(near.Mesh, near.Structure, *memory))
   {
     BandOptions sliding = task.Options;
     sliding.Ladder.SlidesBehind = true;
     others.Try(sliding, true, Part(progress, 0.3, 0.4));
   }
+  memory.reset(); // of other columns
+  std::unique_ptr<BandTrim> alone;
   if (!progress(-1.0) && near.Structure.AnyHasThickness() && FindAstray(near, task).Any())
   {
-    TryOtherColumns(near, task, Part(progress, 0.4, 0.5));
+    alone = TryOtherColumns(near, task, Part(progress, 0.4, 0.5));
   }
   if (!progress(-1.0) && others.AreWorthwhile() && others.Farthest() >= FarthestLeft &&
     KeepsCorners(near))
@@ -226,7 +261,14 @@ void DecideWithMesh(TrimBand& near, const BandTask& task, const Progress& progre
   if (!progress(-1.0) && others.AreWorthwhile() && others.Farthest() >= FarthestLeft &&
     near.Structure.AnyHasThickness())
   {
-    others.Try(task.Options, false, Part(progress, 0.75, 1.0));
+    if (alone)
+    {
+      others.Try(std::move(*alone));
+    }
+    else
+    {
+      others.Try(task.Options, false, Part(progress, 0.75, 1.0));
+    }
   }
 }
 
@@ -291,9 +333,11 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
 
 }
 
-void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress)
+void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
+  std::shared_ptr<MoverMemory> memory)
 {
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision,
+    std::move(memory) };
   if (task.Options.ProduceOffcut)
   {
     BothParts parts = ClimbForBothParts(given, task.Options.Ladder, progress);

@@ -43,7 +43,9 @@ struct BandTask
 void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress);
 
 /// Kept part and offcut by the structure and shares of a band.
-void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress);
+/// @param memory of the band, its structure and the surface; null: there is none.
+void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
+  std::shared_ptr<MoverMemory> memory = nullptr);
 
 /// Takes TrimmedBand::Closer where all in all it leaves nodes less far off the surface.
 void TakeCloser(TrimBand& near, const BandTask& task);

@@ -2,7 +2,8 @@
  * @file TestTreatmentParts.cxx
  * @brief What the ladder relies on, by itself: a decision that is taken again, the bound of the
  * scaled Jacobian, the step of least squares, the worth of an element, the way to a sharp edge, the
- * way behind several planes, nodes that lie near each other, tasks in turn, threads that stay.
+ * way behind several planes, nodes that lie near each other, tasks in turn, threads that stay, what
+ * movers remember.
  */
 #include "Decision.h"
 #include "DirectionBehind.h"
@@ -10,8 +11,10 @@
 #include "Expect.h"
 #include "Jacobian.h"
 #include "LeastSquaresStep.h"
+#include "MoverMemory.h"
 #include "NodeGrid.h"
 #include "NodeMover.h"
+#include "Remembered.h"
 #include "SampleSurfaces.h"
 #include "Status.h"
 #include "Team.h"
@@ -19,10 +22,13 @@
 
 #include <Eigen/LU>
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <numeric>
@@ -62,6 +68,16 @@ public:
   NodeMover MoverTo(const nurbs::TrimmingSurface& surface) const
   {
     return NodeMover(this->Mesh, this->Structure, surface, 1e-8);
+  }
+
+  NodeMover MoverWith(const std::shared_ptr<MoverMemory>& memory) const
+  {
+    return NodeMover(this->Mesh, this->Structure, this->Surface, 1e-8, false, memory);
+  }
+
+  bool SlidingMatters(const MoverMemory& memory) const
+  {
+    return trim::SlidingMatters(this->Mesh, this->Structure, memory);
   }
 
   const Band Mesh;
@@ -565,6 +581,83 @@ void CheckSizeOfTeam()
   vtkSMPTools::SetBackend("Sequential");
 }
 
+// Each value is worked out once, and all that ask get the same.
+void CheckRemembered()
+{
+  const int count = 1000;
+  const Remembered<std::vector<int>> squares(count);
+  std::vector<std::atomic<int>> found(count);
+  std::vector<std::atomic<int>> wrong(count);
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      const std::vector<int>& square = squares.At(i,
+        [&]
+        {
+          ++found[i];
+          return std::vector<int>{ i * i };
+        });
+      wrong[i] += square.front() != i * i;
+    }
+  }
+  Expect(std::all_of(found.begin(), found.end(), [](const auto& n) { return n == 1; }),
+    "what is remembered is worked out once");
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(5);
+  const Remembered<int> doubles(1);
+  vtkSMPTools::For(0, count, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        wrong[i] += doubles.At(0, [] { return 2; }) != 2;
+      }
+    });
+  vtkSMPTools::SetBackend("Sequential");
+  Expect(std::all_of(wrong.begin(), wrong.end(), [](const auto& n) { return n == 0; }),
+    "what is remembered is the same for all");
+}
+
+// Sliding behind the cut is another trim only where the border beyond the surface is asked for.
+void CheckSlidingMatters()
+{
+  const CutBlock block;
+  const Band& mesh = block.Mesh;
+  const auto memory = std::make_shared<MoverMemory>(mesh);
+  const NodeMover mover = block.MoverWith(memory);
+  const auto allAre = [&](int n, unsigned char status)
+  {
+    const auto faces = mesh.FacesOfNode(n);
+    return std::all_of(faces.begin(), faces.end(),
+      [&](int f)
+      {
+        return std::all_of(mesh.Faces[f].begin(), mesh.Faces[f].end(),
+          [&](int other) { return mesh.NodeStatus[other] == status; });
+      });
+  };
+  const auto isExterior = [&](int n)
+  {
+    const auto faces = mesh.FacesOfNode(n);
+    return std::any_of(faces.begin(), faces.end(), [&](int f) { return mesh.Faces[f].Exterior; });
+  };
+  int asked = 0, beyond = -1;
+  for (int n = 0; n < mesh.NumberOfNodes(); ++n)
+  {
+    if (allAre(n, NodeKeep))
+    {
+      mover.FreedomOf(n, false);
+      ++asked;
+    }
+    beyond = isExterior(n) && allAre(n, NodeEliminate) ? n : beyond;
+  }
+  Expect(asked > 0 && beyond >= 0, "the block has nodes on both sides");
+  mover.FreedomOf(beyond, true);
+  Expect(!block.SlidingMatters(*memory), "nothing slides on the kept side");
+  mover.FreedomOf(beyond, false);
+  Expect(block.SlidingMatters(*memory), "the border beyond the surface may hold");
+}
+
 }
 
 int main()
@@ -580,6 +673,8 @@ int main()
   CheckStep();
   CheckWorth();
   CheckCrease();
+  CheckRemembered();
+  CheckSlidingMatters();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
