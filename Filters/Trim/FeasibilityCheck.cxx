@@ -336,7 +336,8 @@ private:
     return false;
   }
 
-  /// Whether the surface comes into the element though all its nodes are on one side.
+  /// Whether the surface comes into the element though all its nodes are on one side: what lies
+  /// beyond it right there is in the element. One that touches it from outside does not.
   static bool HoldsNearestFoot(const Probe& probe)
   {
     const auto& topology = TopologyOf(probe.Count);
@@ -345,7 +346,8 @@ private:
     {
       centre += probe.Point[i] / probe.Count;
     }
-    const Vec3& x = probe.Feet[probe.Nearest]->Point;
+    const Foot& foot = *probe.Feet[probe.Nearest];
+    const Vec3 x = foot.Point + foot.Normal * (RayStart / probe.InElements(foot.Normal));
     for (int f = 0; f < topology.NumberOfFaces; ++f)
     {
       const auto& face = topology.Faces[f];
