@@ -40,6 +40,7 @@ add_library(NURBSTrimStages STATIC
   Correct/NodeRelaxing.cxx
   Correct/SkinRing.cxx
   Treat/BandQuality.cxx
+  Treat/BorderCorners.cxx
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
   Treat/ColumnChoices.cxx

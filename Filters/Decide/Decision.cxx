@@ -130,8 +130,23 @@ void Decision::SetColumn(int column, char to, std::vector<char>& kept) const
 }
 
 /// Kept columns that lose a whole side on the border of the mesh: their nodes there could reach
-/// the surface only by leaving the border.
+/// the surface only by leaving the border. Those behind come out to the surface instead; where
+/// there are none, as in a strip of one element, the volume decides.
 void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<char>& kept) const
+{
+  const LostSides lost = this->FindLostSides(fate, kept);
+  if (lost.empty())
+  {
+    return;
+  }
+  for (const int column : this->FindBacked(lost, kept))
+  {
+    this->SetColumn(column, 0, kept);
+  }
+}
+
+Decision::LostSides Decision::FindLostSides(
+  const std::vector<Fate>& fate, const std::vector<char>& kept) const
 {
   // By column and the two pillars that bound the side; in a block by element and face.
   std::map<std::array<int, 3>, bool> lostSides;
@@ -139,7 +154,7 @@ void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<c
   {
     const auto& face = this->TheBand.Faces[f];
     const int e = face.Element[0];
-    if (!face.Exterior || !kept[e] ||
+    if (!face.Exterior || !kept[e] || fate[this->TheColumns.Column[e]] == Fate::Keep ||
       this->TheColumns.IsLayerFace(this->TheBand, static_cast<int>(f)))
     {
       continue;
@@ -164,13 +179,52 @@ void Decision::EliminateLostBorders(const std::vector<Fate>& fate, std::vector<c
     const auto known = lostSides.emplace(side, lost);
     known.first->second = known.first->second && lost;
   }
-  for (const auto& side : lostSides)
+  LostSides lost;
+  for (const auto& [side, isLost] : lostSides)
   {
-    if (side.second && fate[side.first[0]] != Fate::Keep)
+    if (isLost)
     {
-      this->SetColumn(side.first[0], 0, kept);
+      auto& pillars = lost[side[0]];
+      const bool ofColumn = side[2] >= 0;
+      const auto& face = this->TheBand.Faces[ofColumn ? 0 : side[1]];
+      ofColumn ? pillars.insert(pillars.end(), { side[1], side[2] })
+               : pillars.insert(pillars.end(), face.begin(), face.end());
     }
   }
+  return lost;
+}
+
+/// Columns of those that lose a side that have a kept one behind it: opposite, or beside a wedge.
+std::vector<int> Decision::FindBacked(const LostSides& lost, const std::vector<char>& kept) const
+{
+  std::vector<int> backed;
+  for (std::size_t f = 0; f < this->TheBand.Faces.size(); ++f)
+  {
+    const auto& face = this->TheBand.Faces[f];
+    for (int side = 0; side < 2 && !face.Exterior; ++side)
+    {
+      const int e = face.Element[side];
+      const int behind = face.Element[1 - side];
+      const auto known = e < 0 ? lost.end() : lost.find(this->TheColumns.Column[e]);
+      if (known == lost.end() || this->TheColumns.IsLayerFace(this->TheBand, static_cast<int>(f)) ||
+        (behind >= 0 && (!kept[behind] || lost.count(this->TheColumns.Column[behind]) > 0)))
+      {
+        continue;
+      }
+      const auto isLost = [&](int node)
+      {
+        const auto& pillars = known->second;
+        return std::find(pillars.begin(), pillars.end(), this->TheColumns.Pillar[node]) !=
+          pillars.end();
+      };
+      if (this->TheBand.Elements[e].Count == 6 || std::none_of(face.begin(), face.end(), isLost))
+      {
+        backed.push_back(known->first);
+      }
+    }
+  }
+  SortUnique(backed);
+  return backed;
 }
 
 /// Kept columns whose nodes all go to the surface and leave nothing between them.

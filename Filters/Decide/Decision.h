@@ -15,6 +15,7 @@
 #include "VolumeShares.h"
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace trim
@@ -60,7 +61,12 @@ private:
   double RoundingOf(int column) const;
   void FindInnerNodes();
   void SetColumn(int column, char to, std::vector<char>& kept) const;
+  /// By column the pillars, in a block the nodes, of sides on the border that lie beyond the
+  /// surface.
+  using LostSides = std::map<int, std::vector<int>>;
   void EliminateLostBorders(const std::vector<Fate>& fate, std::vector<char>& kept) const;
+  LostSides FindLostSides(const std::vector<Fate>& fate, const std::vector<char>& kept) const;
+  std::vector<int> FindBacked(const LostSides& lost, const std::vector<char>& kept) const;
   bool EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept);
   bool Collapses(int e);
   bool IsPinched(std::size_t inner, const std::vector<char>& kept);

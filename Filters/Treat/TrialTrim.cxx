@@ -95,7 +95,9 @@ bool TrialTrim::IsBehindOnBorder(int node, const std::vector<char>& atCut) const
       {
         const int other = this->TheBand.OtherEnd(edge, node);
         return atCut[this->TheColumns.Pillar[other]] &&
-          this->TheColumns.IsOnBorder(this->TheBand, other);
+          this->TheColumns.IsOnBorder(this->TheBand, other) &&
+          (this->Options.CutsCorners ||
+            !this->Mover.FreedomOf(other).Constraint.RidgeEdges.empty());
       });
 }
 

@@ -43,6 +43,9 @@ struct LadderOptions
   /// not move.
   bool KeepsCorners = true;
   bool SlidesBehind = false; ///< see NodeMover
+  /// Whether a node beyond the surface may slide along the border behind the cut where the one next
+  /// to it has left the border: the corner between border and surface may be cut off then.
+  bool CutsCorners = true;
   Demands ForOffcut;
   bool FindsCloser = true;           ///< false: TrimmedBand::Closer is found later, if at all
   FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others

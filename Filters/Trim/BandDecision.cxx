@@ -1,6 +1,7 @@
 #include "BandDecision.h"
 
 #include "BandQuality.h"
+#include "BorderCorners.h"
 #include "BothParts.h"
 #include "ColumnChoices.h"
 #include "ElementsAstray.h"
@@ -229,7 +230,14 @@ private:
   const BandTask& Task;
 };
 
-/// Nodes behind the cut may have to slide along a border that lies beyond the surface. What is kept
+bool CutsCornersOff(const TrimBand& near, const BandTask& task)
+{
+  return near.Structure.AnyHasThickness() &&
+    !FindCornersCutOff(near.Mesh, near.Structure, task.Surface, near.Trimmed).empty();
+}
+
+/// Nodes at the border may have to come to the surface rather than slide behind the cut, and nodes
+/// behind the cut to slide along a border that lies beyond the surface. What is kept
 /// for a corner of the model may leave nodes farther off than the corner would be, and whole
 /// columns do where the cut wanders through a block or along a wall; then it is decided again
 /// without, every element for itself, and what comes nearest to the surface is taken.
@@ -238,12 +246,18 @@ void DecideWithMesh(TrimBand& near, const BandTask& task, const Progress& progre
   auto memory = std::make_shared<MoverMemory>(near.Mesh);
   ClimbBand(near, task, Part(progress, 0.0, 0.3), memory);
   OtherTrims others(near, task);
+  if (!progress(-1.0) && others.AreWorthwhile() && CutsCornersOff(near, task))
+  {
+    BandOptions whole = task.Options;
+    whole.Ladder.CutsCorners = false;
+    others.Try(whole, true, Part(progress, 0.3, 0.35));
+  }
   if (!progress(-1.0) && near.Structure.AnyHasThickness() && others.AreWorthwhile() &&
     SlidingMatters(near.Mesh, near.Structure, *memory))
   {
     BandOptions sliding = task.Options;
     sliding.Ladder.SlidesBehind = true;
-    others.Try(sliding, true, Part(progress, 0.3, 0.4));
+    others.Try(sliding, true, Part(progress, 0.35, 0.4));
   }
   memory.reset(); // of other columns
   std::unique_ptr<BandTrim> alone;

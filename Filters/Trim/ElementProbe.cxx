@@ -14,6 +14,9 @@ namespace trim
 namespace
 {
 
+/// How far beyond the surface there is something to hold, in elements.
+constexpr double Beyond = 1e-3;
+
 /// Mean edges of a hexahedron by axis; of a wedge the axis and two sides of its triangles.
 Eigen::Matrix3d MeanEdges(const ElementProbe& probe)
 {
@@ -85,7 +88,8 @@ bool ElementProbe::HoldsNearestFoot() const
   {
     centre += this->Point[i] / this->Count;
   }
-  const Vec3& x = this->Feet[this->Nearest]->Point;
+  const nurbs::Foot& foot = *this->Feet[this->Nearest];
+  const Vec3 x = foot.Point + foot.Normal * (Beyond / this->InElements(foot.Normal));
   for (int f = 0; f < topology.NumberOfFaces; ++f)
   {
     const auto& face = topology.Faces[f];

@@ -30,7 +30,8 @@ struct ElementProbe
   double InElements(const Vec3& v) const { return (this->ToElements * v).norm(); }
   /// The part of a direction within the skin, not normalised.
   Vec3 Within(const Vec3& v) const { return v - this->Skin * this->Skin.dot(v); }
-  /// Whether the nearest foot lies within the element, by the planes of its faces.
+  /// Whether what lies beyond the surface at the nearest foot is in the element, by the planes of
+  /// its faces. A surface that touches it from outside is not.
   bool HoldsNearestFoot() const;
 };
 

@@ -1,6 +1,7 @@
 #include "Shortfalls.h"
 
 #include "BandQuality.h"
+#include "BorderCorners.h"
 #include "Facet.h"
 #include "NodeConstraint.h"
 #include "SortUnique.h"
@@ -140,7 +141,11 @@ std::vector<std::pair<int, float>> FindNodesLeft(
 {
   std::vector<std::pair<int, float>> left;
   const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
-  const std::vector<char> atCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
+  std::vector<char> atCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
+  for (const int n : FindCornersCutOff(near.Mesh, near.Structure, surface, near.Trimmed))
+  {
+    atCut[n] = 1;
+  }
   const auto& moves = near.Trimmed.NodeMoves;
   for (int n = 0; n < near.Mesh.NumberOfNodes(); ++n)
   {

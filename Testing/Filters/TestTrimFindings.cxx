@@ -260,6 +260,14 @@ void TestAligned()
     Polyline({ Vec2(20, 21), Vec2(80, 21), Vec2(80, 40.7), Vec2(20, 40.7) }), TrimOptions());
   ExpectNothing("window along y", sheet,
     Polyline({ Vec2(21, 20), Vec2(80, 20), Vec2(80, 40), Vec2(21, 40) }), TrimOptions());
+  // Four planes round two by two elements, which are opened: those beside touch them, no more.
+  const Mesh oblong = Sheet(30, 30, 2, Vec3(1.3, 1, 0.4));
+  Placement at;
+  at.X = at.Y = at.Angle = 0;
+  at.Size = 1.0 / oblong.Box.HalfY;
+  at.Reversed = true;
+  ExpectOnly(
+    "window of four elements", oblong, MakeSurface("rectangle", oblong.Box, at), Narrow, 2 * 4);
 }
 
 // Through the whole sheet, with straight walls; what is between them goes.

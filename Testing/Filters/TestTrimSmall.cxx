@@ -147,6 +147,44 @@ void TestRow()
   near.ExpectCells({ 0, 1 });
 }
 
+// Strips cut lengthwise. One of a single element has none behind the side that is lost, so its
+// volume decides; in a wider one those behind come out to the surface.
+void TestStrip()
+{
+  const Mesh strip = Sheet(4, 1, 1, Vec3(1, 1, 0.4));
+  for (int type : { 2, 3 })
+  {
+    const std::string name = "strip type " + std::to_string(type);
+    const Surface at07 = PlaneThrough(Vec3(0, 0.7, 0), Vec3::UnitY(), 50);
+    Small most(name + " mostly kept", strip, at07, With(type, 2));
+    most.ExpectCells({ 0, 1, 2, 3 });
+    for (int x = 0; x <= 4; ++x)
+    {
+      most.ExpectMove(Vec2(x, 1), Vec2(x, 0.7));
+      most.ExpectMove(Vec2(x, 0), Vec2(x, 0), 0);
+    }
+    const Surface leaning = PlaneThrough(Vec3(0, 0.8, 0), Vec3(0.05, 1, 0), 50);
+    Small slope(name + " cut aslant", strip, leaning, With(type, 2));
+    slope.ExpectCells({ 0, 1, 2, 3 });
+    slope.ExpectMove(Vec2(0, 1), Vec2(0, 0.8));
+    slope.ExpectMove(Vec2(4, 1), Vec2(4, 0.6));
+    Small none(name + " mostly lost", strip, PlaneThrough(Vec3(0, 0.3, 0), Vec3::UnitY(), 50),
+      With(type, 2));
+    none.ExpectCells({});
+    const Mesh wide = Sheet(4, 2, 1, Vec3(1, 1, 0.4));
+    Small two(
+      name + " of two rows", wide, PlaneThrough(Vec3(0, 1.7, 0), Vec3::UnitY(), 50), With(type, 2));
+    two.ExpectCells({ 0, 1, 2, 3 });
+    two.ExpectMove(Vec2(2, 1), Vec2(2, 1.7));
+  }
+  const Mesh bar = Sheet(1, 1, 6, Vec3(1, 1, 1));
+  Small along(
+    "bar cut lengthwise", bar, PlaneThrough(Vec3(0.7, 0, 0), Vec3::UnitX(), 50), With(2, 2));
+  along.ExpectCells({ 0, 1, 2, 3, 4, 5 });
+  along.ExpectMove(Vec2(1, 0), Vec2(0.7, 0));
+  along.ExpectMove(Vec2(1, 1), Vec2(0.7, 1));
+}
+
 // Fig. 7: a line of small slope, y = 1.3 + 0.1 x. In the second row the elements lose 65, 55, 45
 // and 35 %: the last two stay, and the third shows two facets to the cut.
 void TestPentahedron()
@@ -229,6 +267,7 @@ void TestColumns()
 int main()
 {
   TestRow();
+  TestStrip();
   TestPentahedron();
   TestColumns();
   std::printf("%d wrong\n", Wrong);

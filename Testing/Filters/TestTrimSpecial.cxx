@@ -459,6 +459,42 @@ void TestFootOfStep()
     MakeMesh("patched"), { { "torus", 0.207, -0.055, 1.716, 0.384, 0.407, 2, 2, false, true } });
 }
 
+// A hole that reaches over the border: where the next node leaves the border for the surface, one
+// beyond it may not slide along the border behind the cut, which would cut that corner off.
+void TestCornersAtBorder()
+{
+  const Mesh mesh = Sheet(16, 10, 2, Vec3(2, 4, 1));
+  const double border = 40;
+  for (int step = 0; step < 14; ++step)
+  {
+    Placement at;
+    at.X = 0.0125 * step;
+    at.Y = 1.325;
+    at.Angle = 0.46;
+    at.Lean = 0.111;
+    at.Size = 0.8125;
+    const Surface hole = MakeSurface("cylinder", mesh.Box, at);
+    TrimOptions options;
+    options.InvertSide = true;
+    Report report("corners at the border, hole at " + std::to_string(at.X));
+    const Outcome outcome = RunAndJudge(mesh, hole, options, report);
+    Wrong += report.Failures();
+    vtkUnstructuredGrid* out = outcome.Case.Trimmed;
+    vtkPointData* data = out->GetPointData();
+    Expect(out->GetNumberOfCells() > 100, "corners at the border: the wrong side is kept");
+    for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i)
+    {
+      const Vec3 p(out->GetPoint(i));
+      const bool cutOff = data->GetArray("NodeStatus")->GetComponent(i, 0) == 1 &&
+        std::abs(p[1] - border) < 1e-9 && std::abs(hole.Signed(p)) > 0.5 &&
+        data->GetArray("DistanceLeft")->GetComponent(i, 0) == 0;
+      Expect(!cutOff,
+        "corners at the border, hole at " + std::to_string(at.X) + ": the node at " +
+          std::to_string(p[0]) + " is off by " + std::to_string(hole.Signed(p)));
+    }
+  }
+}
+
 // CAD programs write a body as a solid and its shells beside it: faces that are there more than
 // once trim as one.
 void TestRepeatedFaces()
@@ -694,6 +730,7 @@ int main()
   TestBlocksJoinedAtEdges();
   TestKeptCorners();
   TestFootOfStep();
+  TestCornersAtBorder();
   TestRepeatedFaces();
   TestWedgeOrder();
   TestJoints();
