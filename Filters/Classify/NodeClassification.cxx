@@ -366,9 +366,10 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
   result = NodeClassification{};
   result.Status.resize(mesh.NumberOfPoints);
   std::fill(result.Status.begin(), result.Status.end(), static_cast<unsigned char>(NodeUnknown));
-  result.CandidateCells = FindCells(
-    mesh, blocks, [&surface](const Box3& box) { return surface.MayIntersect(box); },
-    CellSearch::EachCell);
+  const Vec3 margin = Vec3::Constant(tolerance);
+  const auto mayHaveNodesOn = [&surface, &margin](const Box3& box)
+  { return surface.MayIntersect(Box3(box.min() - margin, box.max() + margin)); };
+  result.CandidateCells = FindCells(mesh, blocks, mayHaveNodesOn, CellSearch::EachCell);
 
   result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
   if (piece.All.Any(aborted()))

@@ -263,7 +263,9 @@ bool Decision::Collapses(int e)
     ElementPoints after;
     for (int i = 0; i < element.Count; ++i)
     {
-      after[i] = this->Surface.ClosestPoint(before[i]).Point;
+      // A node that the tolerance takes for on the surface stays where it is.
+      const bool stays = this->TheBand.NodeStatus[element.Node[i]] == NodeOnSurface;
+      after[i] = stays ? before[i] : this->Surface.ClosestPoint(before[i]).Point;
     }
     this->Collapsing[e] =
       VolumeOf(after, element.Count) < CollapsedShare * VolumeOf(before, element.Count);

@@ -160,7 +160,7 @@ ElementStatus StatusOfCell(const HexMesh& mesh, const TrimResult& result, Id cel
 
 /// Whether a cell whose nodes all are on the surface lies beyond it: in a slot of one element.
 bool LiesBetween(const HexMesh& mesh, const TrimResult& result,
-  const nurbs::TrimmingSurface& surface, double tolerance, Id cell)
+  const nurbs::TrimmingSurface& surface, double rounding, Id cell)
 {
   std::array<Id, 8> nodes;
   const int count = mesh.Cell(cell, nodes);
@@ -174,12 +174,12 @@ bool LiesBetween(const HexMesh& mesh, const TrimResult& result,
     middle += mesh.Point(nodes[i]) / count;
   }
   const auto foot = surface.ClosestPoint(middle);
-  return foot.Kind == nurbs::FootKind::Interior && foot.SignedDistance > tolerance;
+  return foot.Kind == nurbs::FootKind::Interior && foot.SignedDistance > rounding;
 }
 
 /// A cell that the surface does not meet lies on the side of any of its nodes.
 void ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
-  const nurbs::TrimmingSurface& surface, double tolerance, TrimResult& result)
+  const nurbs::TrimmingSurface& surface, double rounding, TrimResult& result)
 {
   result.ElementStatus.resize(mesh.NumberOfCells);
   ParallelFor(0, blocks.NumberOfClusters(), 6000,
@@ -211,7 +211,7 @@ void ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
     });
   for (const Id c : result.Nodes.CandidateCells)
   {
-    result.ElementStatus[c] = LiesBetween(mesh, result, surface, tolerance, c)
+    result.ElementStatus[c] = LiesBetween(mesh, result, surface, rounding, c)
       ? ElementEliminate
       : StatusOfCell(mesh, result, c);
   }
@@ -415,7 +415,8 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const double diagonal = blocks.Bounds.diagonal().norm();
   const double largest = LargestCoordinateOf(blocks.Bounds);
   const double precision = std::max(PlacePrecision * diagonal, FarPlacePrecision * largest);
-  const double tolerance = std::max(options.Tolerance * diagonal, DistanceRounding * largest);
+  const double rounding = DistanceRounding * largest;
+  const double tolerance = std::max(options.Tolerance * diagonal, rounding);
 
   // Classify.
   const bool classified =
@@ -441,7 +442,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   {
     TurnStatuses(result.Nodes);
   }
-  ClassifyElements(mesh, blocks, surface, tolerance, result);
+  ClassifyElements(mesh, blocks, surface, rounding, result);
 
   // Decide, correct and treat, near the cut.
   const auto seeds = FindSeeds(mesh, result);

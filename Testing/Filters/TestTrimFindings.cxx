@@ -458,6 +458,45 @@ void TestCoarseTolerance()
       std::to_string(CountWarned(outcome, TolerancePhrase)));
 }
 
+// Nodes within the tolerance are on the surface, though it meets none of their cells; of a sheet
+// thinner than the tolerance all are, and where its middle lies decides.
+void TestToleranceBeside()
+{
+  struct Beside
+  {
+    double Height; ///< of the plane; the sheet's reaches from -0.4 to 0.4
+    double Tolerance;
+    bool Below; ///< what the plane keeps
+    vtkIdType Kept;
+    vtkIdType OnSurface;
+  };
+  const vtkIdType cells = 2 * 12 * 10;
+  const vtkIdType layer = 13 * 11;
+  for (const Beside& beside : { Beside{ 0.42, 1e-9, true, cells, 0 },
+         Beside{ 0.42, 0.03, true, cells, layer }, Beside{ 0.42, 0.5, true, cells, 2 * layer },
+         Beside{ -0.42, 0.03, false, cells, layer }, Beside{ 0.42, 1.0, true, cells, 3 * layer },
+         Beside{ 0.1, 1.0, true, cells / 2, 2 * layer } })
+  {
+    const Mesh sheet = Sheet(12, 10, 2, Vec3(1, 1, 0.4));
+    const Surface plane =
+      PlaneThrough(Vec3(6, 5, beside.Height), Vec3(0, 0, beside.Below ? 1 : -1), 200);
+    TrimOptions options;
+    options.Tolerance = beside.Tolerance / std::sqrt(12.0 * 12 + 10 * 10 + 0.8 * 0.8);
+    const Outcome outcome = RunTrim(sheet, plane, options);
+    vtkUnstructuredGrid* grid = outcome.Case.Trimmed;
+    vtkDataArray* status = grid->GetPointData()->GetArray("NodeStatus");
+    vtkIdType on = 0;
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      on += status->GetComponent(i, 0) == 2;
+    }
+    Expect(grid->GetNumberOfCells() == beside.Kept && on == beside.OnSurface,
+      "tolerance " + std::to_string(beside.Tolerance) + " of a plane at " +
+        std::to_string(beside.Height) + ": " + std::to_string(grid->GetNumberOfCells()) +
+        " elements, " + std::to_string(on) + " nodes on the surface");
+  }
+}
+
 // Less than an element is cut off a corner: the corner's nodes move, and no element is there to
 // take what they leave behind.
 void TestCornerLost()
@@ -506,6 +545,7 @@ int main()
   TestLeft();
   TestCornerLost();
   TestCoarseTolerance();
+  TestToleranceBeside();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
