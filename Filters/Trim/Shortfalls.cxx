@@ -221,12 +221,15 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
     const auto& moves = users[n] > 0 ? near.Trimmed.NodeMoves : near.Rest.NodeMoves;
-    if ((users[n] == 0 && !inOffcut[n]) || moves.Applied[n] == Correction::None ||
-      !near.Structure.IsOnBorder(band, n))
+    if ((users[n] == 0 && !inOffcut[n]) || moves.Applied[n] == Correction::None)
     {
       continue;
     }
     const auto constraint = ConstrainNode(band, near.Structure, allKept, n);
+    if (!near.Structure.IsOnBorder(band, n) && constraint.RidgeEdges.empty())
+    {
+      continue; // slides on one side of the model
+    }
     const bool wasCorner = constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed;
     if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, moves.Position[n]))
     {

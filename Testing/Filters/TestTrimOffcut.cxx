@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <tuple>
 
 using namespace judge;
 
@@ -307,6 +308,24 @@ void RunBesideBorder(Totals& totals)
     }
   }
 }
+
+/// Cuts along walls that meet without a radius: nodes leave the folds between them.
+void RunAlongFolds(Totals& totals)
+{
+  const Mesh mesh = MakePart("section");
+  for (const auto& [kind, lean, angle, x, size] :
+    { std::tuple<const char*, double, double, double, double>{ "rectangle", 1.57, 1.3, 0.13, 0.8 },
+      { "rectangle", 1.2, 0.3, 0.5, 0.8 }, { "cylinder", 1.2, 0.785, 0.5, 0.4 } })
+  {
+    Placement at;
+    at.Lean = lean;
+    at.Angle = angle;
+    at.X = x;
+    at.Size = size;
+    Run(mesh, std::string(kind) + " along folds", MakeSurface(kind, mesh.Box, at),
+      { { 2, 2 }, { 3, 1 }, { 2, 0 } }, totals);
+  }
+}
 }
 
 int main(int argc, char* argv[])
@@ -326,6 +345,7 @@ int main(int argc, char* argv[])
   {
     RunThroughCorners(totals);
     RunBesideBorder(totals);
+    RunAlongFolds(totals);
   }
   for (const std::string& meshName : chosen == "corners" ? std::vector<std::string>() : meshes)
   {

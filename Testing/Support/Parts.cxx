@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 namespace judge
@@ -73,6 +74,29 @@ Mesh Tube(int round, int along, int nz)
   }
   Close(raw, to);
   return Solid("tube", raw);
+}
+
+/// A hollow square section along z, of walls of one element that meet without a radius.
+Mesh Section(int n, int along, double length)
+{
+  RawMesh raw = Extrude(GridPlan(n, n, 1, 1), along, along * length, Flat());
+  const auto isVoid = [&raw, n](const Element& element)
+  {
+    Vec3 middle = Vec3::Zero();
+    for (int i = 0; i < element.Size; ++i)
+    {
+      middle += raw.Points[element.Node[i]] / element.Size;
+    }
+    return (middle.head<2>() - 0.5 * n * Vec2::Ones()).lpNorm<Eigen::Infinity>() < 0.5 * n - 1;
+  };
+  raw.Elements.erase(
+    std::remove_if(raw.Elements.begin(), raw.Elements.end(), isVoid), raw.Elements.end());
+  std::vector<Id> to(raw.Points.size());
+  std::iota(to.begin(), to.end(), 0);
+  Close(raw, to); // drops the points within
+  Mesh mesh = Solid("section", raw);
+  mesh.Flat = true;
+  return mesh;
 }
 
 /// A round bar along z.
@@ -226,7 +250,8 @@ struct Part
 
 /// No part of the campaign, whose series would be others with them.
 const Part OddParts[] = { { "zigzag", [] { return Zigzag(16, 12, 2); } },
-  { "fading-ridge", [] { return FadingRidge(12, 8, 4); } } };
+  { "fading-ridge", [] { return FadingRidge(12, 8, 4); } },
+  { "section", [] { return Section(12, 16, 2); } } };
 
 const Part Parts[] = { { "tube", [] { return Tube(28, 16, 2); } },
   { "bar", [] { return Bar(4, 2, 14); } }, { "twist", [] { return Twist(5, 20, 0.25); } },
