@@ -32,7 +32,8 @@
  *   surface, 3 invalid, 4 invalid as it came;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
  * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a corner of the model moved or
- *   a node left its border or a fold of its skin, so that the parts do not add up to the whole; 0 elsewhere.
+ *   a node left its border or a fold of its skin, so that the parts do not add up to the whole; 0
+ *   elsewhere.
  *
  * Each value of the last four comes with one warning: how many, where, and what to do.
  *

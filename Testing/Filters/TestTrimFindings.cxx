@@ -472,10 +472,10 @@ void TestToleranceBeside()
   };
   const vtkIdType cells = 2 * 12 * 10;
   const vtkIdType layer = 13 * 11;
-  for (const Beside& beside : { Beside{ 0.42, 1e-9, true, cells, 0 },
-         Beside{ 0.42, 0.03, true, cells, layer }, Beside{ 0.42, 0.5, true, cells, 2 * layer },
-         Beside{ -0.42, 0.03, false, cells, layer }, Beside{ 0.42, 1.0, true, cells, 3 * layer },
-         Beside{ 0.1, 1.0, true, cells / 2, 2 * layer } })
+  for (const Beside& beside :
+    { Beside{ 0.42, 1e-9, true, cells, 0 }, Beside{ 0.42, 0.03, true, cells, layer },
+      Beside{ 0.42, 0.5, true, cells, 2 * layer }, Beside{ -0.42, 0.03, false, cells, layer },
+      Beside{ 0.42, 1.0, true, cells, 3 * layer }, Beside{ 0.1, 1.0, true, cells / 2, 2 * layer } })
   {
     const Mesh sheet = Sheet(12, 10, 2, Vec3(1, 1, 0.4));
     const Surface plane =
