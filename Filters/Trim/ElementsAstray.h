@@ -30,9 +30,10 @@ struct ElementsAstray
 
   /// Whether more than corners and chords of the surface went or stayed: what a border on the
   /// surface reaches round is not lost, and the volume tells.
-  bool MissesWhole() const
+  /// @param share of the cut elements that may be missed.
+  bool MissesWhole(double share = LargestMiss) const
   {
-    return this->Volume > FewCorners + LargestMiss * static_cast<double>(this->Cut) ||
+    return this->Volume > FewCorners + share * static_cast<double>(this->Cut) ||
       (this->Lost > 0 && this->Volume > 0.5 * static_cast<double>(this->Lost));
   }
   bool Any() const { return this->Squares > 0.0 || this->MissesWhole(); }

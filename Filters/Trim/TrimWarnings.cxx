@@ -21,6 +21,10 @@ struct Text
   const char* What;
 };
 
+/// Share of the cut elements' volume that is told of where nodes were left off the surface: most
+/// trims that leave none miss less.
+constexpr double MissWhereLeft = 0.05;
+
 constexpr Text FeasibilityTexts[] = {
   { Feasibility::OpenSeam,
     " elements have a face that lies on another without common nodes: there the mesh is open, and "
@@ -194,14 +198,15 @@ void WarnOfCornersLost(TrimResult& result)
   }
 }
 
-/// Whether some finding tells already of what is lost or stays.
+/// Whether some finding tells already of what is lost or stays. Nodes left tell how far off the
+/// border is, not how much it takes or leaves.
 bool IsLossTold(const Piece& piece, const TrimResult& result)
 {
   const auto& found = result.Found.Feasibilities;
   const bool own = std::any_of(found.begin(), found.end(),
     [](const auto& item)
     { return item.second != Feasibility::Inclined && item.second != Feasibility::Curved; });
-  return piece.All.Any(own) || !result.Near->NodesLeft.empty();
+  return piece.All.Any(own);
 }
 
 /// The cut element of which most is lost or stayed.
@@ -234,11 +239,14 @@ void WarnOfVolumeAstray(const Piece& piece, const BandOptions& options, TrimResu
   }
   const ElementsAstray astray = MeasureVolumeAstray(near);
   const int most = FindMostAstray(near);
-  if (astray.MissesWhole() && most >= 0)
+  const bool leaves = !near.NodesLeft.empty();
+  if (astray.MissesWhole(leaves ? MissWhereLeft : ElementsAstray::LargestMiss) && most >= 0)
   {
     result.Warnings.push_back("The volume of " + std::to_string(std::lround(astray.Volume)) +
-      " cut elements is lost, or stays beyond the surface, as it is too little for elements of its "
-      "own: refine the mesh there (EliminatedFraction tells which). The element with most of it is "
+      " cut elements is lost, or stays beyond the surface, " +
+      (leaves ? "where nodes were left off it or too little is cut"
+              : "as it is too little for elements of its own") +
+      ": refine the mesh there (EliminatedFraction tells which). The element with most of it is "
       "at " +
       nurbs::PlaceText(near.Mesh.Point[near.Mesh.Elements[most].Node[0]]) + ".");
   }

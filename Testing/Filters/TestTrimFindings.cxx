@@ -14,8 +14,10 @@
 #include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 using namespace judge;
 
@@ -361,6 +363,42 @@ void TestStripLost()
   Expect(other.Warnings.empty(), "the other side of a strip: something is told");
 }
 
+// A cut that is nearly along a sheet of one layer takes far more than lies beyond it. Nodes are
+// left off the surface, but that does not tell how much is lost.
+void TestFlatLost()
+{
+  const Mesh sheet = Sheet(16, 12, 1, Vec3(2.25, 2.25, 0.8));
+  const Surface plane = PlaneThrough(Vec3(18, 13.5, 0), Vec3(0.044, 0.01, 1).normalized(), 200);
+  const Outcome outcome = RunTrim(sheet, plane, {});
+  double elements = 0; // of volume, that lie on the kept side
+  const Model whole(sheet.Grid), kept(outcome.Case.Trimmed);
+  for (Id c = 0; c < static_cast<Id>(whole.Elements.size()); ++c)
+  {
+    // Half of what is above or below its middle, as the plane is nearly along it.
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& corner : whole.Corners(c))
+    {
+      middle += corner / 8;
+    }
+    elements += std::clamp(0.5 - plane.Signed(middle) / 0.8, 0.0, 1.0);
+  }
+  for (Id c = 0; c < static_cast<Id>(kept.Elements.size()); ++c)
+  {
+    elements -= judge::VolumeOf(kept.Corners(c), kept.Elements[c].Size) / (2.25 * 2.25 * 0.8);
+  }
+  const std::string phrase = "The volume of ";
+  int told = 0;
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::size_t start = warning.find(phrase);
+    told = start == std::string::npos ? told : std::atoi(&warning[start + phrase.size()]);
+  }
+  Expect(CountWarned(outcome, LeftPhrase) > 0 && elements > 20,
+    "flat: not the loss that is meant: " + std::to_string(elements));
+  Expect(std::abs(told - elements) < 3,
+    "flat: told of " + std::to_string(told) + " for " + std::to_string(elements));
+}
+
 void TestStretched()
 {
   // Radius 6 in elements of 1 x 4: a hole of three elements across in one direction.
@@ -539,6 +577,7 @@ int main()
   TestAligned();
   TestSlots();
   TestStripLost();
+  TestFlatLost();
   TestStretched();
   TestShortfalls();
   TestMirrored();
