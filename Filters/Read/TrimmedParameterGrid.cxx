@@ -1,9 +1,10 @@
 #include "TrimmedParameterGrid.h"
 
+#include "ClearLines.h"
 #include "EarClipping.h"
+#include "PieceTracing.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <tuple>
 
@@ -11,89 +12,12 @@ namespace nurbs
 {
 namespace
 {
-/// Distance of x to the closest of the sorted values.
-double Clearance(const std::vector<double>& sorted, double x)
-{
-  auto next = std::lower_bound(sorted.begin(), sorted.end(), x);
-  double clearance = std::numeric_limits<double>::infinity();
-  if (next != sorted.end())
-  {
-    clearance = *next - x;
-  }
-  if (next != sorted.begin())
-  {
-    clearance = std::min(clearance, x - *(next - 1));
-  }
-  return clearance;
-}
-
-/**
- * The lines that the trimmed grid uses along one axis: the outermost are moved outwards, so that
- * loops along the border of the domain lie inside; the others clear of the loops' corners.
- */
-std::vector<double> ClearLines(
-  std::vector<double> lines, const std::vector<std::vector<Vec2>>& loops, int axis)
-{
-  std::vector<double> corners;
-  for (const std::vector<Vec2>& loop : loops)
-  {
-    for (const Vec2& corner : loop)
-    {
-      corners.push_back(corner[axis]);
-    }
-  }
-  std::sort(corners.begin(), corners.end());
-  // A line through the middle of each loop that lies between two lines (u only: one crossing
-  // is enough to have no loop within a cell).
-  if (axis == 0)
-  {
-    for (const std::vector<Vec2>& loop : loops)
-    {
-      const auto range = std::minmax_element(
-        loop.begin(), loop.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
-      const double low = range.first->x();
-      const double high = range.second->x();
-      auto next = std::upper_bound(lines.begin(), lines.end(), low);
-      if (low < high && (next == lines.end() || *next >= high || next + 1 == lines.end()))
-      {
-        lines.insert(next == lines.end() ? next - 1 : next, 0.5 * (low + high));
-      }
-    }
-    std::sort(lines.begin(), lines.end());
-  }
-  for (size_t i = 1; i + 1 < lines.size(); ++i)
-  {
-    const double room = 0.01 * std::min(lines[i] - lines[i - 1], lines[i + 1] - lines[i]);
-    double best = lines[i];
-    for (int shift : { 0, 1, -1, 2, -2, 3, -3, 5, -5, 7, -7 })
-    {
-      const double trial = lines[i] + 0.1 * shift * room;
-      if (Clearance(corners, trial) > Clearance(corners, best))
-      {
-        best = trial;
-      }
-      if (Clearance(corners, best) > 0.04 * room)
-      {
-        break;
-      }
-    }
-    lines[i] = best;
-  }
-  const double margin = 1e-3 * (lines.back() - lines.front());
-  lines.front() -= margin;
-  lines.back() += margin;
-  return lines;
-}
-
 /// Where a loop crosses a line of the grid.
 struct Crossing
 {
   int Point;       ///< index of the point
   double Position; ///< along the line
 };
-
-/// A stretch of a loop within one cell, from crossing to crossing, as point indices.
-using Chain = std::vector<int>;
 
 /// The division of a trimmed rectangle: cells, the loops' chains in them, pieces traced.
 class ParameterGrid
@@ -264,7 +188,10 @@ private:
       }
       return;
     }
-    this->TracePieces(this->InsideArcs(i, j, inside), found->second);
+    for (const Chain& piece : TracePieces(this->InsideArcs(i, j, inside), found->second))
+    {
+      TriangulatePolygon(this->Result.Points, piece, this->Result.Polygons);
+    }
   }
 
   /**
@@ -318,56 +245,6 @@ private:
       arcs.push_back(arc);
     }
     return arcs;
-  }
-
-  /// Joins border arcs and chains, which meet at the crossings, to closed pieces.
-  void TracePieces(const std::vector<Chain>& arcs, const std::vector<Chain>& chains)
-  {
-    std::multimap<int, const Chain*> links; // from either end of a chain or arc
-    for (const std::vector<Chain>* list : { &arcs, &chains })
-    {
-      for (const Chain& link : *list)
-      {
-        links.emplace(link.front(), &link);
-        links.emplace(link.back(), &link);
-      }
-    }
-    auto take = [&links](const Chain* link)
-    {
-      for (int end : { link->front(), link->back() })
-      {
-        auto range = links.equal_range(end);
-        auto found = std::find_if(
-          range.first, range.second, [link](const auto& entry) { return entry.second == link; });
-        if (found == range.second)
-        {
-          return false;
-        }
-        links.erase(found);
-      }
-      return true;
-    };
-    // Every piece has an arc; run along the arc's direction it is counter-clockwise.
-    for (const Chain& arc : arcs)
-    {
-      if (!take(&arc))
-      {
-        continue;
-      }
-      std::vector<int> piece(arc.begin(), arc.end() - 1);
-      int end = arc.back();
-      for (auto next = links.find(end); end != arc.front() && next != links.end();
-           next = links.find(end))
-      {
-        const Chain* link = next->second;
-        const bool forward = link->front() == end;
-        take(link);
-        forward ? piece.insert(piece.end(), link->begin(), link->end() - 1)
-                : piece.insert(piece.end(), link->rbegin(), link->rend() - 1);
-        end = forward ? link->back() : link->front();
-      }
-      TriangulatePolygon(this->Result.Points, piece, this->Result.Polygons);
-    }
   }
 
   std::vector<double> Lines[2];
