@@ -58,17 +58,19 @@ double SizeAlong(const Band& band, const BandElement& element, const Vec3& direc
   return std::sqrt(3.0 * squares / topology.NumberOfEdges);
 }
 
-/// How much more than what lies on the kept side is kept of an element.
+/// How much more than what lies on the kept side is kept of an element. Nothing is due of an
+/// inserted one, whose share is that of the element it stands on.
 double Excess(const TrimBand& near, int e)
 {
+  const bool inserted = near.Mesh.IsInserted(e);
   const double whole = near.Shares.Volume[e];
-  const double due = whole * (1.0 - near.Shares.Element[e]);
+  const double due = inserted ? 0.0 : whole * (1.0 - near.Shares.Element[e]);
   if (!near.Trimmed.Kept[e])
   {
     return -due;
   }
   const FinalElement shape = FinalShape(near.Mesh, near.Trimmed, e);
-  return (shape.Touched ? VolumeOf(shape.Points, shape.Count) : whole) - due;
+  return (shape.Touched || inserted ? VolumeOf(shape.Points, shape.Count) : whole) - due;
 }
 
 }
@@ -81,7 +83,7 @@ ElementsAstray MeasureVolumeAstray(const TrimBand& near)
   double excess = 0.0;
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
-    if (band.ElementStatus[e] == ElementToTreat)
+    if (band.ElementStatus[e] == ElementToTreat && !band.IsInserted(e))
     {
       cut += near.Shares.Volume[e];
       ++astray.Cut;

@@ -218,7 +218,8 @@ int FindMostAstray(const TrimBand& near)
   {
     const double beyond = near.Shares.Element[e];
     const double astray = near.Trimmed.Kept[e] ? beyond : 1.0 - beyond;
-    if (near.Mesh.ElementStatus[e] == ElementToTreat && astray > largest)
+    const bool isCut = near.Mesh.ElementStatus[e] == ElementToTreat && !near.Mesh.IsInserted(e);
+    if (isCut && astray > largest)
     {
       largest = astray;
       most = e;
@@ -231,8 +232,7 @@ int FindMostAstray(const TrimBand& near)
 void WarnOfVolumeAstray(const Piece& piece, const BandOptions& options, TrimResult& result)
 {
   const TrimBand& near = *result.Near;
-  const bool isSurface =
-    options.Ladder.CorrectionType != Correction::Eliminate && !near.Mesh.BeforeLayer;
+  const bool isSurface = options.Ladder.CorrectionType != Correction::Eliminate;
   if (IsLossTold(piece, result) || !isSurface)
   {
     return;
