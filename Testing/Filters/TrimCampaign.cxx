@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <stdexcept>
 
@@ -87,6 +88,97 @@ std::string Words(const Draw& draw)
     draw.Options.Tolerance, draw.Options.InvertSide ? " inverted" : "");
   return text;
 }
+
+struct Row
+{
+  int Trims = 0, Good = 0, Rescued = 0, Left = 0, Warned = 0, Failed = 0;
+  double Lowest = 1; ///< scaled Jacobian, with the default floor and treatment
+};
+
+/// What became of the trims, by surface and by mesh.
+class Outcomes
+{
+public:
+  void Add(const Draw& draw, const Outcome& outcome, const Report& report)
+  {
+    const auto number = [&outcome](const char* name)
+    { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+    const bool wedges = outcome.Clean() && draw.Options.CorrectionType != 1 &&
+      draw.Options.Optimization == 2 && number("TouchedElements") > 0;
+    this->Touched += wedges ? number("TouchedElements") : 0;
+    this->Certified += wedges ? number("CertifiedElements") : 0;
+    const bool good = report.Failures() == 0;
+    for (const std::string& key : { "surface " + draw.Kind, "mesh " + draw.Mesh })
+    {
+      Row& row = this->Table[key];
+      ++row.Trims;
+      row.Failed += !good;
+      row.Good += good;
+      row.Rescued += good && !Rescues(outcome.Case.Trimmed).empty();
+      row.Left += good && report.Notes().count(LeftOff) > 0;
+      row.Warned += good && !outcome.Warnings.empty();
+      if (wedges && draw.Options.MinimumScaledJacobian == 0.2)
+      {
+        row.Lowest = std::min(row.Lowest, number("MinimumScaledJacobian"));
+      }
+    }
+    for (const auto& check : report.ByCheck())
+    {
+      ++this->Checks[check.first];
+    }
+  }
+
+  /// Good: no check failed. Of these, rescued: some rung of the ladder was climbed; left: nodes
+  /// are off the surface, and the filter says so; lowest: the worst scaled Jacobian of touched
+  /// elements with wedges and the default floor.
+  /// @return whether no check failed.
+  bool Print() const
+  {
+    std::printf("\n%-22s %6s %6s %8s %6s %7s %7s %7s\n", "", "trims", "good", "rescued", "left",
+      "warned", "failed", "lowest");
+    for (const auto& [key, row] : this->Table)
+    {
+      std::printf("%-22s %6d %6d %8d %6d %7d %7d %7.3f\n", key.c_str(), row.Trims, row.Good,
+        row.Rescued, row.Left, row.Warned, row.Failed, row.Lowest);
+    }
+    std::printf(
+      "with wedges: %.0f touched elements, %.0f certified\n", this->Touched, this->Certified);
+    for (const auto& check : this->Checks)
+    {
+      std::printf("failed check: %-40s in %d trims\n", check.first.c_str(), check.second);
+    }
+    return std::none_of(this->Table.begin(), this->Table.end(),
+      [](const auto& row) { return row.second.Failed > 0; });
+  }
+
+private:
+  double Touched = 0, Certified = 0; ///< elements, with wedges
+  std::map<std::string, Row> Table;
+  std::map<std::string, int> Checks; ///< trims in which one failed, by its name
+};
+
+/// @param tells shows what the filter says of it.
+void RunDraw(
+  const Draw& draw, const Mesh& mesh, const std::string& name, bool tells, Outcomes& outcomes)
+{
+  const Surface surface = MakeSurface(draw.Kind, mesh.Box, draw.At);
+  Report report(name + " (" + Words(draw) + ")");
+  const Outcome outcome = RunAndJudge(mesh, surface, draw.Options, report);
+  const std::string rescues = Rescues(outcome.Case.Trimmed);
+  if (report.Failures() > 0 && !rescues.empty())
+  {
+    std::printf("     with %s\n", rescues.c_str());
+  }
+  if (tells)
+  {
+    std::printf("%s\n%s\n", Words(draw).c_str(), rescues.c_str());
+    for (const std::string& warning : outcome.Warnings)
+    {
+      std::printf("%s", warning.c_str());
+    }
+  }
+  outcomes.Add(draw, outcome, report);
+}
 }
 
 int main(int argc, char* argv[])
@@ -94,10 +186,10 @@ int main(int argc, char* argv[])
   const int count = argc > 1 ? std::atoi(argv[1]) : 300;
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
-  std::map<std::string, Mesh> meshes;
   const bool layer = argc > 4 && std::string(argv[4]) == "layer";
   const std::vector<std::string> given(argv + std::min(argc, layer ? 5 : 4), argv + argc);
   const std::vector<std::string> names = given.empty() ? AllMeshNames() : given;
+  std::map<std::string, Mesh> meshes;
   try
   {
     for (const std::string& name : names)
@@ -110,14 +202,7 @@ int main(int argc, char* argv[])
     std::printf("%s\n", wrong.what());
     return 2;
   }
-  struct Row
-  {
-    int Trims = 0, Good = 0, Rescued = 0, Left = 0, Warned = 0, Failed = 0;
-    double Lowest = 1; ///< scaled Jacobian, with the default floor and treatment
-  };
-  double touched = 0, certified = 0;
-  std::map<std::string, Row> table;
-  std::map<std::string, int> checks;
+  Outcomes outcomes;
   for (int i = 0; i < count; ++i)
   {
     if (only >= 0 && i != only)
@@ -126,66 +211,9 @@ int main(int argc, char* argv[])
     }
     Draw draw = DrawTrim(seed, i, names);
     draw.Options.InsertLayer = layer;
-    const Mesh& mesh = meshes[draw.Mesh];
-    const Surface surface = MakeSurface(draw.Kind, mesh.Box, draw.At);
-    Report report("campaign " + std::to_string(count) + " " + std::to_string(seed) + " " +
-      std::to_string(i) + " (" + Words(draw) + ")");
-    const Outcome outcome = RunAndJudge(mesh, surface, draw.Options, report);
-    const std::string rescues = Rescues(outcome.Case.Trimmed);
-    if (report.Failures() > 0 && !rescues.empty())
-    {
-      std::printf("     with %s\n", rescues.c_str());
-    }
-    if (only >= 0)
-    {
-      std::printf("%s\n%s\n", Words(draw).c_str(), rescues.c_str());
-      for (const std::string& warning : outcome.Warnings)
-      {
-        std::printf("%s", warning.c_str());
-      }
-    }
-    const auto number = [&outcome](const char* name)
-    { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
-    const bool wedges = outcome.Clean() && draw.Options.CorrectionType != 1 &&
-      draw.Options.Optimization == 2 && number("TouchedElements") > 0;
-    touched += wedges ? number("TouchedElements") : 0;
-    certified += wedges ? number("CertifiedElements") : 0;
-    for (const std::string& key : { "surface " + draw.Kind, "mesh " + draw.Mesh })
-    {
-      Row& row = table[key];
-      ++row.Trims;
-      row.Failed += report.Failures() > 0;
-      row.Good += report.Failures() == 0;
-      row.Rescued += report.Failures() == 0 && !rescues.empty();
-      row.Left += report.Failures() == 0 && report.Notes().count(LeftOff) > 0;
-      row.Warned += report.Failures() == 0 && !outcome.Warnings.empty();
-      if (wedges && draw.Options.MinimumScaledJacobian == 0.2)
-      {
-        row.Lowest = std::min(row.Lowest, number("MinimumScaledJacobian"));
-      }
-    }
-    for (const auto& check : report.ByCheck())
-    {
-      ++checks[check.first];
-    }
+    const std::string name =
+      "campaign " + std::to_string(count) + " " + std::to_string(seed) + " " + std::to_string(i);
+    RunDraw(draw, meshes[draw.Mesh], name, only >= 0, outcomes);
   }
-  // Good: no check failed. Of these, rescued: some rung of the ladder was climbed; left: nodes
-  // are off the surface, and the filter says so; lowest: the worst scaled Jacobian of touched
-  // elements with wedges and the default floor.
-  std::printf("\n%-22s %6s %6s %8s %6s %7s %7s %7s\n", "", "trims", "good", "rescued", "left",
-    "warned", "failed", "lowest");
-  int failed = 0;
-  for (const auto& row : table)
-  {
-    std::printf("%-22s %6d %6d %8d %6d %7d %7d %7.3f\n", row.first.c_str(), row.second.Trims,
-      row.second.Good, row.second.Rescued, row.second.Left, row.second.Warned, row.second.Failed,
-      row.second.Lowest);
-    failed += row.second.Failed;
-  }
-  std::printf("with wedges: %.0f touched elements, %.0f certified\n", touched, certified);
-  for (const auto& check : checks)
-  {
-    std::printf("failed check: %-40s in %d trims\n", check.first.c_str(), check.second);
-  }
-  return failed > 0;
+  return !outcomes.Print();
 }
