@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -392,112 +393,82 @@ Mesh ReadMesh(const std::string& path)
   return mesh;
 }
 
+namespace
+{
+template <typename Set>
+MeshOptions With(const Set& set)
+{
+  MeshOptions options;
+  set(options);
+  return options;
+}
+
+const Vec3 UsualElement(1, 1, 0.4);
+
+struct NamedMesh
+{
+  const char* Name;
+  Mesh (*Make)();
+};
+
+const NamedMesh NamedMeshes[] = {
+  { "sheet1", [] { return Sheet(20, 16, 1, UsualElement); } },
+  { "sheet2", [] { return Sheet(20, 16, 2, UsualElement); } },
+  { "sheet3", [] { return Sheet(16, 20, 3, Vec3(1, 1, 0.3)); } },
+  { "sheet10", [] { return Sheet(14, 12, 10, Vec3(1, 1, 0.1)); } },
+  { "permuted",
+    []
+    { return Sheet(20, 16, 2, UsualElement, With([](MeshOptions& o) { o.Permuted = true; })); } },
+  { "float",
+    [] {
+      return Sheet(20, 16, 2, Vec3(1.1, 0.9, 0.37), With([](MeshOptions& o) { o.Float = true; }));
+    } },
+  { "short",
+    []
+    {
+      return Sheet(
+        16, 16, 2, UsualElement, With([](MeshOptions& o) { o.Short = o.Permuted = true; }));
+    } },
+  { "perturbed",
+    []
+    { return Sheet(20, 16, 2, UsualElement, With([](MeshOptions& o) { o.Perturbed = 0.2; })); } },
+  { "irregular", [] { return Irregular(8, 2); } },
+  { "block", [] { return Block(11, 10, 9); } },
+  { "lshape", [] { return LShape(20, 2); } },
+  { "hole", [] { return PlateWithHole(20, 2); } },
+  { "islands", [] { return Islands(9, 2); } },
+  { "wedges", [] { return SheetWithWedges(20, 16, 2); } },
+  { "blank", [] { return Blank(10, 6, 2); } },
+  { "channel", [] { return Channel(18, 2); } },
+  { "dome", [] { return Dome(8, 2); } },
+  { "cup", [] { return Cup(10, 2); } },
+  { "stretched", [] { return Sheet(10, 40, 1, Vec3(20, 1, 0.2)); } },
+  { "far",
+    []
+    {
+      return Sheet(
+        20, 16, 2, UsualElement, With([](MeshOptions& o) { o.Shift = Vec3(1e6, -1e6, 1e6); }));
+    } },
+  { "metres",
+    [] { return Sheet(20, 16, 2, UsualElement, With([](MeshOptions& o) { o.Scale = 1e-3; })); } },
+};
+}
+
 std::vector<std::string> MeshNames()
 {
-  return { "sheet1", "sheet2", "sheet3", "sheet10", "permuted", "float", "short", "perturbed",
-    "irregular", "block", "lshape", "hole", "islands", "wedges", "blank", "channel", "dome", "cup",
-    "stretched", "far", "metres" };
+  std::vector<std::string> names;
+  for (const NamedMesh& mesh : NamedMeshes)
+  {
+    names.emplace_back(mesh.Name);
+  }
+  return names;
 }
 
 Mesh MakeMesh(const std::string& name)
 {
-  const Vec3 element(1, 1, 0.4);
-  MeshOptions o;
-  Mesh mesh;
-  if (name == "sheet1")
-  {
-    mesh = Sheet(20, 16, 1, element);
-  }
-  else if (name == "sheet2")
-  {
-    mesh = Sheet(20, 16, 2, element);
-  }
-  else if (name == "sheet3")
-  {
-    mesh = Sheet(16, 20, 3, Vec3(1, 1, 0.3));
-  }
-  else if (name == "sheet10")
-  {
-    mesh = Sheet(14, 12, 10, Vec3(1, 1, 0.1));
-  }
-  else if (name == "permuted")
-  {
-    o.Permuted = true;
-    mesh = Sheet(20, 16, 2, element, o);
-  }
-  else if (name == "float")
-  {
-    o.Float = true;
-    mesh = Sheet(20, 16, 2, Vec3(1.1, 0.9, 0.37), o);
-  }
-  else if (name == "short")
-  {
-    o.Short = o.Permuted = true;
-    mesh = Sheet(16, 16, 2, element, o);
-  }
-  else if (name == "perturbed")
-  {
-    o.Perturbed = 0.2;
-    mesh = Sheet(20, 16, 2, element, o);
-  }
-  else if (name == "irregular")
-  {
-    mesh = Irregular(8, 2);
-  }
-  else if (name == "block")
-  {
-    mesh = Block(11, 10, 9);
-  }
-  else if (name == "lshape")
-  {
-    mesh = LShape(20, 2);
-  }
-  else if (name == "hole")
-  {
-    mesh = PlateWithHole(20, 2);
-  }
-  else if (name == "islands")
-  {
-    mesh = Islands(9, 2);
-  }
-  else if (name == "wedges")
-  {
-    mesh = SheetWithWedges(20, 16, 2);
-  }
-  else if (name == "blank")
-  {
-    mesh = Blank(10, 6, 2);
-  }
-  else if (name == "channel")
-  {
-    mesh = Channel(18, 2);
-  }
-  else if (name == "dome")
-  {
-    mesh = Dome(8, 2);
-  }
-  else if (name == "cup")
-  {
-    mesh = Cup(10, 2);
-  }
-  else if (name == "stretched")
-  {
-    mesh = Sheet(10, 40, 1, Vec3(20, 1, 0.2));
-  }
-  else if (name == "far")
-  {
-    o.Shift = Vec3(1e6, -1e6, 1e6);
-    mesh = Sheet(20, 16, 2, element, o);
-  }
-  else if (name == "metres")
-  {
-    o.Scale = 1e-3;
-    mesh = Sheet(20, 16, 2, element, o);
-  }
-  else
-  {
-    mesh = MakePart(name);
-  }
+  const auto named = std::find_if(std::begin(NamedMeshes), std::end(NamedMeshes),
+    [&name](const NamedMesh& mesh) { return name == mesh.Name; });
+  Mesh mesh = named == std::end(NamedMeshes) ? MakePart(name) : named->Make();
   mesh.Name = name;
   return mesh;
 }
