@@ -1,5 +1,7 @@
 #include "PageVector.h"
 
+#include "PagePool.h"
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -81,19 +83,46 @@ bool IsMapped(std::size_t bytes)
 #endif
 }
 
-void* AllocateZeros(std::size_t bytes, PageSize pages)
+namespace
+{
+
+void* MapNew(std::size_t bytes, PageSize pages)
+{
+#ifdef __linux__
+  const std::size_t size = SizeOfMapping(bytes);
+  return pages == PageSize::Large && size >= LargePage ? MapLarge(size) : Map(size);
+#else
+  (void)bytes;
+  (void)pages;
+  return nullptr;
+#endif
+}
+
+/// What an earlier run has freed; null: nothing that will do.
+void* TakeUsed(std::size_t bytes)
+{
+#ifdef __linux__
+  return PagePool::Get().Take(SizeOfMapping(bytes));
+#else
+  (void)bytes;
+  return nullptr;
+#endif
+}
+
+/// New memory, in which `bytes` are zero.
+void* AllocateNew(std::size_t bytes, PageSize pages)
 {
   void* memory = nullptr;
-#ifdef __linux__
   if (IsMapped(bytes))
   {
-    const std::size_t size = SizeOfMapping(bytes);
-    memory = pages == PageSize::Large && size >= LargePage ? MapLarge(size) : Map(size);
+    memory = MapNew(bytes, pages);
+    if (!memory)
+    {
+      PagePool::Get().Empty();
+      memory = MapNew(bytes, pages);
+    }
   }
-#else
-  (void)pages;
-#endif
-  if (!IsMapped(bytes))
+  else
   {
     const std::size_t size =
       (std::max<std::size_t>(bytes, 1) + CacheLine - 1) / CacheLine * CacheLine;
@@ -110,16 +139,36 @@ void* AllocateZeros(std::size_t bytes, PageSize pages)
   return memory;
 }
 
-void FreeZeros(void* memory, std::size_t bytes)
+}
+
+void* AllocateZeros(std::size_t bytes, PageSize pages)
+{
+  void* const used = IsMapped(bytes) && pages == PageSize::Large ? TakeUsed(bytes) : nullptr;
+  return used ? std::memset(used, 0, bytes) : AllocateNew(bytes, pages);
+}
+
+void* AllocatePages(std::size_t bytes)
+{
+  void* const used = IsMapped(bytes) ? TakeUsed(bytes) : nullptr;
+  return used ? used : AllocateNew(bytes, PageSize::Large);
+}
+
+void FreePages(void* memory, std::size_t bytes, PageSize pages)
 {
 #ifdef __linux__
   if (IsMapped(bytes))
   {
-    munmap(memory, SizeOfMapping(bytes));
+    // Of what was written to here and there little is in use.
+    const std::size_t size = SizeOfMapping(bytes);
+    if (pages == PageSize::Small || !PagePool::Get().Keep(memory, size))
+    {
+      munmap(memory, size);
+    }
     return;
   }
 #else
   (void)bytes;
+  (void)pages;
 #endif
   std::free(memory);
 }

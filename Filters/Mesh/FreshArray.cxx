@@ -31,11 +31,17 @@ void PreferLargePages(void* memory, std::size_t bytes)
 namespace
 {
 
-/// Memory of arrays that std::free cannot free, with its sizes.
+/// Memory of arrays that std::free cannot free.
 struct InUse
 {
+  struct Piece
+  {
+    std::size_t Bytes = 0;
+    nurbs::PageSize Pages = nurbs::PageSize::Large;
+  };
+
   std::mutex Lock;
-  std::unordered_map<void*, std::size_t> Sizes;
+  std::unordered_map<void*, Piece> Pieces;
 
   /// Never destroyed: arrays may outlive what is static.
   static InUse& Get()
@@ -49,19 +55,19 @@ struct InUse
 void FreeOfArray(void* memory)
 {
   auto& inUse = InUse::Get();
-  std::size_t size = 0;
+  InUse::Piece piece;
   {
     const std::lock_guard<std::mutex> locked(inUse.Lock);
-    const auto found = inUse.Sizes.find(memory);
-    if (found != inUse.Sizes.end())
+    const auto found = inUse.Pieces.find(memory);
+    if (found != inUse.Pieces.end())
     {
-      size = found->second;
-      inUse.Sizes.erase(found);
+      piece = found->second;
+      inUse.Pieces.erase(found);
     }
   }
-  if (size > 0)
+  if (piece.Bytes > 0)
   {
-    nurbs::FreeZeros(memory, size);
+    nurbs::FreePages(memory, piece.Bytes, piece.Pages);
   }
   else
   {
@@ -69,19 +75,28 @@ void FreeOfArray(void* memory)
   }
 }
 
-}
-
-Zeros AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages)
+ArrayMemory ForArray(void* memory, std::size_t bytes, nurbs::PageSize pages)
 {
-  void* const memory = nurbs::AllocateZeros(bytes, pages);
   if (!nurbs::IsMapped(bytes))
   {
     return { memory, &std::free };
   }
   auto& inUse = InUse::Get();
   const std::lock_guard<std::mutex> locked(inUse.Lock);
-  inUse.Sizes.emplace(memory, bytes);
+  inUse.Pieces[memory] = { bytes, pages };
   return { memory, &FreeOfArray };
+}
+
+}
+
+ArrayMemory AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages)
+{
+  return ForArray(nurbs::AllocateZeros(bytes, pages), bytes, pages);
+}
+
+ArrayMemory AllocatePagesForArray(std::size_t bytes)
+{
+  return ForArray(nurbs::AllocatePages(bytes), bytes, nurbs::PageSize::Large);
 }
 
 }

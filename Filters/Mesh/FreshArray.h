@@ -18,36 +18,48 @@ namespace trim
 /// Asks for large pages where the memory is not yet in use; a hint.
 void PreferLargePages(void* memory, std::size_t bytes);
 
-/// Memory for an array, zero and not in use before it is written to, and what frees it.
-struct Zeros
+/// Memory for an array, and what frees it.
+struct ArrayMemory
 {
   void* Memory;
   void (*Free)(void*);
 };
-/// Throws if there is none.
-Zeros AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages);
+/// See nurbs::AllocateZeros.
+ArrayMemory AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages);
+/// See nurbs::AllocatePages.
+ArrayMemory AllocatePagesForArray(std::size_t bytes);
 
-/// An array of zeros. They cost no time, and no memory where they are not written to.
-template <typename Array>
-vtkSmartPointer<Array> MakeZeros(
-  const char* name, Id tuples, int components = 1, nurbs::PageSize pages = nurbs::PageSize::Small)
+/// @param allocate allocate(bytes) gives ArrayMemory.
+template <typename Array, typename Allocate>
+vtkSmartPointer<Array> MakeArrayIn(
+  const Allocate& allocate, const char* name, Id tuples, int components)
 {
   using Value = typename Array::ValueType;
   const Id count = tuples * components;
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  const Zeros zeros = AllocateZerosForArray(static_cast<std::size_t>(count) * sizeof(Value), pages);
-  array->SetArray(static_cast<Value*>(zeros.Memory), count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
-  array->SetArrayFreeFunction(zeros.Free);
+  const ArrayMemory own = allocate(static_cast<std::size_t>(count) * sizeof(Value));
+  array->SetArray(static_cast<Value*>(own.Memory), count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
+  array->SetArrayFreeFunction(own.Free);
   return array;
+}
+
+/// An array of zeros. They cost no time, and no memory where they are not written to.
+template <typename Array>
+vtkSmartPointer<Array> MakeZeros(
+  const char* name, Id tuples, int components = 1, nurbs::PageSize pages = nurbs::PageSize::Small)
+{
+  return MakeArrayIn<Array>([pages](std::size_t bytes)
+    { return AllocateZerosForArray(bytes, pages); },
+    name, tuples, components);
 }
 
 /// An array that is filled throughout by whoever asks for it.
 template <typename Array>
 vtkSmartPointer<Array> MakeArray(const char* name, Id tuples, int components = 1)
 {
-  return MakeZeros<Array>(name, tuples, components, nurbs::PageSize::Large);
+  return MakeArrayIn<Array>(&AllocatePagesForArray, name, tuples, components);
 }
 
 }

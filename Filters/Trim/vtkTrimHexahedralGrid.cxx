@@ -8,6 +8,7 @@
 #include "NameClashes.h"
 #include "NodeOrdering.h"
 #include "OffcutGrid.h"
+#include "PagePool.h"
 #include "ThreadScope.h"
 #include "TrimInputs.h"
 #include "TrimPipeline.h"
@@ -97,6 +98,7 @@ vtkStandardNewMacro(vtkTrimHexahedralGrid);
 //------------------------------------------------------------------------------
 vtkTrimHexahedralGrid::vtkTrimHexahedralGrid()
   : Inputs(new trim::TrimInputs)
+  , Pages(new nurbs::PageUser)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -198,6 +200,7 @@ int vtkTrimHexahedralGrid::RequestData(
   {
     trim::WithThreads(
       ranks.Alone(), [&]() { success = this->Trim(inputVector, outputVector, ranks); });
+    this->Pages->EndRun();
   }
   catch (const std::bad_alloc&) // of any thread, but those of OpenMP: there it ends the process
   {
@@ -227,6 +230,7 @@ int vtkTrimHexahedralGrid::GiveUp(
   {
     vtkUnstructuredGrid::GetData(outputVector, port)->Initialize();
   }
+  nurbs::PagePool::Get().Empty();
   return this->Refuse(ranks, error);
 }
 

@@ -73,6 +73,11 @@ class vtkDataObject;
 class vtkUnstructuredGrid;
 class vtkMultiProcessController;
 
+namespace nurbs
+{
+class PageUser;
+}
+
 namespace trim
 {
 class Ranks;
@@ -270,6 +275,7 @@ private:
   vtkMultiProcessController* Controller = nullptr;
 
   std::unique_ptr<trim::TrimInputs> Inputs;
+  std::unique_ptr<nurbs::PageUser> Pages; ///< memory from one run to the next
 
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     const trim::Ranks& ranks);

@@ -1,0 +1,160 @@
+#include "PagePool.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#include <algorithm>
+#include <iterator>
+
+namespace nurbs
+{
+namespace
+{
+
+/// Runs of each user after which what is kept was of no use: a viewer may hold what the one before
+/// gave it until the next.
+constexpr int RunsToKeep = 2;
+
+#ifdef __linux__
+
+void Unmap(void* memory, std::size_t size)
+{
+  munmap(memory, size);
+}
+
+/// What is not needed before may be taken by the kernel where memory is short.
+void OfferToKernel(void* memory, std::size_t size)
+{
+#ifdef MADV_FREE
+  madvise(memory, size, MADV_FREE);
+#else
+  (void)memory;
+  (void)size;
+#endif
+}
+
+/// Maps what follows a mapping; false if something else is there.
+bool Extend(void* memory, std::size_t from, std::size_t to)
+{
+#ifdef MAP_FIXED_NOREPLACE
+  void* const end = static_cast<char*>(memory) + from;
+  void* const more = mmap(end, to - from, PROT_READ | PROT_WRITE,
+    MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+  if (more == end)
+  {
+    madvise(memory, to, MADV_HUGEPAGE);
+    return true;
+  }
+  if (more != MAP_FAILED) // by a kernel that does not know the flag
+  {
+    munmap(more, to - from);
+  }
+#else
+  (void)memory;
+  (void)from;
+  (void)to;
+#endif
+  return false;
+}
+
+#else
+
+void Unmap(void*, std::size_t) {}
+void OfferToKernel(void*, std::size_t) {}
+bool Extend(void*, std::size_t, std::size_t)
+{
+  return false;
+}
+
+#endif
+
+/// Whether one mapping may become the other at little cost.
+bool IsAboutAsLarge(std::size_t size, std::size_t other)
+{
+  const std::size_t difference = size > other ? size - other : other - size;
+  return difference <= size / 4;
+}
+
+}
+
+PagePool& PagePool::Get()
+{
+  // Never destroyed: arrays may outlive what is static.
+  static auto* const pool = new PagePool;
+  return *pool;
+}
+
+void* PagePool::Take(std::size_t size)
+{
+  const std::lock_guard<std::mutex> locked(this->Lock);
+  const auto difference = [size](const Block& block)
+  { return block.Size > size ? block.Size - size : size - block.Size; };
+  // The last that came are those that are in the caches.
+  const auto nearest = std::min_element(this->Blocks.rbegin(), this->Blocks.rend(),
+    [&](const Block& a, const Block& b) { return difference(a) < difference(b); });
+  if (nearest == this->Blocks.rend() || !IsAboutAsLarge(size, nearest->Size) ||
+    (nearest->Size < size && !Extend(nearest->Memory, nearest->Size, size)))
+  {
+    return nullptr;
+  }
+  void* const memory = nearest->Memory;
+  if (nearest->Size > size)
+  {
+    Unmap(static_cast<char*>(memory) + size, nearest->Size - size);
+  }
+  this->Blocks.erase(std::next(nearest).base());
+  return memory;
+}
+
+bool PagePool::Keep(void* memory, std::size_t size)
+{
+  const std::lock_guard<std::mutex> locked(this->Lock);
+  if (this->Users == 0)
+  {
+    return false;
+  }
+  OfferToKernel(memory, size);
+  this->Blocks.push_back({ memory, size, 0 });
+  return true;
+}
+
+template <typename IsKept>
+void PagePool::Drop(const IsKept& isKept)
+{
+  const auto end = std::partition(this->Blocks.begin(), this->Blocks.end(), isKept);
+  std::for_each(
+    end, this->Blocks.end(), [](const Block& block) { Unmap(block.Memory, block.Size); });
+  this->Blocks.erase(end, this->Blocks.end());
+}
+
+void PagePool::Empty()
+{
+  const std::lock_guard<std::mutex> locked(this->Lock);
+  this->Drop([](const Block&) { return false; });
+}
+
+void PagePool::Join()
+{
+  const std::lock_guard<std::mutex> locked(this->Lock);
+  ++this->Users;
+}
+
+void PagePool::Leave()
+{
+  const std::lock_guard<std::mutex> locked(this->Lock);
+  --this->Users;
+  this->Drop([this](const Block&) { return this->Users > 0; });
+}
+
+void PagePool::EndRun()
+{
+  const std::lock_guard<std::mutex> locked(this->Lock);
+  this->Drop([this](const Block& block) { return block.Age < RunsToKeep * this->Users; });
+  for (Block& block : this->Blocks)
+  {
+    ++block.Age;
+  }
+}
+
+}
