@@ -13,6 +13,7 @@ add_library(NURBSTrimStages STATIC
   Mesh/Jacobian.cxx
   Mesh/LocalThickness.cxx
   Mesh/MeshBlocks.cxx
+  Mesh/RowMeasure.cxx
   Mesh/Team.cxx
   Mesh/Wavefront.cxx
   Ranks/ControllerRanks.cxx
@@ -104,3 +105,5 @@ target_link_libraries(NURBSTrimStages
   PUBLIC NURBSTrimGeometry Eigen3::Eigen VTK::CommonCore VTK::CommonDataModel
   PRIVATE Boost::headers VTK::ParallelCore)
 target_compile_features(NURBSTrimStages PUBLIC cxx_std_17)
+# Processors that multiply and add in one step would round otherwise than others.
+set_source_files_properties(Mesh/RowMeasure.cxx PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")

@@ -5,6 +5,7 @@
 #ifndef ClusterJoiner_h
 #define ClusterJoiner_h
 
+#include "CellRow.h"
 #include "MeshBlocks.h"
 
 #include <algorithm>
@@ -21,33 +22,6 @@ inline bool ShareNode(
 {
   return std::find_first_of(a.begin(), a.begin() + countA, b.begin(), b.begin() + countB) !=
     a.begin() + countA;
-}
-
-/// Nodes of the two faces that an axis of a hexahedron begins and ends with, opposite each other.
-struct RowAxis
-{
-  std::array<int, 4> Begin, End;
-};
-inline constexpr std::array<RowAxis, 3> RowAxes{ { { { 0, 3, 4, 7 }, { 1, 2, 5, 6 } },
-  { { 0, 1, 4, 5 }, { 3, 2, 7, 6 } }, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } } } };
-
-/// The axis of two hexahedra the second of which begins with the face that the first ends with;
-/// null: there is none.
-inline const RowAxis* AxisOfRow(const std::array<Id, 8>& before, const std::array<Id, 8>& nodes)
-{
-  for (const RowAxis& axis : RowAxes)
-  {
-    bool same = true;
-    for (int i = 0; i < 4; ++i)
-    {
-      same &= nodes[axis.Begin[i]] == before[axis.End[i]];
-    }
-    if (same)
-    {
-      return &axis;
-    }
-  }
-  return nullptr;
 }
 
 /// Finds what joins the cells of one stretch of the mesh with the rest, while other threads do so
@@ -79,19 +53,17 @@ public:
     int countBefore = 0;
     for (Id c = begin; c < end; ++c)
     {
-      this->Mesh.Prefetch(c + MeshBlocks::CellsPerBlock);
       const int count = this->Mesh.Cell(c, nodes);
-      const RowAxis* const row =
-        count == 8 && countBefore == 8 ? AxisOfRow(before, nodes) : nullptr;
-      if (!row && c > begin && !ShareNode(nodes, count, before, countBefore))
+      const int row = count == 8 && countBefore == 8 ? AxisOfRow(before, nodes) : -1;
+      if (row < 0 && c > begin && !ShareNode(nodes, count, before, countBefore))
       {
         firstLength = firstLength == MeshBlocks::CellsPerClusterRun ? c - begin : 0;
         cluster = 2 * run + 1;
         known.fill(MeshBlocks::NoCluster - cluster);
       }
       // Within a row the other nodes were joined with the cell before.
-      const int* const corners = row ? row->End.data() : AllCorners.data();
-      this->JoinCorners(nodes, corners, row ? 4 : count, cluster, firstLength > 0, known);
+      const int* const corners = row >= 0 ? RowAxes[row].End.data() : AllCorners.data();
+      this->JoinCorners(nodes, corners, row >= 0 ? 4 : count, cluster, firstLength > 0, known);
       before = nodes;
       countBefore = count;
     }
@@ -100,12 +72,43 @@ public:
     {
       this->Links.resize(first);
     }
-    this->Links.insert(this->Links.end(), this->Later.begin(), this->Later.end());
-    this->Later.clear();
+    this->AddLater();
+  }
+
+  /// The same of a run whose cells are in a row.
+  void JoinRun(int run, const CellRow& row)
+  {
+    const int cluster = 2 * run;
+    const int own = MeshBlocks::NoCluster - cluster;
+    std::atomic<int>* const clusters = this->Blocks.ClusterOfNode.data();
+    for (const CellRow::Line& line : row.Lines)
+    {
+      int known = own; // earlier cluster at the node before: most are the same
+      for (const Id node : line)
+      {
+        const int seen = clusters[node].load(std::memory_order_relaxed);
+        if (seen != own && seen != known)
+        {
+          known = this->JoinNode(clusters[node], seen, own);
+          if (known != own)
+          {
+            this->AddLink(cluster, MeshBlocks::NoCluster - known);
+          }
+        }
+      }
+    }
+    this->Blocks.FirstLength[run] = MeshBlocks::CellsPerClusterRun;
+    this->AddLater();
   }
 
 private:
   static constexpr std::array<int, 8> AllCorners{ 0, 1, 2, 3, 4, 5, 6, 7 };
+
+  void AddLater()
+  {
+    this->Links.insert(this->Links.end(), this->Later.begin(), this->Later.end());
+    this->Later.clear();
+  }
 
   /// @param isCluster links to earlier clusters are to be added.
   void JoinCorners(const std::array<Id, 8>& nodes, const int* corners, int count, int cluster,

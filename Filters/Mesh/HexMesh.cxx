@@ -276,6 +276,26 @@ bool TakeCells(vtkUnstructuredGrid* grid, HexMesh& mesh, std::string& error)
   return true;
 }
 
+/// Without a question for each of them.
+template <typename T>
+bool AreHexahedra(const HexMesh& mesh, const T* offsets, const unsigned char* types, int count)
+{
+  using Unsigned = std::make_unsigned_t<T>; // which may overflow
+  const Id size = 8 * static_cast<Id>(count);
+  if (offsets[0] < 0 || offsets[0] > mesh.ConnectivitySize - size)
+  {
+    return false;
+  }
+  Unsigned differ = 0;
+  int otherType = 0;
+  for (int c = 0; c < count; ++c)
+  {
+    differ |= static_cast<Unsigned>(offsets[c + 1]) - static_cast<Unsigned>(offsets[c]) - 8;
+    otherType |= types[c] ^ VTK_HEXAHEDRON;
+  }
+  return differ == 0 && otherType == 0;
+}
+
 bool CheckCells(const HexMesh& mesh, std::string& error)
 {
   const Id bad = FirstFailure(
@@ -300,6 +320,13 @@ void HexMesh::OrientWedge(std::array<Id, 8>& nodes) const
   {
     std::swap_ranges(nodes.begin(), nodes.begin() + 3, nodes.begin() + 3);
   }
+}
+
+bool HexMesh::AreHexahedra(Id first, int count) const
+{
+  return this->Offsets64
+    ? trim::AreHexahedra(*this, this->Offsets64 + first, this->Types + first, count)
+    : trim::AreHexahedra(*this, this->Offsets32 + first, this->Types + first, count);
 }
 
 bool HexMesh::AreGood(Id begin, Id end) const

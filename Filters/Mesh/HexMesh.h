@@ -87,6 +87,10 @@ struct HexMesh
   /// that were not checked.
   bool AreGood(Id begin, Id end) const;
 
+  /// Whether so many cells are hexahedra one after the other within the connectivity, whatever
+  /// their nodes are.
+  bool AreHexahedra(Id first, int count) const;
+
   /// Has the processor fetch the nodes of a cell that is asked for soon: of itself it does so
   /// within a page of memory only.
   void Prefetch(Id c) const

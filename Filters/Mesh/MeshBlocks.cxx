@@ -1,6 +1,7 @@
 #include "MeshBlocks.h"
 
 #include "ClusterJoiner.h"
+#include "RowMeasure.h"
 #include "Runs.h"
 
 #include <vtkSMPTools.h>
@@ -189,38 +190,113 @@ struct BlockSizes
   bool Finite = true; ///< all coordinates certainly are
 };
 
-/// Boxes and volumes of one block of cells.
+/// Measures the blocks of one stretch and joins their cells.
 template <typename Coordinate>
-void MeasureBlock(
-  const HexMesh& mesh, const Coordinate* points, Id block, MeshBlocks& blocks, BlockSizes& sizes)
+class BlockScan
 {
-  const Id last = MeshBlocks::EndCell(block, mesh.NumberOfCells);
-  Box3 whole;
-  for (Id first = MeshBlocks::FirstCell(block); first < last; first += MeshBlocks::CellsPerRun)
+public:
+  BlockScan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks, bool alone)
+    : Mesh(mesh)
+    , Points(points)
+    , Blocks(blocks)
+    , Joiner(mesh, blocks, alone)
   {
-    const Id end = std::min(last, first + MeshBlocks::CellsPerRun);
+  }
+
+  /// False if it has a defect, or if that is not certain.
+  bool Scan(Id block)
+  {
+    constexpr Id runs = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerClusterRun;
+    const Id end = std::min(this->Blocks.NumberOfClusterRuns(), (block + 1) * runs);
+    Box3 whole;
+    for (Id run = block * runs; run < end; ++run)
+    {
+      const Id first = run * CellRow::Cells;
+      for (Id c = first; c < first + CellRow::Cells; ++c)
+      {
+        this->Mesh.Prefetch(c + MeshBlocks::CellsPerBlock);
+      }
+      // Nothing is done with the nodes of a run before all of its cells were looked at.
+      if (this->Row.Take(this->Mesh, first))
+      {
+        this->Joiner.JoinRun(static_cast<int>(run), this->Row);
+        this->MeasureInRow(first, whole);
+        continue;
+      }
+      const Id last = std::min(this->Mesh.NumberOfCells, first + CellRow::Cells);
+      if (!this->Mesh.AreGood(first, last))
+      {
+        return false;
+      }
+      this->Joiner.JoinRun(static_cast<int>(run));
+      for (Id c = first; c < last; c += MeshBlocks::CellsPerRun)
+      {
+        this->MeasureEach(c, std::min(last, c + MeshBlocks::CellsPerRun), whole);
+      }
+    }
+    this->Blocks.Boxes[block] = { whole.min(), whole.max() };
+    return true;
+  }
+
+  ClusterJoiner& Joined() { return this->Joiner; }
+  BlockSizes Sizes() const
+  {
+    const auto largest = [](const RowSizes::Lanes& lanes)
+    { return *std::max_element(lanes.begin(), lanes.end()); };
+    BlockSizes sizes = this->OfEach;
+    sizes.Diagonal = std::max(sizes.Diagonal, std::sqrt(largest(this->OfRows.Diagonal)));
+    for (int k = 0; k < 3; ++k)
+    {
+      sizes.Sides[k] = std::max(sizes.Sides[k], largest(this->OfRows.Sides[k]));
+    }
+    sizes.Finite &= std::all_of(this->OfRows.Sum.begin(), this->OfRows.Sum.end(),
+      [](double sum) { return std::isfinite(sum); });
+    return sizes;
+  }
+
+private:
+  void AddBox(Id first, const Box3& box, Box3& whole)
+  {
+    this->Blocks.RunBoxes[first / MeshBlocks::CellsPerRun] = RoundOutwards(box);
+    whole.extend(box);
+  }
+
+  void MeasureInRow(Id first, Box3& whole)
+  {
+    RowBox boxes[CellRow::Cells / CellsPerRowBox];
+    this->PointsOfRow.Take(this->Row, this->Points);
+    MeasureRow(
+      this->PointsOfRow, this->Row.Axis, this->Blocks.Volumes.data() + first, boxes, this->OfRows);
+    for (const RowBox& box : boxes)
+    {
+      this->AddBox(first, { Vec3(box.Low), Vec3(box.High) }, whole);
+      first += CellsPerRowBox;
+    }
+  }
+
+  void MeasureEach(Id first, Id end, Box3& whole)
+  {
     RunSize run;
     for (Id c = first; c < end;)
     {
       std::array<Id, 8> a, b;
-      if (mesh.Cell(c, a) != 8)
+      if (this->Mesh.Cell(c, a) != 8)
       {
-        blocks.Volumes[c] = MeasureWedge(mesh, c, run);
+        this->Blocks.Volumes[c] = MeasureWedge(this->Mesh, c, run);
         ++c;
         continue;
       }
-      const bool two = c + 1 < end && mesh.Cell(c + 1, b) == 8;
-      const Two volumes = MeasureHexahedra(points, a, two ? b : a, run);
-      blocks.Volumes[c] = volumes[0];
+      const bool two = c + 1 < end && this->Mesh.Cell(c + 1, b) == 8;
+      const Two volumes = MeasureHexahedra(this->Points, a, two ? b : a, run);
+      this->Blocks.Volumes[c] = volumes[0];
       if (two)
       {
-        blocks.Volumes[c + 1] = volumes[1];
+        this->Blocks.Volumes[c + 1] = volumes[1];
       }
       c += two ? 2 : 1;
     }
-    const Box3 box = run.Box();
-    blocks.RunBoxes[first / MeshBlocks::CellsPerRun] = RoundOutwards(box);
-    whole.extend(box);
+    this->AddBox(first, run.Box(), whole);
+    BlockSizes& sizes = this->OfEach;
     sizes.Diagonal = std::max(sizes.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
     for (int k = 0; k < 3; ++k)
     {
@@ -228,27 +304,16 @@ void MeasureBlock(
     }
     sizes.Finite &= std::isfinite(run.Sum.sum());
   }
-  blocks.Boxes[block] = { whole.min(), whole.max() };
-}
 
-void MeasureAndJoin(
-  const HexMesh& mesh, Id block, MeshBlocks& blocks, ClusterJoiner& joiner, BlockSizes& sizes)
-{
-  constexpr Id runs = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerClusterRun;
-  const Id end = std::min(blocks.NumberOfClusterRuns(), (block + 1) * runs);
-  for (Id run = block * runs; run < end; ++run)
-  {
-    joiner.JoinRun(static_cast<int>(run));
-  }
-  if (mesh.PointsDouble)
-  {
-    MeasureBlock(mesh, mesh.PointsDouble, block, blocks, sizes);
-  }
-  else
-  {
-    MeasureBlock(mesh, mesh.PointsFloat, block, blocks, sizes);
-  }
-}
+  const HexMesh& Mesh;
+  const Coordinate* Points;
+  MeshBlocks& Blocks;
+  ClusterJoiner Joiner;
+  CellRow Row; ///< the run at hand, if it is one
+  RowPoints PointsOfRow;
+  RowSizes OfRows;
+  BlockSizes OfEach; ///< of cells in no row
+};
 
 /// What a stretch of blocks is found to have.
 struct Stretch
@@ -278,43 +343,47 @@ bool Gather(const HexMesh& mesh, std::vector<Stretch>& stretches, MeshBlocks& bl
   return (usedNodes == mesh.NumberOfPoints || FindUnusedNodes(mesh, blocks)) && finite;
 }
 
+template <typename Coordinate>
+bool Scan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks)
+{
+  constexpr Id grain = 256;
+  const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
+  std::vector<Stretch> stretches(NumberOfRuns(blocks.NumberOfBlocks(), grain));
+  std::atomic<bool> good{ true };
+  ForRuns(blocks.NumberOfBlocks(), grain,
+    [&](Id run, Id begin, Id end)
+    {
+      BlockScan<Coordinate> scan(mesh, points, blocks, alone);
+      for (Id b = begin; b < end && good; ++b)
+      {
+        if (!scan.Scan(b))
+        {
+          good = false;
+          return;
+        }
+      }
+      ClusterJoiner& joiner = scan.Joined();
+      joiner.Links.shrink_to_fit();
+      stretches[run] = { scan.Sizes(), std::move(joiner.Links), joiner.NumberOfNodes };
+    });
+  return good && Gather(mesh, stretches, blocks);
+}
+
 }
 
 bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
 {
   static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerClusterRun == 0 &&
-      MeshBlocks::CellsPerClusterRun % MeshBlocks::CellsPerRun == 0,
-    "blocks are filled by several threads, clusters by runs");
+      MeshBlocks::CellsPerClusterRun == CellRow::Cells && MeshBlocks::CellsPerRun == CellsPerRowBox,
+    "blocks are filled by several threads, clusters and boxes by rows");
   blocks = MeshBlocks();
-  const Id count = NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerBlock);
-  blocks.Boxes.resize(count);
+  blocks.Boxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerBlock));
   blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
   blocks.FirstLength.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerClusterRun));
   blocks.ClusterOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
-  constexpr Id grain = 256;
-  const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
-  std::vector<Stretch> stretches(NumberOfRuns(count, grain));
-  std::atomic<bool> good{ true };
-  ForRuns(count, grain,
-    [&](Id run, Id begin, Id end)
-    {
-      ClusterJoiner joiner(mesh, blocks, alone);
-      BlockSizes sizes;
-      for (Id b = begin; b < end && good; ++b)
-      {
-        // Nothing is done with the nodes of a block before all of its cells were looked at.
-        if (!mesh.AreGood(MeshBlocks::FirstCell(b), MeshBlocks::EndCell(b, mesh.NumberOfCells)))
-        {
-          good = false;
-          return;
-        }
-        MeasureAndJoin(mesh, b, blocks, joiner, sizes);
-      }
-      joiner.Links.shrink_to_fit();
-      stretches[run] = { sizes, std::move(joiner.Links), joiner.NumberOfNodes };
-    });
-  return good && Gather(mesh, stretches, blocks);
+  return mesh.PointsDouble ? Scan(mesh, mesh.PointsDouble, blocks)
+                           : Scan(mesh, mesh.PointsFloat, blocks);
 }
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
