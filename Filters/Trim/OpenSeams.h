@@ -1,7 +1,8 @@
 /**
  * @file OpenSeams.h
- * @brief Where the mesh at the cut is open along a seam: faces that lie on each other without
- * common nodes, as when the pieces of a mesh were put together and not merged.
+ * @brief Where the mesh at the cut is open along a seam: faces that lie on each other and are not
+ * the same, as when the pieces of a mesh were put together and not merged, or where a part of it is
+ * refined and has nodes on the edges and faces of coarser elements.
  */
 #ifndef OpenSeams_h
 #define OpenSeams_h

@@ -28,7 +28,8 @@ constexpr double MissWhereLeft = 0.05;
 constexpr Text FeasibilityTexts[] = {
   { Feasibility::OpenSeam,
     " elements have a face that lies on another without common nodes: there the mesh is open, and "
-    "what was one may come apart. Merge the nodes by Clean to Grid, unless it is a slit." },
+    "what was one may come apart. Merge the nodes by Clean to Grid, unless it is a slit; of an "
+    "element with smaller ones at its side (hanging nodes) divide the neighbours alike." },
   { Feasibility::NotOpened,
     " elements hold a cut-out, or a part of one, that is smaller than an element and is not "
     "opened: refine the mesh there." },

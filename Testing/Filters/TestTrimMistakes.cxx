@@ -14,9 +14,13 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 using namespace judge;
 
@@ -153,6 +157,50 @@ void TestSeam()
   }
 }
 
+// One layer of squares, of size 1 up to x = 8 and of half the size beyond: every other node of the
+// small ones hangs on a side of the large ones.
+vtkSmartPointer<vtkUnstructuredGrid> HalfRefined()
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::map<std::array<double, 3>, vtkIdType> numbers;
+  const auto number = [&](double x, double y, double z)
+  {
+    const auto found = numbers.try_emplace({ x, y, z }, points->GetNumberOfPoints());
+    return found.second ? points->InsertNextPoint(x, y, z) : found.first->second;
+  };
+  for (const double size : { 1.0, 0.5 })
+  {
+    for (double x = size < 1 ? 8 : 0; x < (size < 1 ? 16 : 8); x += size)
+    {
+      for (double y = 0; y < 16; y += size)
+      {
+        const double right = x + size, back = y + size;
+        const vtkIdType nodes[] = { number(x, y, 0), number(right, y, 0), number(right, back, 0),
+          number(x, back, 0), number(x, y, 0.5), number(right, y, 0.5), number(right, back, 0.5),
+          number(x, back, 0.5) };
+        grid->InsertNextCell(VTK_HEXAHEDRON, 8, nodes);
+      }
+    }
+  }
+  grid->SetPoints(points);
+  return grid;
+}
+
+void TestHangingNodes()
+{
+  Mesh mesh = Sheet(16, 16, 1, Vec3(1, 1, 0.5));
+  mesh.Grid = HalfRefined();
+  const auto warned = [&mesh](const Vec3& origin, const Vec3& normal)
+  {
+    return CountWarned(RunTrim(mesh, PlaneThrough(origin, normal, 60), TrimOptions()), SeamPhrase);
+  };
+  const int across = warned(Vec3(8.3, 8.1, 0), Vec3(0.3, 1, 0));
+  Expect(across >= 2, "hanging nodes: warned of " + std::to_string(across));
+  Expect(warned(Vec3(4.3, 8, 0), Vec3::UnitX()) == 0, "hanging nodes: an alarm elsewhere");
+}
+
 // An element that is in the mesh twice.
 void TestRepeated()
 {
@@ -268,6 +316,7 @@ int main()
   TestMovedSurface();
   TestUnits();
   TestSeam();
+  TestHangingNodes();
   TestRepeated();
   TestHidden();
   TestInserted();
