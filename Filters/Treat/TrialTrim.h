@@ -47,7 +47,6 @@ struct LadderOptions
   /// to it has left the border: the corner between border and surface may be cut off then.
   bool CutsCorners = true;
   Demands ForOffcut;
-  bool FindsCloser = true;           ///< false: TrimmedBand::Closer is found later, if at all
   FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others
 
   /// Scaled Jacobian that touched elements are to reach short of leaving nodes off; 0: none.

@@ -350,25 +350,36 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
   std::shared_ptr<MoverMemory> memory)
 {
+  if (!memory)
+  {
+    memory = std::make_shared<MoverMemory>(near.Mesh);
+  }
   const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision,
-    std::move(memory) };
+    memory };
   if (task.Options.ProduceOffcut)
   {
     BothParts parts = ClimbForBothParts(given, task.Options.Ladder, progress);
     near.Trimmed = std::move(parts.Kept);
     near.Rest = std::move(parts.Rest);
+    near.Made = std::make_shared<ClimbMade>(std::move(parts.Made));
   }
   else
   {
-    LadderPosition foot;
-    near.Trimmed = ClimbLadder(given, task.Options.Ladder, progress, foot);
+    auto made = std::make_shared<ClimbMade>();
+    made->Options = task.Options.Ladder;
+    made->Memory = std::move(memory);
+    near.Trimmed = ClimbLadder(given, made->Options, progress, made->End);
+    near.Made = std::move(made);
   }
   near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
 }
 
-void TakeCloser(TrimBand& near, const BandTask& task)
+void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const auto closer = std::move(near.Trimmed.Closer);
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  const auto closer = FindCloser(given, *near.Made, progress, near.Trimmed);
+  near.Made = nullptr;
+  near.Trimmed.Unpolished = nullptr;
   if (!closer)
   {
     return;
@@ -379,7 +390,6 @@ void TakeCloser(TrimBand& near, const BandTask& task)
   auto left = std::move(near.NodesLeft);
   if (task.Options.ProduceOffcut)
   {
-    const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
     near.Rest = FitOffcut(given, task.Options.Ladder, near.Trimmed);
   }
   near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
@@ -395,8 +405,8 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
 {
   if (!task.Options.MayInsert())
   {
-    DecideWithMesh(near, task, progress);
-    TakeCloser(near, task);
+    DecideWithMesh(near, task, Part(progress, 0.0, 0.9));
+    TakeCloser(near, task, Part(progress, 0.9, 1.0));
     return;
   }
   LayerTrims layers(near, task);
@@ -411,8 +421,8 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
   }
   if (!layered)
   {
-    DecideWithMesh(near, task, Part(progress, 0.5, 0.8));
-    TakeCloser(near, task);
+    DecideWithMesh(near, task, Part(progress, 0.5, 0.75));
+    TakeCloser(near, task, Part(progress, 0.75, 0.8));
     if (!progress(0.8) && !near.NodesLeft.empty())
     {
       layered = layers.FindBest(MeasureLeft(near), Part(progress, 0.8, 1.0));
