@@ -568,7 +568,7 @@ bool TrialTrim::DropAndRelax(const Choices& set, const std::vector<ReplacedEleme
     elements.push_back(wedge.Element);
   }
   std::sort(elements.begin(), elements.end());
-  this->RelaxRound(set, elements, goal, Brief, trimmed);
+  this->RelaxRound(set, elements, goal, Decisive, trimmed);
   return true;
 }
 
