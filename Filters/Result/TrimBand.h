@@ -12,11 +12,14 @@
 #include "TrimmedBand.h"
 #include "VolumeShares.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace trim
 {
+
+struct ClimbMade;
 
 /// How the band is trimmed.
 struct BandTrim
@@ -26,6 +29,7 @@ struct BandTrim
   TrimmedBand Trimmed;
   Offcut Rest;                                  ///< empty unless it is asked for
   std::vector<std::pair<int, float>> NodesLeft; ///< by ascending node, see DistancesLeft
+  std::shared_ptr<const ClimbMade> Made;        ///< null: all is found
 };
 
 /// The band and everything found on it.

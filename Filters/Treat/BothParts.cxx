@@ -88,21 +88,21 @@ BothParts ClimbForBothParts(
   {
     given.Memory = std::make_shared<MoverMemory>(band); // of all climbs
   }
-  LadderOptions demanding = options;
+  BothParts parts;
+  parts.Made.Options = options;
+  parts.Made.Memory = given.Memory;
+  parts.Made.Failures = std::make_shared<FailedReturns>();
+  LadderOptions& demanding = parts.Made.Options;
   demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
-  FailedReturns failures;
-  demanding.Failures = &failures;
-  demanding.FindsCloser = false; // only of the last climb
+  demanding.Failures = parts.Made.Failures.get();
   Demander demander(given, demanding.ForOffcut);
-  BothParts parts;
-  LadderPosition position;
   double done = 0.0;
   for (int round = 0; round < MostRounds; ++round)
   {
     // Mostly there is one round; each takes half of what is left.
     const double next = 0.5 * (done + 1.0);
-    parts.Kept = ClimbLadder(given, demanding, Part(progress, done, next), position);
+    parts.Kept = ClimbLadder(given, demanding, Part(progress, done, next), parts.Made.End);
     done = next;
     if (progress(done))
     {
@@ -115,8 +115,6 @@ BothParts ClimbForBothParts(
       break;
     }
   }
-  parts.Kept.Closer = FindCloser(given, demanding, Part(progress, done, 1.0), position, parts.Kept);
-  parts.Kept.Unpolished = nullptr;
   return parts;
 }
 

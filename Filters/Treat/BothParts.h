@@ -19,6 +19,7 @@ struct BothParts
 {
   TrimmedBand Kept;
   Offcut Rest;
+  ClimbMade Made; ///< of the kept part
 };
 
 /// The offcut of a kept part.

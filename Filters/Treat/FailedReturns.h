@@ -1,6 +1,7 @@
 /**
  * @file FailedReturns.h
- * @brief Returns of nodes to the surface that failed although their neighbours made room.
+ * @brief Returns of nodes to the surface, and edges dropped for them, that failed although their
+ * neighbours made room.
  *
  * A climb for both parts is repeated for a few more demands, and most of these trials, the dearest
  * of all, come to the same places and shapes again. They depend on nothing else, so that what

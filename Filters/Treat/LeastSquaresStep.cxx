@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace trim
 {
@@ -207,6 +208,13 @@ private:
   const Eigen::VectorXd& Way;
 };
 
+/// One repetition: the values that it was to help, and the step that it found.
+struct Round
+{
+  std::vector<int> Missed;
+  Eigen::VectorXd Way;
+};
+
 }
 
 Eigen::VectorXd FindLeastSquaresStep(const std::vector<StepDemand>& demands, std::size_t variables,
@@ -216,16 +224,26 @@ Eigen::VectorXd FindLeastSquaresStep(const std::vector<StepDemand>& demands, std
   {
     missed = FindMissed(demands);
   }
-  std::vector<int> last;
-  Eigen::VectorXd way = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(variables));
-  for (int round = 0; round < MostRounds && missed != last; ++round)
+  std::vector<Round> rounds;
+  for (int round = 0; round < MostRounds; ++round)
   {
+    const auto before = std::find_if(
+      rounds.begin(), rounds.end(), [&missed](const Round& r) { return r.Missed == missed; });
+    if (before != rounds.end())
+    {
+      // From here on it goes round in a circle, mostly one of a single step.
+      const int first = static_cast<int>(before - rounds.begin());
+      const auto later = [&](int steps) { return first + (steps - first) % (round - first); };
+      missed = rounds[later(MostRounds)].Missed;
+      return rounds[later(MostRounds - 1)].Way;
+    }
     // The fewer equations.
-    way = missed.size() > variables ? SolveByVariables(demands, missed, variables, damping)
-                                    : SolveByValues(demands, missed, variables, damping);
-    last.swap(missed);
+    Eigen::VectorXd way = missed.size() > variables
+      ? SolveByVariables(demands, missed, variables, damping)
+      : SolveByValues(demands, missed, variables, damping);
+    rounds.push_back({ std::move(missed), std::move(way) });
     missed.clear();
-    SteppedValues(demands, way)
+    SteppedValues(demands, rounds.back().Way)
       .ForAll(
         [&](std::size_t i, double value)
         {
@@ -235,7 +253,7 @@ Eigen::VectorXd FindLeastSquaresStep(const std::vector<StepDemand>& demands, std
           }
         });
   }
-  return way;
+  return rounds.back().Way;
 }
 
 }

@@ -409,6 +409,7 @@ void TrialTrim::ReturnWithRoom(
 {
   const auto aborted = [&progress] { return progress(-1.0); };
   Faults faults = this->FaultsOf(trimmed, goal);
+  FailedReturns failures; // of edges to drop: what else there is wrong only gets less
   bool changed = true;
   double done = 0.0;
   // What makes room for one node may do so for others.
@@ -423,7 +424,7 @@ void TrialTrim::ReturnWithRoom(
     }
     changed = this->Try(faults, trimmed,
       [&] { return this->ReturnNodesLeft(set, left, goal, effort, aborted, trimmed); });
-    changed |= this->DropEdgesLeft(set, aborted, faults, trimmed);
+    changed |= this->DropEdgesLeft(set, aborted, failures, faults, trimmed);
   }
 }
 
@@ -531,7 +532,7 @@ bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left
 
 /// Pentahedra that kept their middle nodes as those were left may do without them.
 bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
-  Faults& faults, TrimmedBand& trimmed) const
+  FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const
 {
   const std::vector<int> left = this->FindLeft(set, trimmed);
   if (left.empty() || this->Options.Treatment != Optimization::Degenerate)
@@ -548,15 +549,23 @@ bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& a
       [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });
     if (helps && tried++ < MostDrops && !aborted())
     {
-      dropped |= this->Try(
-        faults, trimmed, [&] { return this->DropAndRelax(set, wedges, faults.Goal, trimmed); });
+      FailedReturns::Key key;
+      const bool stood = this->Try(faults, trimmed,
+        [&] { return this->DropAndRelax(set, wedges, faults.Goal, failures, key, trimmed); });
+      dropped |= stood;
+      if (!stood)
+      {
+        failures.Add(key);
+      }
     }
   }
   return dropped;
 }
 
+/// @param[out] key of what it depends on.
+/// @return false, too, if it is one of the failures.
 bool TrialTrim::DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges,
-  double goal, TrimmedBand& trimmed) const
+  double goal, const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const
 {
   if (!DropEdges(wedges, trimmed.Treated))
   {
@@ -568,7 +577,14 @@ bool TrialTrim::DropAndRelax(const Choices& set, const std::vector<ReplacedEleme
     elements.push_back(wedge.Element);
   }
   std::sort(elements.begin(), elements.end());
-  this->RelaxRound(set, elements, goal, Brief, trimmed);
+  const auto [shapes, fixed, onCut] = this->ShapesOf(set, trimmed, true);
+  const RelaxedMesh mesh({ this->TheBand, this->Mover, shapes, fixed, onCut }, trimmed.NodeMoves);
+  key = StateRound(mesh, fixed, elements, RelaxedRings);
+  if (failures.Contain(key))
+  {
+    return false;
+  }
+  this->RelaxRound(set, elements, goal, Decisive, trimmed);
   return true;
 }
 

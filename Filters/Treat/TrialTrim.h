@@ -47,7 +47,6 @@ struct LadderOptions
   /// to it has left the border: the corner between border and surface may be cut off then.
   bool CutsCorners = true;
   Demands ForOffcut;
-  bool FindsCloser = true;           ///< false: TrimmedBand::Closer is found later, if at all
   FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others
 
   /// Scaled Jacobian that touched elements are to reach short of leaving nodes off; 0: none.
@@ -141,12 +140,12 @@ private:
     const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
   bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
     ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted, Faults& faults,
-    TrimmedBand& trimmed) const;
+  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
+    FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
   void BringNearer(
     const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,
-    TrimmedBand& trimmed) const;
+    const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const;
   void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
     const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
   /// @return nodes beside sharp edges that were missed.

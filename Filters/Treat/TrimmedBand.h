@@ -41,11 +41,8 @@ struct TrimmedBand
   std::vector<int> Invalid;    ///< elements that no rung could save; empty as a rule
   std::vector<char> Moving;    ///< nodes that have to lie on the new boundary
   std::vector<char> OnCrease;  ///< nodes on sharp edges of the surface; empty: none are
-  /// The same with more nodes on the surface, where elements are above the floor, but not above
-  /// what is aimed at; none: no nodes were left for the sake of that.
-  std::shared_ptr<const TrimmedBand> Closer;
-  std::shared_ptr<const TrimmedBand>
-    Unpolished; ///< what it is to be found from later, see FindCloser
+  /// What FindCloser begins with; null: no nodes are left.
+  std::shared_ptr<const TrimmedBand> Unpolished;
 };
 
 /// Nodes and positions of a band element as it is after the trim.

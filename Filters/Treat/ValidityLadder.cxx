@@ -14,7 +14,7 @@ namespace
 constexpr int LongestClimb = 40;
 
 /// Shares of the whole work, about.
-constexpr double Climbed = 0.2, Raised = 0.4, Left = 0.6, Returned = 0.8, Closer = 0.9;
+constexpr double Climbed = 0.2, Raised = 0.5, Left = 0.7, Returned = 0.9;
 
 class Ladder
 {
@@ -59,25 +59,19 @@ public:
     LeaveBelowFloor(this->TheChoices, aborted, trimmed);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
-    std::shared_ptr<const TrimmedBand> closer, unpolished;
-    if (this->TheChoices.Options.FindsCloser)
-    {
-      closer = this->ReturnToFloor(trimmed, Part(progress, Returned, Closer));
-    }
-    else if (this->TheChoices.CountLeft(trimmed) > 0)
+    std::shared_ptr<const TrimmedBand> unpolished;
+    if (this->TheChoices.CountLeft(trimmed) > 0)
     {
       unpolished = std::make_shared<TrimmedBand>(trimmed);
     }
-    progress(Closer);
     this->Finish(aborted, trimmed);
     trimmed.RescuedBy = this->TheChoices.At.Rungs;
     trimmed.AgainstVolume = this->FindAgainstVolume();
-    trimmed.Closer = closer;
     trimmed.Unpolished = unpolished;
     return trimmed;
   }
 
-  /// See TrimmedBand::Closer.
+  /// See FindCloser.
   std::shared_ptr<const TrimmedBand> ReturnToFloor(
     const TrimmedBand& trimmed, const Progress& progress) const
   {
@@ -366,12 +360,16 @@ TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
   return Ladder(given, options, position).Climb(progress);
 }
 
-std::shared_ptr<const TrimmedBand> FindCloser(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position, const TrimmedBand& trimmed)
+std::shared_ptr<const TrimmedBand> FindCloser(TrimCase given, const ClimbMade& made,
+  const Progress& progress, const TrimmedBand& trimmed)
 {
-  return trimmed.Unpolished
-    ? Ladder(given, options, position).ReturnToFloor(*trimmed.Unpolished, progress)
-    : nullptr;
+  if (!trimmed.Unpolished)
+  {
+    return nullptr;
+  }
+  given.Memory = made.Memory;
+  LadderPosition end = made.End;
+  return Ladder(given, made.Options, end).ReturnToFloor(*trimmed.Unpolished, progress);
 }
 
 }

@@ -31,13 +31,24 @@ namespace trim
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
   const Progress& progress, LadderPosition& position);
 
+/// How a climb went whose closer trim is found later, if at all: most of those that are made to
+/// find the best one are not taken.
+struct ClimbMade
+{
+  LadderOptions Options;
+  LadderPosition End;
+  std::shared_ptr<MoverMemory> Memory;     ///< see TrimCase
+  std::shared_ptr<FailedReturns> Failures; ///< what the options refer to; null: nothing
+};
+
 /**
- * TrimmedBand::Closer of a climb that has put it off.
+ * The same with more nodes on the surface, where elements are above the floor, but not above what
+ * is aimed at; null: no nodes were left for the sake of that.
  *
- * @param position where the climb ended.
+ * @param given as for the climb.
  */
-std::shared_ptr<const TrimmedBand> FindCloser(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position, const TrimmedBand& trimmed);
+std::shared_ptr<const TrimmedBand> FindCloser(TrimCase given, const ClimbMade& made,
+  const Progress& progress, const TrimmedBand& trimmed);
 
 }
 

@@ -9,8 +9,11 @@
 #include "MoverMemory.h"
 #include "Shortfalls.h"
 #include "Status.h"
+#include "Team.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <tuple>
@@ -301,6 +304,10 @@ public:
   /// be asked for again.
   std::unique_ptr<TrimBand> FindBest(const Shortcomings& limit, const Progress& progress)
   {
+    if (this->Tried == 0 && Team::Current())
+    {
+      this->MakeAhead(progress);
+    }
     while (this->Tried < LayerShares.size() && !(this->Best && this->Best->NodesLeft.empty()) &&
       !progress(static_cast<double>(this->Tried) / LayerShares.size()))
     {
@@ -312,9 +319,11 @@ public:
 private:
   void TryNext(const Progress& progress)
   {
-    const double done = static_cast<double>(this->Tried) / LayerShares.size();
-    auto layered = TrimWithLayer(this->Near, this->Before, LayerShares[this->Tried++], this->Task,
-      Part(progress, done, done + 1.0 / LayerShares.size()));
+    const std::size_t trim = this->Tried++;
+    const double done = static_cast<double>(trim) / LayerShares.size();
+    auto layered = this->IsMade[trim]
+      ? std::move(this->Made[trim])
+      : this->Make(trim, Part(progress, done, done + 1.0 / LayerShares.size()));
     const Shortcomings now = layered ? MeasureLeft(*layered) : Shortcomings();
     if (layered && (!this->Best || now < this->Least))
     {
@@ -323,9 +332,39 @@ private:
     }
   }
 
+  std::unique_ptr<TrimBand> Make(std::size_t trim, const Progress& progress) const
+  {
+    return TrimWithLayer(this->Near, this->Before, LayerShares[trim], this->Task, progress);
+  }
+
+  /// Makes all of them at once, by threads; those after one that leaves nothing end, as hardly
+  /// anybody will ask for them.
+  void MakeAhead(const Progress& progress)
+  {
+    const Id count = static_cast<Id>(LayerShares.size());
+    std::atomic<Id> last{ count };
+    ParallelFor(0, count, 1,
+      [&](Id begin, Id end)
+      {
+        for (Id trim = begin; trim < end; ++trim)
+        {
+          this->Made[trim] =
+            this->Make(trim, [&](double) { return trim > last || progress(-1.0); });
+          const bool leavesNone = this->Made[trim] && this->Made[trim]->NodesLeft.empty();
+          for (Id before = last; leavesNone && trim < before;)
+          {
+            last.compare_exchange_weak(before, trim);
+          }
+          this->IsMade[trim] = trim <= last; // else it may have ended early
+        }
+      });
+  }
+
   const TrimBand& Near;
   const BandTask& Task;
   std::shared_ptr<const Band> Before;
+  std::array<std::unique_ptr<TrimBand>, LayerShares.size()> Made; ///< ahead, not tried yet
+  std::array<bool, LayerShares.size()> IsMade{};
   std::size_t Tried = 0;          ///< of LayerShares
   std::unique_ptr<TrimBand> Best; ///< of those tried
   Shortcomings Least;             ///< those of the best
@@ -350,25 +389,36 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
   std::shared_ptr<MoverMemory> memory)
 {
+  if (!memory)
+  {
+    memory = std::make_shared<MoverMemory>(near.Mesh);
+  }
   const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision,
-    std::move(memory) };
+    memory };
   if (task.Options.ProduceOffcut)
   {
     BothParts parts = ClimbForBothParts(given, task.Options.Ladder, progress);
     near.Trimmed = std::move(parts.Kept);
     near.Rest = std::move(parts.Rest);
+    near.Made = std::make_shared<ClimbMade>(std::move(parts.Made));
   }
   else
   {
-    LadderPosition foot;
-    near.Trimmed = ClimbLadder(given, task.Options.Ladder, progress, foot);
+    auto made = std::make_shared<ClimbMade>();
+    made->Options = task.Options.Ladder;
+    made->Memory = std::move(memory);
+    near.Trimmed = ClimbLadder(given, made->Options, progress, made->End);
+    near.Made = std::move(made);
   }
   near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
 }
 
-void TakeCloser(TrimBand& near, const BandTask& task)
+void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const auto closer = std::move(near.Trimmed.Closer);
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  const auto closer = FindCloser(given, *near.Made, progress, near.Trimmed);
+  near.Made = nullptr;
+  near.Trimmed.Unpolished = nullptr;
   if (!closer)
   {
     return;
@@ -379,7 +429,6 @@ void TakeCloser(TrimBand& near, const BandTask& task)
   auto left = std::move(near.NodesLeft);
   if (task.Options.ProduceOffcut)
   {
-    const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
     near.Rest = FitOffcut(given, task.Options.Ladder, near.Trimmed);
   }
   near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
@@ -395,8 +444,8 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
 {
   if (!task.Options.MayInsert())
   {
-    DecideWithMesh(near, task, progress);
-    TakeCloser(near, task);
+    DecideWithMesh(near, task, Part(progress, 0.0, 0.9));
+    TakeCloser(near, task, Part(progress, 0.9, 1.0));
     return;
   }
   LayerTrims layers(near, task);
@@ -411,8 +460,8 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
   }
   if (!layered)
   {
-    DecideWithMesh(near, task, Part(progress, 0.5, 0.8));
-    TakeCloser(near, task);
+    DecideWithMesh(near, task, Part(progress, 0.5, 0.75));
+    TakeCloser(near, task, Part(progress, 0.75, 0.8));
     if (!progress(0.8) && !near.NodesLeft.empty())
     {
       layered = layers.FindBest(MeasureLeft(near), Part(progress, 0.8, 1.0));

@@ -42,13 +42,14 @@ struct BandTask
  */
 void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress);
 
-/// Kept part and offcut by the structure and shares of a band.
+/// Kept part and offcut by the structure and shares of a band; what TakeCloser takes is left to it.
 /// @param memory of the band, its structure and the surface; null: there is none.
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
   std::shared_ptr<MoverMemory> memory = nullptr);
 
-/// Takes TrimmedBand::Closer where all in all it leaves nodes less far off the surface.
-void TakeCloser(TrimBand& near, const BandTask& task);
+/// Finds what FindCloser does for the climb that was made, and takes it where all in all it leaves
+/// nodes less far off the surface.
+void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress);
 
 }
 

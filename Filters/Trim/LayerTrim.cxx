@@ -203,8 +203,8 @@ std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh, const 
   const Band& band = layered->Mesh;
   layered->Structure = ColumnsFor(band, isSheet);
   layered->Shares = SharesByFate(band, search.KeptUnderIt());
-  ClimbBand(*layered, task, progress);
-  TakeCloser(*layered, task);
+  ClimbBand(*layered, task, Part(progress, 0.0, 0.9));
+  TakeCloser(*layered, task, Part(progress, 0.9, 1.0));
   search.ReturnToSkin(band, layered->Trimmed);
   layered->NodesLeft = FindNodesLeft(*layered, task.Surface, task.Precision);
   layered->Shares = SharesOfOrigins(band, near.Shares);
