@@ -1,10 +1,13 @@
 #include "PagePool.h"
 
+#include "PageVector.h"
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 namespace nurbs
@@ -154,6 +157,36 @@ void PagePool::EndRun()
   for (Block& block : this->Blocks)
   {
     ++block.Age;
+  }
+}
+
+namespace
+{
+
+void* TakeUsed(std::size_t bytes)
+{
+  return IsMapped(bytes) ? PagePool::Get().Take(SizeOfMapping(bytes)) : nullptr;
+}
+
+}
+
+void* TakePages(std::size_t bytes)
+{
+  void* const used = TakeUsed(bytes);
+  return used ? used : AllocateZeros(bytes, PageSize::Large);
+}
+
+void* TakeZeroPages(std::size_t bytes)
+{
+  void* const used = TakeUsed(bytes);
+  return used ? std::memset(used, 0, bytes) : AllocateZeros(bytes, PageSize::Large);
+}
+
+void GivePages(void* memory, std::size_t bytes)
+{
+  if (!IsMapped(bytes) || !PagePool::Get().Keep(memory, SizeOfMapping(bytes)))
+  {
+    FreeZeros(memory, bytes);
   }
 }
 

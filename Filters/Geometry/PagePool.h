@@ -1,9 +1,9 @@
 /**
  * @file PagePool.h
- * @brief Keeps the memory of long arrays that were freed for those of the next run.
+ * @brief Keeps the memory of outputs that were freed for those of the next run.
  *
  * To hand over memory that was never in use takes the kernel longer than most of what is done with
- * it, and a trim that is repeated needs as much again as it has just freed.
+ * it, and a trim that is repeated needs about as much as the outputs before had, which go.
  */
 #ifndef PagePool_h
 #define PagePool_h
@@ -52,6 +52,14 @@ private:
   std::vector<Block> Blocks;
   int Users = 0;
 };
+
+/// Memory that holds anything, for what is written to throughout, if possible from the pool. Throws
+/// if there is none.
+void* TakePages(std::size_t bytes);
+/// The same, filled with zeros.
+void* TakeZeroPages(std::size_t bytes);
+/// Frees what one of the two gave for so many bytes.
+void GivePages(void* memory, std::size_t bytes);
 
 /// Something that runs again and again. While it exists, what it frees is kept for it.
 class PageUser

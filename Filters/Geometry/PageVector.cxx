@@ -37,16 +37,6 @@ void* Map(std::size_t bytes)
   return memory == MAP_FAILED ? nullptr : memory;
 }
 
-/// What is mapped for so many bytes, with the last large page if small ones would take longer.
-std::size_t SizeOfMapping(std::size_t bytes)
-{
-  constexpr std::size_t smallPage = 4096;
-  const std::size_t rest = bytes % LargePage;
-  return bytes - rest +
-    (rest >= SmallForLarge * smallPage ? LargePage
-                                       : (rest + smallPage - 1) / smallPage * smallPage);
-}
-
 /// At a limit of large pages; what is whole of them is to be in such.
 void* MapLarge(std::size_t size)
 {
@@ -71,6 +61,16 @@ void* MapLarge(std::size_t size)
 }
 #endif
 
+/// With the last large page if small ones would take longer.
+std::size_t SizeOfMapping(std::size_t bytes)
+{
+  constexpr std::size_t smallPage = 4096;
+  const std::size_t rest = bytes % LargePage;
+  return bytes - rest +
+    (rest >= SmallForLarge * smallPage ? LargePage
+                                       : (rest + smallPage - 1) / smallPage * smallPage);
+}
+
 bool IsMapped(std::size_t bytes)
 {
 #ifdef __linux__
@@ -83,46 +83,26 @@ bool IsMapped(std::size_t bytes)
 #endif
 }
 
-namespace
-{
-
-void* MapNew(std::size_t bytes, PageSize pages)
-{
-#ifdef __linux__
-  const std::size_t size = SizeOfMapping(bytes);
-  return pages == PageSize::Large && size >= LargePage ? MapLarge(size) : Map(size);
-#else
-  (void)bytes;
-  (void)pages;
-  return nullptr;
-#endif
-}
-
-/// What an earlier run has freed; null: nothing that will do.
-void* TakeUsed(std::size_t bytes)
-{
-#ifdef __linux__
-  return PagePool::Get().Take(SizeOfMapping(bytes));
-#else
-  (void)bytes;
-  return nullptr;
-#endif
-}
-
-/// New memory, in which `bytes` are zero.
-void* AllocateNew(std::size_t bytes, PageSize pages)
+void* AllocateZeros(std::size_t bytes, PageSize pages)
 {
   void* memory = nullptr;
+#ifdef __linux__
   if (IsMapped(bytes))
   {
-    memory = MapNew(bytes, pages);
+    const std::size_t size = SizeOfMapping(bytes);
+    const auto map = [&]
+    { return pages == PageSize::Large && size >= LargePage ? MapLarge(size) : Map(size); };
+    memory = map();
     if (!memory)
     {
       PagePool::Get().Empty();
-      memory = MapNew(bytes, pages);
+      memory = map();
     }
   }
-  else
+#else
+  (void)pages;
+#endif
+  if (!IsMapped(bytes))
   {
     const std::size_t size =
       (std::max<std::size_t>(bytes, 1) + CacheLine - 1) / CacheLine * CacheLine;
@@ -139,36 +119,16 @@ void* AllocateNew(std::size_t bytes, PageSize pages)
   return memory;
 }
 
-}
-
-void* AllocateZeros(std::size_t bytes, PageSize pages)
-{
-  void* const used = IsMapped(bytes) && pages == PageSize::Large ? TakeUsed(bytes) : nullptr;
-  return used ? std::memset(used, 0, bytes) : AllocateNew(bytes, pages);
-}
-
-void* AllocatePages(std::size_t bytes)
-{
-  void* const used = IsMapped(bytes) ? TakeUsed(bytes) : nullptr;
-  return used ? used : AllocateNew(bytes, PageSize::Large);
-}
-
-void FreePages(void* memory, std::size_t bytes, PageSize pages)
+void FreeZeros(void* memory, std::size_t bytes)
 {
 #ifdef __linux__
   if (IsMapped(bytes))
   {
-    // Of what was written to here and there little is in use.
-    const std::size_t size = SizeOfMapping(bytes);
-    if (pages == PageSize::Small || !PagePool::Get().Keep(memory, size))
-    {
-      munmap(memory, size);
-    }
+    munmap(memory, SizeOfMapping(bytes));
     return;
   }
 #else
   (void)bytes;
-  (void)pages;
 #endif
   std::free(memory);
 }

@@ -2,7 +2,7 @@
  * @file PageVector.h
  * @brief Memory for long arrays, as those with a value for every node or cell: in large pages, as
  * far from the cut most of a trim's time is the kernel's, to hand over memory that was never
- * touched before. What a run has freed the next one gets (PagePool.h).
+ * touched before.
  */
 #ifndef PageVector_h
 #define PageVector_h
@@ -27,15 +27,14 @@ PageSize PagesForPlaces(std::size_t bytes, std::size_t places);
 /// What the memory starts at a multiple of, at least.
 constexpr std::size_t CacheLine = 64;
 
-/// Memory that is zero, and if it is new not in use before it is written to. Throws if there is
-/// none.
+/// Memory that is zero, and not in use before it is written to. Throws if there is none.
 void* AllocateZeros(std::size_t bytes, PageSize pages);
-/// Memory that holds anything, for what is written to throughout. Throws if there is none.
-void* AllocatePages(std::size_t bytes);
-/// Whether so much is taken from the kernel itself; else std::free frees it.
+/// Whether AllocateZeros takes so much from the kernel itself; else std::free frees it.
 bool IsMapped(std::size_t bytes);
-/// Frees what the two gave for so many bytes; AllocatePages gives large pages.
-void FreePages(void* memory, std::size_t bytes, PageSize pages);
+/// How much that is, where it is mapped.
+std::size_t SizeOfMapping(std::size_t bytes);
+/// Frees what AllocateZeros gave for so many bytes.
+void FreeZeros(void* memory, std::size_t bytes);
 
 /// For std::vector: elements that no value is given for are left as they are, zero in new memory.
 template <typename T, PageSize Pages>
@@ -58,7 +57,7 @@ struct PageAllocator
     static_assert(alignof(T) <= CacheLine, "of all pieces");
     return static_cast<T*>(AllocateZeros(count * sizeof(T), Pages));
   }
-  void deallocate(T* memory, std::size_t count) { FreePages(memory, count * sizeof(T), Pages); }
+  void deallocate(T* memory, std::size_t count) { FreeZeros(memory, count * sizeof(T)); }
 
   template <typename U>
   void construct(U* item)

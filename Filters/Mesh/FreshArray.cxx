@@ -1,5 +1,7 @@
 #include "FreshArray.h"
 
+#include "PagePool.h"
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -67,7 +69,9 @@ void FreeOfArray(void* memory)
   }
   if (piece.Bytes > 0)
   {
-    nurbs::FreePages(memory, piece.Bytes, piece.Pages);
+    // Of what is written to here and there little is in use: not worth to be kept.
+    piece.Pages == nurbs::PageSize::Large ? nurbs::GivePages(memory, piece.Bytes)
+                                          : nurbs::FreeZeros(memory, piece.Bytes);
   }
   else
   {
@@ -91,12 +95,14 @@ ArrayMemory ForArray(void* memory, std::size_t bytes, nurbs::PageSize pages)
 
 ArrayMemory AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages)
 {
-  return ForArray(nurbs::AllocateZeros(bytes, pages), bytes, pages);
+  void* const memory = pages == nurbs::PageSize::Large ? nurbs::TakeZeroPages(bytes)
+                                                       : nurbs::AllocateZeros(bytes, pages);
+  return ForArray(memory, bytes, pages);
 }
 
 ArrayMemory AllocatePagesForArray(std::size_t bytes)
 {
-  return ForArray(nurbs::AllocatePages(bytes), bytes, nurbs::PageSize::Large);
+  return ForArray(nurbs::TakePages(bytes), bytes, nurbs::PageSize::Large);
 }
 
 }

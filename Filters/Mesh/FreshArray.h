@@ -24,9 +24,9 @@ struct ArrayMemory
   void* Memory;
   void (*Free)(void*);
 };
-/// See nurbs::AllocateZeros.
+/// Zeros. Throws if there is no memory.
 ArrayMemory AllocateZerosForArray(std::size_t bytes, nurbs::PageSize pages);
-/// See nurbs::AllocatePages.
+/// Memory that holds anything, in large pages. Throws if there is none.
 ArrayMemory AllocatePagesForArray(std::size_t bytes);
 
 /// @param allocate allocate(bytes) gives ArrayMemory.

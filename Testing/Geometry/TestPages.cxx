@@ -28,9 +28,9 @@ bool IsZero(const void* memory, std::size_t bytes)
 /// What was written to and freed.
 void* Used(std::size_t bytes)
 {
-  void* const memory = AllocatePages(bytes);
+  void* const memory = TakePages(bytes);
   std::memset(memory, 7, bytes);
-  FreePages(memory, bytes, PageSize::Large);
+  GivePages(memory, bytes);
   return memory;
 }
 
@@ -38,36 +38,21 @@ void TestReuse()
 {
   const PageUser user;
   void* const before = Used(Large);
-  void* const again = AllocateZeros(Large, PageSize::Large);
+  void* const again = TakeZeroPages(Large);
   check::That(again == before, "what was freed is not used again");
   check::That(IsZero(again, Large), "what is used again is not zero");
   // What is nearly as large becomes it; the rest of a larger one is given back.
-  FreePages(again, Large, PageSize::Large);
+  GivePages(again, Large);
   const std::size_t less = Large - (std::size_t(3) << 20);
-  void* const smaller = AllocateZeros(less, PageSize::Large);
+  void* const smaller = TakeZeroPages(less);
   check::That(smaller == before && IsZero(smaller, less), "a little less");
-  FreePages(smaller, less, PageSize::Large);
-  void* const larger = AllocateZeros(Large, PageSize::Large);
+  GivePages(smaller, less);
+  void* const larger = TakeZeroPages(Large);
   check::That(IsZero(larger, Large), "a little more");
-  FreePages(larger, Large, PageSize::Large);
-  void* const other = AllocateZeros(4 * Large, PageSize::Large);
+  GivePages(larger, Large);
+  void* const other = TakeZeroPages(4 * Large);
   check::That(other != larger && IsZero(other, 4 * Large), "four times as much");
-  FreePages(other, 4 * Large, PageSize::Large);
-}
-
-void TestVectors()
-{
-  const PageUser user;
-  {
-    PageVector<int> values(Large / sizeof(int));
-    std::fill(values.begin(), values.end(), 5);
-  }
-  const PageVector<int> values(Large / sizeof(int));
-  check::That(IsZero(values.data(), Large), "a vector in used memory");
-  Used(Large / 2);
-  PageVector<char> grown;
-  grown.resize(Large / 2);
-  check::That(IsZero(grown.data(), grown.size()), "a vector resized in used memory");
+  GivePages(other, 4 * Large);
 }
 
 void TestSparse()
@@ -76,10 +61,10 @@ void TestSparse()
   void* const before = Used(Large);
   void* const sparse = AllocateZeros(Large, PageSize::Small);
   check::That(sparse != before, "what is written to here and there takes pages in use");
-  FreePages(sparse, Large, PageSize::Small);
-  void* const next = AllocateZeros(Large, PageSize::Large);
+  FreeZeros(sparse, Large);
+  void* const next = TakeZeroPages(Large);
   check::That(next == before, "it is kept for what is written to throughout");
-  FreePages(next, Large, PageSize::Large);
+  GivePages(next, Large);
 }
 
 /// Whether memory that was freed is still there for the next.
@@ -132,13 +117,13 @@ void TestThreads()
         for (int i = 0; i < 50; ++i)
         {
           const std::size_t bytes = (std::size_t(1) << 20) + 100000 * ((t + i) % 7);
-          void* const memory = AllocateZeros(bytes, PageSize::Large);
+          void* const memory = TakeZeroPages(bytes);
           good[t] &= IsZero(memory, bytes);
           std::memset(memory, static_cast<int>(t + 1), bytes);
           const auto* const first = static_cast<const char*>(memory);
           good[t] &= std::all_of(
             first, first + bytes, [t](char byte) { return byte == static_cast<char>(t + 1); });
-          FreePages(memory, bytes, PageSize::Large);
+          GivePages(memory, bytes);
         }
       });
   }
@@ -153,7 +138,6 @@ void TestThreads()
 int main()
 {
   TestReuse();
-  TestVectors();
   TestSparse();
   TestEnd();
   TestThreads();
