@@ -1,6 +1,7 @@
 #include "Team.h"
 
 #include "PageVector.h"
+#include "Runs.h"
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
@@ -21,12 +22,6 @@ namespace
 /// Of this thread.
 thread_local Team* Own = nullptr;
 thread_local bool InLoop = false;
-
-/// The last may be shorter.
-Id NumberOfPieces(Id count, Id grain)
-{
-  return (count + grain - 1) / grain;
-}
 
 }
 
@@ -86,7 +81,7 @@ struct Team::Loop
     , Grain(grain)
     , Parts(threads)
   {
-    const Id pieces = NumberOfPieces(last - first, grain);
+    const Id pieces = NumberOfRuns(last - first, grain);
     for (int i = 0; i < threads; ++i)
     {
       this->Parts[i].Next = pieces * i / threads;
@@ -206,7 +201,7 @@ void Team::For(Id first, Id last, Id grain, const Action& action)
     action(first, last);
     return;
   }
-  const auto threads = static_cast<int>(std::min<Id>(this->Size, NumberOfPieces(count, piece)));
+  const auto threads = static_cast<int>(std::min<Id>(this->Size, NumberOfRuns(count, piece)));
   const auto loop = std::make_shared<Loop>(first, last, piece, threads, action);
   {
     const Loop::Closing closing{ *loop };

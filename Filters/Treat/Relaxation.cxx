@@ -195,14 +195,7 @@ private:
       {
         for (std::size_t i = 0; i < nodes.size(); ++i)
         {
-          for (const int edge : this->TheBand.EdgesOfNode(nodes[i]))
-          {
-            const int other = this->TheBand.OtherEnd(edge, nodes[i]);
-            if (this->Mover.IsLateral(nodes[i], other))
-            {
-              add(static_cast<int>(i), other);
-            }
-          }
+          this->ForNeighbours(nodes[i], [&](int other) { add(static_cast<int>(i), other); });
         }
       });
     for (int round = 0; round < SpreadRounds; ++round)
@@ -337,35 +330,48 @@ private:
       active.begin(), active.end(), [this](int e) { return this->Worth(e) >= this->Goal; });
   }
 
-  /// Mean displacement of neighbours, against the node's own.
-  Vec3 WayOf(int node, const Band::Range& neighbours) const
+  /// Calls visit(neighbour) for those of a node within its layer.
+  template <typename Visit>
+  void ForNeighbours(int node, const Visit& visit) const
   {
-    Vec3 sum = Vec3::Zero();
-    for (const int other : neighbours)
-    {
-      sum += this->TheMoves.Position[other] - this->TheBand.Point[other];
-    }
-    const int count = neighbours.size();
-    const Vec3 own = this->TheMoves.Position[node] - this->TheBand.Point[node];
-    return count > 0 ? Vec3(sum / count - own) : Vec3::Zero();
-  }
-
-  /// The same of those within the layer.
-  Vec3 WayOfNeighbours(int node) const
-  {
-    Vec3 sum = Vec3::Zero();
-    int count = 0;
     for (const int edge : this->TheBand.EdgesOfNode(node))
     {
       const int other = this->TheBand.OtherEnd(edge, node);
       if (this->Mover.IsLateral(node, other))
       {
-        sum += this->TheMoves.Position[other] - this->TheBand.Point[other];
-        ++count;
+        visit(other);
       }
     }
-    const Vec3 own = this->TheMoves.Position[node] - this->TheBand.Point[node];
-    return count > 0 ? Vec3(sum / count - own) : Vec3::Zero();
+  }
+
+  /// How much farther than a node others have gone in the mean.
+  /// @param forEach forEach(visit) calls visit(other) for each of them.
+  template <typename ForEach>
+  Vec3 WayToMean(int node, const ForEach& forEach) const
+  {
+    const auto wayOf = [this](int n) -> Vec3
+    { return this->TheMoves.Position[n] - this->TheBand.Point[n]; };
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    forEach(
+      [&](int other)
+      {
+        sum += wayOf(other);
+        ++count;
+      });
+    return count > 0 ? Vec3(sum / count - wayOf(node)) : Vec3::Zero();
+  }
+
+  Vec3 WayOf(int node, const Band::Range& neighbours) const
+  {
+    return this->WayToMean(node,
+      [&neighbours](const auto& visit)
+      { std::for_each(neighbours.begin(), neighbours.end(), visit); });
+  }
+  Vec3 WayOfNeighbours(int node) const
+  {
+    return this->WayToMean(
+      node, [this, node](const auto& visit) { this->ForNeighbours(node, visit); });
   }
 
   /// Nodes of one pillar, where they are, and the elements at them.
