@@ -72,11 +72,10 @@ bool Extend(void*, std::size_t, std::size_t)
 
 #endif
 
-/// Whether one mapping may become the other at little cost.
-bool IsAboutAsLarge(std::size_t size, std::size_t other)
+/// What has to be mapped or given back to make one size of the other.
+std::size_t Difference(std::size_t size, std::size_t other)
 {
-  const std::size_t difference = size > other ? size - other : other - size;
-  return difference <= size / 4;
+  return size > other ? size - other : other - size;
 }
 
 }
@@ -91,12 +90,11 @@ PagePool& PagePool::Get()
 void* PagePool::Take(std::size_t size)
 {
   const std::lock_guard<std::mutex> locked(this->Lock);
-  const auto difference = [size](const Block& block)
-  { return block.Size > size ? block.Size - size : size - block.Size; };
   // The last that came are those that are in the caches.
   const auto nearest = std::min_element(this->Blocks.rbegin(), this->Blocks.rend(),
-    [&](const Block& a, const Block& b) { return difference(a) < difference(b); });
-  if (nearest == this->Blocks.rend() || !IsAboutAsLarge(size, nearest->Size) ||
+    [size](const Block& a, const Block& b)
+    { return Difference(size, a.Size) < Difference(size, b.Size); });
+  if (nearest == this->Blocks.rend() || Difference(size, nearest->Size) > size / 4 ||
     (nearest->Size < size && !Extend(nearest->Memory, nearest->Size, size)))
   {
     return nullptr;
