@@ -359,9 +359,9 @@ bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
 
 }
 
-bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
-  const nurbs::TrimmingSurface& surface, double tolerance, const std::function<bool()>& aborted,
-  NodeClassification& result, std::string& error)
+bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& nearRuns,
+  const Piece& piece, const nurbs::TrimmingSurface& surface, double tolerance,
+  const std::function<bool()>& aborted, NodeClassification& result, std::string& error)
 {
   result = NodeClassification{};
   result.Status.resize(mesh.NumberOfPoints);
@@ -369,7 +369,7 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& p
   const Vec3 margin = Vec3::Constant(tolerance);
   const auto mayHaveNodesOn = [&surface, &margin](const Box3& box)
   { return surface.MayIntersect(Box3(box.min() - margin, box.max() + margin)); };
-  result.CandidateCells = FindCells(mesh, blocks, mayHaveNodesOn, CellSearch::EachCell);
+  result.CandidateCells = FindCells(mesh, blocks, nearRuns, mayHaveNodesOn);
 
   result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
   if (piece.All.Any(aborted()))

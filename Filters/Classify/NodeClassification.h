@@ -52,6 +52,8 @@ struct NodeClassification
 };
 
 /**
+ * @param nearRuns runs of cells, ascending; all whose boxes are within the tolerance of the surface
+ * are among them.
  * @param piece the mesh among those of other ranks, whose nodes it may share.
  * @param tolerance absolute distance under which a node is on the surface.
  * @param aborted asked now and then, by all threads; true ends the work.
@@ -60,9 +62,9 @@ struct NodeClassification
  * @return false without an error if the work was ended, on any rank; false with one that gives a
  * point where the surface ends, if it does not part the mesh.
  */
-bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
-  const nurbs::TrimmingSurface& surface, double tolerance, const std::function<bool()>& aborted,
-  NodeClassification& result, std::string& error);
+bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& nearRuns,
+  const Piece& piece, const nurbs::TrimmingSurface& surface, double tolerance,
+  const std::function<bool()>& aborted, NodeClassification& result, std::string& error);
 
 }
 

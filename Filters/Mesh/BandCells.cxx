@@ -34,7 +34,14 @@ public:
     , OfCell(near.size(), -1)
     , Marks(mesh.NumberOfPoints)
   {
-    this->ForCells([&](Id c) { this->Counts[c] = mesh.OrientedCell(near[c], this->Nodes[c]); });
+    constexpr Id ahead = 24;
+    const Id last = static_cast<Id>(near.size()) - 1;
+    this->ForCells(
+      [&](Id c)
+      {
+        mesh.PrefetchCell(near[std::min(c + ahead, last)]);
+        this->Counts[c] = mesh.OrientedCell(near[c], this->Nodes[c]);
+      });
     ForAll(
       static_cast<int>(seeds.size()), [&](int i) { this->Take(Locate(near, seeds[i]), 0); },
       LightGrain);

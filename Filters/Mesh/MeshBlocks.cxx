@@ -393,4 +393,19 @@ MeshBlocks BuildMeshBlocks(const HexMesh& mesh)
   return blocks;
 }
 
+std::vector<Id> CellsOfRuns(const HexMesh& mesh, const std::vector<Id>& runs)
+{
+  std::vector<Id> cells;
+  cells.reserve(runs.size() * MeshBlocks::CellsPerRun);
+  for (const Id run : runs)
+  {
+    const Id last = MeshBlocks::EndCellOfRun(run, mesh.NumberOfCells);
+    for (Id c = MeshBlocks::FirstCellOfRun(run); c < last; ++c)
+    {
+      cells.push_back(c);
+    }
+  }
+  return cells;
+}
+
 }

@@ -90,6 +90,11 @@ struct MeshBlocks
   {
     return std::min(numberOfCells, (block + 1) * CellsPerBlock);
   }
+  static Id FirstCellOfRun(Id run) { return run * CellsPerRun; }
+  static Id EndCellOfRun(Id run, Id numberOfCells)
+  {
+    return std::min(numberOfCells, (run + 1) * CellsPerRun);
+  }
 };
 
 MeshBlocks BuildMeshBlocks(const HexMesh& mesh);
@@ -104,38 +109,60 @@ int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points);
 /// The box of one cell.
 Box3 CellBox(const HexMesh& mesh, Id cell);
 
-enum class CellSearch
-{
-  EachCell, ///< exactly the cells whose box passes
-  WholeRuns ///< those and some of their neighbours, for less
-};
-
 /**
- * Cells whose boxes pass a test, ascending: asked of blocks first, then of short runs of cells.
+ * Short runs of cells whose boxes pass a test, ascending: asked of blocks first.
  *
  * @param test of a box; true for every box that holds one for which it is true. Thread-safe.
  */
 template <typename Test>
-std::vector<Id> FindCells(
-  const HexMesh& mesh, const MeshBlocks& blocks, const Test& test, CellSearch search)
+std::vector<Id> FindRuns(const MeshBlocks& blocks, const Test& test)
 {
   constexpr Id grain = 64;
+  constexpr Id runsPerBlock = MeshBlocks::CellsPerBlock / MeshBlocks::CellsPerRun;
   const Id count = blocks.NumberOfBlocks();
   std::vector<std::vector<Id>> found(NumberOfRuns(count, grain));
-  const auto searchRun = [&](Id first, Id last, std::vector<Id>& cells)
-  {
-    if (!test(blocks.RunBoxes[first / MeshBlocks::CellsPerRun].Box()))
+  ForRuns(count, grain,
+    [&](Id part, Id begin, Id end)
     {
-      return;
-    }
-    if (search == CellSearch::WholeRuns)
-    {
-      for (Id c = first; c < last; ++c)
+      for (Id b = begin; b < end; ++b)
       {
-        cells.push_back(c);
+        if (!test(blocks.Boxes[b].Box()))
+        {
+          continue;
+        }
+        const Id last = std::min(static_cast<Id>(blocks.RunBoxes.size()), (b + 1) * runsPerBlock);
+        for (Id run = b * runsPerBlock; run < last; ++run)
+        {
+          if (test(blocks.RunBoxes[run].Box()))
+          {
+            found[part].push_back(run);
+          }
+        }
       }
+    });
+  return Joined(found);
+}
+
+/// All cells of some runs.
+std::vector<Id> CellsOfRuns(const HexMesh& mesh, const std::vector<Id>& runs);
+
+/// Cells of some runs whose boxes pass a test as that of FindRuns, ascending.
+template <typename Test>
+std::vector<Id> FindCells(
+  const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& runs, const Test& test)
+{
+  constexpr Id grain = 64;
+  const auto count = static_cast<Id>(runs.size());
+  const Id lastCell = mesh.NumberOfCells - 1;
+  std::vector<std::vector<Id>> found(NumberOfRuns(count, grain));
+  const auto searchRun = [&](Id run, std::vector<Id>& cells)
+  {
+    if (!test(blocks.RunBoxes[run].Box()))
+    {
       return;
     }
+    const Id first = MeshBlocks::FirstCellOfRun(run);
+    const Id last = MeshBlocks::EndCellOfRun(run, mesh.NumberOfCells);
     // All boxes come first, so that the processor waits for the points of several cells at once.
     std::array<Box3, MeshBlocks::CellsPerRun> boxes;
     for (Id c = first; c < last; ++c)
@@ -150,28 +177,31 @@ std::vector<Id> FindCells(
       }
     }
   };
+  // The cells lie here and there, so that the processor does not foresee them.
+  const auto prefetch = [&](Id i)
+  {
+    constexpr Id cellsAhead = 4, pointsAhead = 2;
+    for (Id k = 0; k < MeshBlocks::CellsPerRun && i + cellsAhead < count; ++k)
+    {
+      mesh.PrefetchCell(std::min(MeshBlocks::FirstCellOfRun(runs[i + cellsAhead]) + k, lastCell));
+    }
+    // Neighbours have points in common.
+    for (Id k = 0; k < MeshBlocks::CellsPerRun && i + pointsAhead < count; k += 2)
+    {
+      mesh.PrefetchPoints(
+        std::min(MeshBlocks::FirstCellOfRun(runs[i + pointsAhead]) + k, lastCell));
+    }
+  };
   ForRuns(count, grain,
     [&](Id part, Id begin, Id end)
     {
-      for (Id b = begin; b < end; ++b)
+      for (Id i = begin; i < end; ++i)
       {
-        if (!test(blocks.Boxes[b].Box()))
-        {
-          continue;
-        }
-        const Id last = MeshBlocks::EndCell(b, mesh.NumberOfCells);
-        for (Id c = MeshBlocks::FirstCell(b); c < last; c += MeshBlocks::CellsPerRun)
-        {
-          searchRun(c, std::min(last, c + MeshBlocks::CellsPerRun), found[part]);
-        }
+        prefetch(i);
+        searchRun(runs[i], found[part]);
       }
     });
-  std::vector<Id> cells;
-  for (const auto& list : found)
-  {
-    cells.insert(cells.end(), list.begin(), list.end());
-  }
-  return cells;
+  return Joined(found);
 }
 
 }

@@ -9,6 +9,7 @@
 #include "Team.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace trim
 {
@@ -31,6 +32,24 @@ void ForRuns(Id count, Id length, const Action& action)
         action(run, run * length, std::min(count, (run + 1) * length));
       }
     });
+}
+
+/// One list of what was found in the runs.
+template <typename Item>
+std::vector<Item> Joined(const std::vector<std::vector<Item>>& lists)
+{
+  std::size_t size = 0;
+  for (const auto& list : lists)
+  {
+    size += list.size();
+  }
+  std::vector<Item> all;
+  all.reserve(size);
+  for (const auto& list : lists)
+  {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
 }
 
 /// So many items are worth a thread where each takes a few nanoseconds: to begin one takes as long

@@ -78,9 +78,8 @@ MeetingPlaces FindMeetingPlaces(const Box3& own, const Ranks& ranks)
 std::vector<Id> FindBorderNodes(
   const HexMesh& mesh, const MeshBlocks& blocks, const MeetingPlaces& places)
 {
-  const std::vector<Id> cells = FindCells(
-    mesh, blocks, [&places](const Box3& box) { return places.MayMeet(box); },
-    CellSearch::WholeRuns);
+  const std::vector<Id> cells =
+    CellsOfRuns(mesh, FindRuns(blocks, [&places](const Box3& box) { return places.MayMeet(box); }));
   SparseVector<std::uint64_t> sum(mesh.NumberOfPoints);
   std::array<Id, 8> nodes;
   std::array<std::uint64_t, 8> scattered;

@@ -238,20 +238,17 @@ std::vector<Id> FindSeeds(const HexMesh& mesh, const TrimResult& result)
   return seeds;
 }
 
-/// Cells within so many of the largest elements of the surface: all rings lie among them, as cells
-/// of one ring share nodes with the ring before, and those that the surface meets are the first.
-std::vector<Id> FindNearCells(
-  const HexMesh& mesh, const MeshBlocks& blocks, const nurbs::TrimmingSurface& surface, int rings)
+/// Runs of cells within so many of the largest elements of the surface, and within the tolerance:
+/// all rings lie among them, as cells of one ring share nodes with the ring before, and those that
+/// the surface meets are the first.
+std::vector<Id> FindNearRuns(
+  const MeshBlocks& blocks, const nurbs::TrimmingSurface& surface, int rings, double tolerance)
 {
   const Vec3 slack = Vec3::Constant(1e-6 * blocks.LargestDiagonal);
-  const Vec3 margin = rings * blocks.LargestCell + slack;
-  const auto near = [&](Box3 box)
-  {
-    box.min() -= margin;
-    box.max() += margin;
-    return surface.MayIntersect(box);
-  };
-  return FindCells(mesh, blocks, near, CellSearch::WholeRuns);
+  const Vec3 margin = (rings * blocks.LargestCell + slack).cwiseMax(tolerance);
+  return FindRuns(blocks,
+    [&](const Box3& box)
+    { return surface.MayIntersect(Box3(box.min() - margin, box.max() + margin)); });
 }
 
 /// What is wrong where two elements have the same nodes; empty: there are none.
@@ -274,13 +271,18 @@ std::string FindRepeatedElement(const Band& band, const Piece& piece)
 
 /// The same band on all ranks; false with an error if there can be none.
 bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
-  const nurbs::TrimmingSurface& surface, const std::vector<Id>& seeds, TrimResult& result)
+  const nurbs::TrimmingSurface& surface, std::vector<Id> nearRuns, const std::vector<Id>& seeds,
+  TrimResult& result)
 {
   const bool singlePrecision = piece.All.Any(mesh.PointsFloat != nullptr);
   auto& near = result.Near;
   for (const int rings : { BandRings, DeepBandRings })
   {
-    auto cells = CollectBandCells(mesh, seeds, FindNearCells(mesh, blocks, surface, rings), rings,
+    if (rings > BandRings)
+    {
+      nearRuns = FindNearRuns(blocks, surface, rings, 0.0);
+    }
+    auto cells = CollectBandCells(mesh, seeds, CellsOfRuns(mesh, nearRuns), rings,
       result.Nodes.Status, result.ElementStatus, SpreadAcrossPieces(piece));
     if (!GatherBandCells(mesh, piece, cells, result.Error))
     {
@@ -419,8 +421,9 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const double tolerance = std::max(options.Tolerance * diagonal, rounding);
 
   // Classify.
-  const bool classified =
-    ClassifyNodes(mesh, blocks, piece, surface, tolerance, stopped, result.Nodes, result.Error);
+  std::vector<Id> nearRuns = FindNearRuns(blocks, surface, BandRings, tolerance);
+  const bool classified = ClassifyNodes(
+    mesh, blocks, nearRuns, piece, surface, tolerance, stopped, result.Nodes, result.Error);
   if (aborted(0.2) || !classified)
   {
     return result;
@@ -448,7 +451,8 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const auto seeds = FindSeeds(mesh, result);
   if (piece.All.Any(!seeds.empty()))
   {
-    if (!BuildBand(mesh, blocks, piece, surface, seeds, result) || aborted(0.3))
+    if (!BuildBand(mesh, blocks, piece, surface, std::move(nearRuns), seeds, result) ||
+      aborted(0.3))
     {
       return result;
     }
