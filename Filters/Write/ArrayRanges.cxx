@@ -5,6 +5,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationDoubleVectorKey.h>
 #include <vtkInformationInformationVectorKey.h>
@@ -104,6 +105,40 @@ void AddLanes(const Value* value, vtkIdType rows, Range<Value>* components, int 
   }
 }
 
+/// The same for so many values, whatever their number.
+template <int Lanes, bool Finite, typename Value>
+void AddValues(const Value* values, vtkIdType size, Range<Value>* components, int count)
+{
+  vtkIdType done = 0;
+  if (Lanes % count == 0)
+  {
+    AddLanes<Lanes, Finite>(values, size / Lanes, components, count);
+    done = size / Lanes * Lanes;
+  }
+  for (vtkIdType i = done; i < size; ++i)
+  {
+    AddLanes<1, Finite>(values + i, 1, components + i % count, 1);
+  }
+}
+
+/// Squared magnitudes of tuples. Size: the number of components where it is known to the compiler,
+/// else 0.
+template <int Size, typename Value>
+void Square(const Value* value, int components, vtkIdType count, double* squares)
+{
+  const int size = Size > 0 ? Size : components;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double sum = 0.0;
+    for (int c = 0; c < size; ++c)
+    {
+      const auto v = static_cast<double>(value[i * size + c]);
+      sum += v * v;
+    }
+    squares[i] = sum;
+  }
+}
+
 /// An array's memory, tuple by tuple.
 template <typename Value>
 struct Tuples
@@ -119,58 +154,32 @@ struct Tuples
     return Join<Value>(this->Count, this->Components,
       [this](Range<Value>* ranges, vtkIdType begin, vtkIdType end)
       {
-        const Value* first = this->Values + begin * this->Components;
-        const vtkIdType size = (end - begin) * this->Components;
-        constexpr int Lanes = 48;
-        vtkIdType done = 0;
-        if (Lanes % this->Components == 0)
-        {
-          AddLanes<Lanes, Finite>(first, size / Lanes, ranges, this->Components);
-          done = size / Lanes * Lanes;
-        }
-        for (vtkIdType i = done; i < size; ++i)
-        {
-          AddLanes<1, Finite>(first + i, 1, ranges + i % this->Components, 1);
-        }
+        AddValues<48, Finite>(this->Values + begin * this->Components,
+          (end - begin) * this->Components, ranges, this->Components);
       });
   }
 
-  /// Of the magnitude. Size: the number of components where it is known to the compiler, else 0.
-  template <bool Finite, int Size>
+  /// Of the magnitude.
+  template <bool Finite>
   Range<double> OfNorm() const
   {
     auto range = Join<double>(this->Count, 1,
       [this](Range<double>* ranges, vtkIdType begin, vtkIdType end)
       {
-        const int size = Size > 0 ? Size : this->Components;
-        const Value* value = this->Values + begin * size;
-        std::array<Range<double>, 4> found; // they do not wait for each other
-        for (vtkIdType i = begin; i < end; ++i)
+        constexpr vtkIdType most = 512; // they stay in the nearest cache
+        std::array<double, most> squares;
+        for (vtkIdType next; begin < end; begin = next)
         {
-          double sum = 0.0;
-          for (int c = 0; c < size; ++c)
-          {
-            const auto v = static_cast<double>(*value++);
-            sum += v * v;
-          }
-          if (!Finite || !std::isinf(sum))
-          {
-            found[i % 4].Add(sum);
-          }
-        }
-        for (const auto& part : found)
-        {
-          ranges->Add(part);
+          next = std::min(end, begin + most);
+          const Value* const first = this->Values + begin * this->Components;
+          this->Components == 3 ? Square<3>(first, 3, next - begin, squares.data())
+                                : Square<0>(first, this->Components, next - begin, squares.data());
+          AddValues<16, Finite>(squares.data(), next - begin, ranges, 1);
         }
       })[0];
     range.Least = std::sqrt(range.Least);
     range.Largest = std::sqrt(range.Largest);
     return range;
-  }
-  template <bool Finite>
-  Range<double> OfNorm() const
-  {
-    return this->Components == 3 ? this->OfNorm<Finite, 3>() : this->OfNorm<Finite, 0>();
   }
 };
 
@@ -266,6 +275,16 @@ void TellRanges(vtkDataArray* array)
       array, static_cast<const VTK_TT*>(array->GetVoidPointer(0)), array->GetNumberOfTuples()));
     default:
       break;
+  }
+}
+
+void TellRangeOfAscending(vtkIdTypeArray* array)
+{
+  if (array->GetNumberOfTuples() > 0)
+  {
+    const std::array<vtkIdType, 2> ends = { array->GetValue(0),
+      array->GetValue(array->GetNumberOfTuples() - 1) };
+    Tell(array, ends.data(), 2);
   }
 }
 

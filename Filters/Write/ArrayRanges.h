@@ -16,6 +16,7 @@
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkIdTypeArray;
 
 namespace trim
 {
@@ -29,6 +30,9 @@ void TellRanges(vtkDataArray* array);
 
 /// The same for an array that is zero but at these places; nothing else of it is looked at.
 void TellRanges(vtkDataArray* array, const std::vector<vtkIdType>& places);
+
+/// The same for one component of values that ascend.
+void TellRangeOfAscending(vtkIdTypeArray* array);
 
 }
 

@@ -1,5 +1,6 @@
 #include "GridPart.h"
 
+#include "ArrayRanges.h"
 #include "FindingArrays.h"
 #include "GatherAttributes.h"
 #include "SparseArray.h"
@@ -216,6 +217,7 @@ void NumberFlagged(const PointFlags& flags, GridPart& part)
   {
     InterleaveInserted(part);
   }
+  TellRangeOfAscending(part.Points.Array()); // other numbers do not change it
 }
 
 std::vector<Vec3> PlacesIfInserted(const HexMesh& mesh, const GridPart& part)

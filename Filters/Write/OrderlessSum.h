@@ -40,24 +40,6 @@ struct SplitSum
   }
 };
 
-/// The largest of terms >= 0; 0 if there are none.
-template <typename Term>
-double LargestTerm(Id count, const Term& term)
-{
-  std::vector<double> ofRun(NumberOfRuns(count, SumGrain), 0.0);
-  ForRuns(count, SumGrain,
-    [&](Id run, Id begin, Id end)
-    {
-      double largest = 0.0;
-      for (Id i = begin; i < end; ++i)
-      {
-        largest = std::max(largest, term(i));
-      }
-      ofRun[run] = largest;
-    });
-  return ofRun.empty() ? 0.0 : *std::max_element(ofRun.begin(), ofRun.end());
-}
-
 /// The sum of terms, each of them times the scale as an integer.
 template <typename Term>
 SplitSum SumTerms(Id count, const Term& term, double scale)
@@ -84,14 +66,15 @@ SplitSum SumTerms(Id count, const Term& term, double scale)
 
 /**
  * Sum of terms >= 0 over all ranks, the same bits whatever their order; collective. The terms
- * are added as integers, each rounded to 2^-62 of the largest.
+ * are added as integers, each rounded to 2^-62 of the bound.
  *
- * @param term of an index below count; asked for twice, by several threads.
+ * @param term of an index below count; asked for by several threads.
+ * @param bound no term of this rank is larger.
  */
 template <typename Term>
-double OrderlessSum(Id count, const Term& term, const Ranks& ranks)
+double OrderlessSum(Id count, const Term& term, double bound, const Ranks& ranks)
 {
-  const double largest = ranks.Largest(LargestTerm(count, term));
+  const double largest = ranks.Largest(bound);
   if (!(largest > 0.0) || !std::isfinite(largest))
   {
     return largest;

@@ -1,5 +1,6 @@
 #include "TrimmedGrid.h"
 
+#include "ArrayRanges.h"
 #include "FindingArrays.h"
 #include "GridPart.h"
 #include "MapValues.h"
@@ -127,6 +128,7 @@ void CollectCells(const HexMesh& mesh, const TrimResult& result, GridPart& kept)
   kept.InBand.resize(first.back());
   ForRuns(mesh.NumberOfCells,
     [&](Id run, Id begin, Id end) { ListCells(result, band, begin, end, first[run], kept); });
+  TellRangeOfAscending(kept.Cells.Array());
 }
 
 /// Largest distance to the surface over the nodes of the new boundary.

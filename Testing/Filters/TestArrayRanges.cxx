@@ -109,6 +109,20 @@ void TestSpecial(const std::string& what)
   }
 }
 
+void TestAscending()
+{
+  vtkNew<vtkIdTypeArray> ids;
+  trim::TellRangeOfAscending(ids);
+  Expect(ids->GetRange()[0] > ids->GetRange()[1], "an empty list has a range");
+  vtkNew<vtkIdTypeArray> some;
+  for (const vtkIdType id : { 3, 3, 5, 80 })
+  {
+    some->InsertNextValue(id);
+  }
+  trim::TellRangeOfAscending(some);
+  CheckTold(some, "ascending ids");
+}
+
 /// All arrays of all outputs; those of the input, whose ranges were asked for, do not pass on
 /// theirs.
 void TestOutputs()
@@ -127,6 +141,7 @@ void TestOutputs()
   {
     TrimOptions options;
     options.InvertSide = invert;
+    options.RenumberNodes = invert;
     options.ProduceOffcut = true;
     const auto outcome = RunTrim(mesh, MakeSurface("scurve", mesh.Box, Placement()), options);
     for (vtkUnstructuredGrid* grid :
@@ -159,6 +174,7 @@ int main()
   TestPlain<vtkDoubleArray>("double");
   TestSpecial<vtkFloatArray>("float");
   TestSpecial<vtkDoubleArray>("double");
+  TestAscending();
   vtkNew<vtkFloatArray> empty;
   trim::TellRanges(empty);
   Expect(empty->GetRange()[0] > empty->GetRange()[1], "an empty array has a range");
