@@ -7,6 +7,7 @@
 #include "Runs.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -29,6 +30,17 @@ int Slot(int element, int axis)
   return 3 * element + axis;
 }
 
+/// The axes along the first two edges of a quadrilateral in one of its elements; -1: none.
+std::array<int, 2> AxesAlong(const BandElement& element, int slot, const BandFace& face)
+{
+  const int first = AxisOfEdge(element, face.Node[0], face.Node[1]);
+  // The axes of a hexahedron are those of the two edges and that which the face ends.
+  const int second = element.Count == 8 && first >= 0
+    ? 3 - HexahedronTopology.FaceAxis[slot] - first
+    : AxisOfEdge(element, face.Node[1], face.Node[2]);
+  return { first, second };
+}
+
 /// Joins the axes that two elements share through a common face.
 void UniteAxes(const Band& band, const BandFace& face, ConcurrentSets<int>& axes)
 {
@@ -41,13 +53,17 @@ void UniteAxes(const Band& band, const BandFace& face, ConcurrentSets<int>& axes
     axes.Unite(Slot(face.Element[0], end0), Slot(face.Element[1], end1));
   }
   // Opposite edges of a quadrilateral are parallel, those of a triangle have no axis.
-  for (int i = 0; i < 2 && face.Count == 4; ++i)
+  if (face.Count < 4)
   {
-    const int a0 = AxisOfEdge(e0, face.Node[i], face.Node[i + 1]);
-    const int a1 = AxisOfEdge(e1, face.Node[i], face.Node[i + 1]);
-    if (a0 >= 0 && a1 >= 0)
+    return;
+  }
+  const auto along0 = AxesAlong(e0, face.Slot[0], face);
+  const auto along1 = AxesAlong(e1, face.Slot[1], face);
+  for (int i = 0; i < 2; ++i)
+  {
+    if (along0[i] >= 0 && along1[i] >= 0)
     {
-      axes.Unite(Slot(face.Element[0], a0), Slot(face.Element[1], a1));
+      axes.Unite(Slot(face.Element[0], along0[i]), Slot(face.Element[1], along1[i]));
     }
   }
 }
