@@ -96,6 +96,7 @@ add_library(NURBSTrimStages STATIC
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx
   Trim/StretchTrims.cxx
+  Trim/SurplusTuples.cxx
   Trim/TrimPipeline.cxx
   Trim/TrimWarnings.cxx)
 foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Result Renumber Write Trim)

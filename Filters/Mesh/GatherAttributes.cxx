@@ -6,9 +6,9 @@
 #include <vtkAbstractArray.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkSmartPointer.h>
 
 #include <cstring>
+#include <numeric>
 
 namespace trim
 {
@@ -69,6 +69,13 @@ std::vector<int> RolesOf(vtkDataSetAttributes* data, vtkAbstractArray* array)
     }
   }
   return roles;
+}
+
+vtkSmartPointer<vtkAbstractArray> FirstTuples(vtkAbstractArray* source, vtkIdType count)
+{
+  std::vector<vtkIdType> first(count);
+  std::iota(first.begin(), first.end(), vtkIdType(0));
+  return GatherTuples(source, first.data(), count);
 }
 
 void GatherAttributes(

@@ -6,6 +6,7 @@
 #ifndef GatherAttributes_h
 #define GatherAttributes_h
 
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <vector>
@@ -19,6 +20,9 @@ namespace trim
 /// What an array is to its data set: active scalars, global ids...; VTK's own IsArrayAnAttribute
 /// knows of one role alone.
 std::vector<int> RolesOf(vtkDataSetAttributes* data, vtkAbstractArray* array);
+
+/// An array that is the same but for the tuples behind the first `count`.
+vtkSmartPointer<vtkAbstractArray> FirstTuples(vtkAbstractArray* source, vtkIdType count);
 
 /// target gets, for each array of source, the tuples at the `count` `ids`, in this order.
 void GatherAttributes(vtkDataSetAttributes* source, const vtkIdType* ids, vtkIdType count,

@@ -24,7 +24,7 @@ public:
   {
   }
 
-  TrimmedBand Climb(const Progress& progress)
+  TrimmedBand Climb(const Progress& progress, const Promise& promises)
   {
     const auto aborted = [&progress] { return progress(-1.0); };
     TrimmedBand trimmed =
@@ -54,6 +54,10 @@ public:
     }
     this->TheChoices.LeaveInvalid(this->TheChoices.Quality, true, trimmed, aborted);
     progress(Climbed);
+    if (promises && !promises(trimmed))
+    {
+      return trimmed;
+    }
     RaiseToFloor(this->TheChoices, aborted, trimmed);
     progress(Raised);
     LeaveBelowFloor(this->TheChoices, aborted, trimmed);
@@ -355,13 +359,13 @@ private:
 }
 
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position)
+  const Progress& progress, LadderPosition& position, const Promise& promises)
 {
-  return Ladder(given, options, position).Climb(progress);
+  return Ladder(given, options, position).Climb(progress, promises);
 }
 
-std::shared_ptr<const TrimmedBand> FindCloser(TrimCase given, const ClimbMade& made,
-  const Progress& progress, const TrimmedBand& trimmed)
+std::shared_ptr<const TrimmedBand> FindCloser(
+  TrimCase given, const ClimbMade& made, const Progress& progress, const TrimmedBand& trimmed)
 {
   if (!trimmed.Unpolished)
   {

@@ -27,9 +27,11 @@ namespace trim
 /**
  * @param progress where it ends the work, the result is of no use.
  * @param[in,out] position where the climb starts, and where it ended.
+ * @param promises asked when all is valid, before the long way to the floor; where it does not, the
+ * climb ends, and the result is of no use. Empty: not asked.
  */
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position);
+  const Progress& progress, LadderPosition& position, const Promise& promises = {});
 
 /// How a climb went whose closer trim is found later, if at all: most of those that are made to
 /// find the best one are not taken.
@@ -47,8 +49,8 @@ struct ClimbMade
  *
  * @param given as for the climb.
  */
-std::shared_ptr<const TrimmedBand> FindCloser(TrimCase given, const ClimbMade& made,
-  const Progress& progress, const TrimmedBand& trimmed);
+std::shared_ptr<const TrimmedBand> FindCloser(
+  TrimCase given, const ClimbMade& made, const Progress& progress, const TrimmedBand& trimmed);
 
 }
 

@@ -304,6 +304,14 @@ public:
   /// be asked for again.
   std::unique_ptr<TrimBand> FindBest(const Shortcomings& limit, const Progress& progress)
   {
+    if (limit.Elements > 0 && this->GivesUp)
+    {
+      // What was given up may be less bad than that, and is to be made after all.
+      this->GivesUp = false;
+      this->Tried = 0;
+      this->IsMade = {};
+      this->Best = nullptr;
+    }
     if (this->Tried == 0 && Team::Current())
     {
       this->MakeAhead(progress);
@@ -334,7 +342,8 @@ private:
 
   std::unique_ptr<TrimBand> Make(std::size_t trim, const Progress& progress) const
   {
-    return TrimWithLayer(this->Near, this->Before, LayerShares[trim], this->Task, progress);
+    return TrimWithLayer(
+      this->Near, this->Before, LayerShares[trim], this->GivesUp, this->Task, progress);
   }
 
   /// Makes all of them at once, by threads; those after one that leaves nothing end, as hardly
@@ -365,6 +374,7 @@ private:
   std::shared_ptr<const Band> Before;
   std::array<std::unique_ptr<TrimBand>, LayerShares.size()> Made; ///< ahead, not tried yet
   std::array<bool, LayerShares.size()> IsMade{};
+  bool GivesUp = true;            ///< see TrimWithLayer
   std::size_t Tried = 0;          ///< of LayerShares
   std::unique_ptr<TrimBand> Best; ///< of those tried
   Shortcomings Least;             ///< those of the best
@@ -387,7 +397,7 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
 }
 
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
-  std::shared_ptr<MoverMemory> memory)
+  std::shared_ptr<MoverMemory> memory, const Promise& promises)
 {
   if (!memory)
   {
@@ -407,7 +417,7 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
     auto made = std::make_shared<ClimbMade>();
     made->Options = task.Options.Ladder;
     made->Memory = std::move(memory);
-    near.Trimmed = ClimbLadder(given, made->Options, progress, made->End);
+    near.Trimmed = ClimbLadder(given, made->Options, progress, made->End, promises);
     near.Made = std::move(made);
   }
   near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);

@@ -44,8 +44,9 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress);
 
 /// Kept part and offcut by the structure and shares of a band; what TakeCloser takes is left to it.
 /// @param memory of the band, its structure and the surface; null: there is none.
+/// @param promises see ClimbLadder; not asked where the offcut is asked for.
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
-  std::shared_ptr<MoverMemory> memory = nullptr);
+  std::shared_ptr<MoverMemory> memory = nullptr, const Promise& promises = {});
 
 /// Finds what FindCloser does for the climb that was made, and takes it where all in all it leaves
 /// nodes less far off the surface.

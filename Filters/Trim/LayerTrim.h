@@ -18,11 +18,13 @@ namespace trim
  * @param near trimmed without.
  * @param before its mesh.
  * @param largestShare how much of an element, in a sheet of one of its column, may lie beyond.
- * @return null where there is no room for a layer.
+ * @param givesUp whether a layer with which a good part of the elements at it would stay below the
+ * quality floor is of no use: it takes most of the time to find out how many these are.
+ * @return null where there is no room for a layer, or none of use.
  */
 std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
-  const std::shared_ptr<const Band>& before, double largestShare, const BandTask& task,
-  const Progress& progress);
+  const std::shared_ptr<const Band>& before, double largestShare, bool givesUp,
+  const BandTask& task, const Progress& progress);
 
 }
 

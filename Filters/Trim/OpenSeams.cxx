@@ -13,6 +13,8 @@ namespace
 
 /// How far beside each other faces may lie, of their size: places are rounded.
 constexpr double Closeness = 1e-6;
+/// Faces that lie on each other look in opposite directions, but for what they are warped.
+constexpr double OppositeCosine = -0.7;
 
 /// A face that no other element shares.
 struct Side
@@ -23,6 +25,13 @@ struct Side
 
   double Size() const { return (this->High - this->Low).norm(); }
 };
+
+/// Whether a face may be one of a seam.
+bool IsOpen(const Band& band, const BandFace& face)
+{
+  // What lies on a face of ring 0 is no farther than in the next ring.
+  return face.Exterior && face.Element[0] >= 0 && band.Elements[face.Element[0]].Ring <= 1;
+}
 
 bool IsOnSkin(const TrimBand& near, const BandFace& face)
 {
@@ -51,9 +60,7 @@ std::vector<Side> OpenSides(const TrimBand& near)
   std::vector<Side> sides;
   for (const BandFace& face : band.Faces)
   {
-    const int element = face.Element[0];
-    // What lies on a face of ring 0 is no farther than in the next ring.
-    if (face.Exterior && element >= 0 && band.Elements[element].Ring <= 1 && !IsOnSkin(near, face))
+    if (IsOpen(band, face) && !IsOnSkin(near, face))
     {
       sides.push_back(ToSide(band, face));
     }
@@ -67,6 +74,11 @@ bool LiesOn(const Side& side, const Side& other)
   Vec3 on;
   return other.Search.FindInside(side.Middle, 0.0, on) &&
     (on - side.Middle).norm() <= Closeness * other.Size();
+}
+
+bool LieOnEachOther(const Side& a, const Side& b)
+{
+  return LiesOn(a, b) || LiesOn(b, a);
 }
 
 bool MayTouch(const Side& a, const Side& b)
@@ -89,12 +101,9 @@ int LongestAxis(const std::vector<Side>& sides)
   return axis;
 }
 
-}
-
-std::vector<int> FindOpenSeams(const TrimBand& near)
+/// Elements with sides that lie on others, wherever these are.
+void FindAmongSides(std::vector<Side> sides, std::vector<int>& elements)
 {
-  std::vector<Side> sides = OpenSides(near);
-  std::vector<int> elements;
   const int axis = sides.empty() ? 0 : LongestAxis(sides);
   std::sort(sides.begin(), sides.end(),
     [axis](const Side& a, const Side& b) { return a.Low[axis] < b.Low[axis]; });
@@ -103,13 +112,75 @@ std::vector<int> FindOpenSeams(const TrimBand& near)
     const double end = sides[i].High[axis] + Closeness * sides[i].Size();
     for (std::size_t j = i + 1; j < sides.size() && sides[j].Low[axis] <= end; ++j)
     {
-      if (MayTouch(sides[i], sides[j]) &&
-        (LiesOn(sides[i], sides[j]) || LiesOn(sides[j], sides[i])))
+      if (MayTouch(sides[i], sides[j]) && LieOnEachOther(sides[i], sides[j]))
       {
         elements.insert(elements.end(), { sides[i].Element, sides[j].Element });
       }
     }
   }
+}
+
+/// Across both diagonals; of a triangle too.
+Vec3 NormalOf(const Band& band, const BandFace& face)
+{
+  const auto at = [&](int corner) -> const Vec3& { return band.Point[face.Node[corner]]; };
+  return (at(2) - at(0)).cross(at(face.Count - 1) - at(1)).normalized();
+}
+
+/// Whether each corner of a face is where the other one has a corner.
+bool HaveSameCorners(const Band& band, const BandFace& a, const BandFace& b)
+{
+  const double close = Closeness * (band.Point[a.Node[2]] - band.Point[a.Node[0]]).norm();
+  return a.Count == b.Count &&
+    std::all_of(a.begin(), a.end(),
+      [&](int n)
+      {
+        return std::any_of(b.begin(), b.end(),
+          [&](int m) { return (band.Point[n] - band.Point[m]).norm() <= close; });
+      });
+}
+
+/**
+ * Elements at which others hang by a skin: sheets may lie on each other, and where nodes of both
+ * are the same they are glued there or it is a fold, if all the others are double; a node that lies
+ * between those of the other sheet was left behind by a refinement.
+ */
+void FindHangingOnSkin(const TrimBand& near, std::vector<int>& elements)
+{
+  const Band& band = near.Mesh;
+  const auto hangsOn = [&](const BandFace& face, const Vec3& normal, const BandFace& other)
+  {
+    return IsOpen(band, other) && NormalOf(band, other).dot(normal) < OppositeCosine &&
+      !HaveSameCorners(band, face, other) &&
+      LieOnEachOther(ToSide(band, face), ToSide(band, other));
+  };
+  for (const BandFace& face : band.Faces)
+  {
+    if (!IsOpen(band, face) || !IsOnSkin(near, face))
+    {
+      continue;
+    }
+    const Vec3 normal = NormalOf(band, face);
+    for (const int node : face)
+    {
+      for (const int f : band.FacesOfNode(node))
+      {
+        if (hangsOn(face, normal, band.Faces[f]))
+        {
+          elements.insert(elements.end(), { face.Element[0], band.Faces[f].Element[0] });
+        }
+      }
+    }
+  }
+}
+
+}
+
+std::vector<int> FindOpenSeams(const TrimBand& near)
+{
+  std::vector<int> elements;
+  FindAmongSides(OpenSides(near), elements);
+  FindHangingOnSkin(near, elements);
   SortUnique(elements);
   elements.erase(std::remove_if(elements.begin(), elements.end(),
                    [&near](int e) { return near.Mesh.Elements[e].Ring != 0; }),

@@ -14,8 +14,8 @@
 namespace trim
 {
 
-/// Elements that the surface meets and that have such a face, ascending. Not of the skins of
-/// sheets, which may lie on each other.
+/// Elements that the surface meets and that have such a face, ascending. Skins of sheets may lie on
+/// each other: they count where they have nodes in common and others that hang between those.
 std::vector<int> FindOpenSeams(const TrimBand& near);
 
 }

@@ -7,6 +7,7 @@
 #include "SharedSurface.h"
 #include "ShownSurface.h"
 #include "SurfaceGaps.h"
+#include "SurplusTuples.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkCompositeDataSetRange.h>
@@ -124,6 +125,16 @@ std::string DescribeLeftOut(const OwnCells& own, const Ranks& ranks)
                    : "";
 }
 
+/// What is to be said of arrays that are too long; empty: nothing. Collective.
+std::string DescribeSurplus(const std::string& own, const Ranks& ranks)
+{
+  const std::string arrays = ranks.FirstText(own);
+  return arrays.empty() ? ""
+                        : "Arrays of the grid have more tuples than it has points or cells, of "
+                          "which the first are taken: " +
+      arrays + ". If these are not theirs, rewrite the grid or remove the arrays.";
+}
+
 std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
 {
   nurbs::Box3 box;
@@ -170,7 +181,7 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   }
   this->Grid = nullptr;
   this->Joined = false;
-  const auto plain = WithPointsInOneArray(grid);
+  const auto plain = WithoutSurplus(WithPointsInOneArray(grid), this->OwnSurplus);
   // Most grids have no defect: only others are looked at for which is the first.
   if (!HasGhosts(plain) && ViewUnchecked(plain, this->TheMesh) &&
     ScanMesh(this->TheMesh, this->TheBlocks))
@@ -210,6 +221,7 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
       "several pieces are known by their places: make new ones, e.g. with Generate Global Ids."
     : "";
   this->HiddenRemark = DescribeLeftOut(this->TheOwn, ranks);
+  this->SurplusRemark = DescribeSurplus(this->OwnSurplus, ranks);
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
   {
@@ -302,7 +314,8 @@ bool TrimInputs::Take(
 std::vector<std::string> TrimInputs::Remarks() const
 {
   std::vector<std::string> remarks;
-  for (const std::string& remark : { this->HiddenRemark, this->PiecesRemark, this->SurfaceRemark })
+  for (const std::string& remark :
+    { this->HiddenRemark, this->PiecesRemark, this->SurplusRemark, this->SurfaceRemark })
   {
     if (!remark.empty())
     {

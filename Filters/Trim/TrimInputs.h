@@ -68,6 +68,8 @@ private:
   SharedNodes TheShared;
   std::string PiecesRemark; ///< empty: nothing is to be said
   std::string HiddenRemark;
+  std::string OwnSurplus; ///< arrays of this rank's piece that are too long
+  std::string SurplusRemark;
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;

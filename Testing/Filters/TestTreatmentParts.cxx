@@ -1,9 +1,9 @@
 /**
  * @file TestTreatmentParts.cxx
- * @brief What the ladder relies on, by itself: a decision that is taken again, the bound of the
- * scaled Jacobian, the step of least squares, the worth of an element, the way to a sharp edge, the
- * way behind several planes, nodes that lie near each other, tasks in turn, threads that stay, what
- * movers remember.
+ * @brief What the ladder relies on, by itself: a decision that is taken again, a climb that does
+ * not pay, the bound of the scaled Jacobian, the step of least squares, the worth of an element,
+ * the way to a sharp edge, the way behind several planes, nodes that lie near each other, tasks in
+ * turn, threads that stay, what movers remember.
  */
 #include "Decision.h"
 #include "DirectionBehind.h"
@@ -18,6 +18,7 @@
 #include "SampleSurfaces.h"
 #include "Status.h"
 #include "Team.h"
+#include "ValidityLadder.h"
 #include "Wavefront.h"
 
 #include <Eigen/LU>
@@ -78,6 +79,14 @@ public:
   bool SlidingMatters(const MoverMemory& memory) const
   {
     return trim::SlidingMatters(this->Mesh, this->Structure, memory);
+  }
+
+  TrimmedBand Climb(const Promise& promises) const
+  {
+    const TrimCase given{ this->Mesh, this->Structure, this->Shares, this->Surface, 1e-8 };
+    LadderPosition position;
+    return ClimbLadder(
+      given, LadderOptions(), [](double) { return false; }, position, promises);
   }
 
   const Band Mesh;
@@ -157,6 +166,28 @@ void CheckDecisionAgain()
   Expect(mended > 200, "and fates are mended: " + std::to_string(mended));
   fate.assign(fate.size(), Fate::ByVolume);
   Expect(again.Take(fate) == first, "the first fates give the first decision again");
+}
+
+/// The way to the floor is not gone where it does not pay; its end is what tells of rungs.
+void CheckPromise()
+{
+  const CutBlock block;
+  int asked = 0;
+  const auto climb = [&](bool pays)
+  {
+    return block.Climb(
+      [&](const TrimmedBand& trimmed)
+      {
+        ++asked;
+        Expect(trimmed.Invalid.empty(), "asked when all is valid");
+        return pays;
+      });
+  };
+  Expect(climb(false).RescuedBy.empty() && asked == 1, "the climb ends where it does not pay");
+  const TrimmedBand whole = climb(true), unasked = block.Climb({});
+  Expect(asked == 2 && !whole.RescuedBy.empty(), "it goes on where it does");
+  Expect(whole.NodeMoves.Position == unasked.NodeMoves.Position && whole.Kept == unasked.Kept,
+    "to the same end");
 }
 
 ElementPoints RandomElement(int count, std::mt19937& random)
@@ -669,6 +700,7 @@ int main()
   CheckSizeOfTeam();
   CheckDirectionBehind();
   CheckDecisionAgain();
+  CheckPromise();
   CheckBound();
   CheckStep();
   CheckWorth();

@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cstdio>
@@ -202,6 +203,60 @@ void TestNumberings(const Mesh& mesh, const Surface& surface)
     Wrong += report.Failures();
   }
 }
+
+// Point ids and names of cells with some more at the end.
+Mesh WithSurplus(Mesh mesh)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->DeepCopy(mesh.Grid);
+  mesh.Grid = grid;
+  grid->GetPointData()->GetGlobalIds()->InsertVariantValue(grid->GetNumberOfPoints(), -1);
+  vtkNew<vtkStringArray> names;
+  names->SetName("Names");
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells() + 5; ++c)
+  {
+    names->InsertNextValue(std::to_string(c));
+  }
+  grid->GetCellData()->AddArray(names);
+  return mesh;
+}
+
+void ExpectNoSurplus(vtkDataSetAttributes* data, vtkIdType count)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    Expect(data->GetAbstractArray(i)->GetNumberOfTuples() == count,
+      "surplus: in an output, array " + std::to_string(i));
+  }
+}
+
+// Tuples that no point or cell has are told of, and in no output: else it would be as corrupt.
+void TestSurplus(const Mesh& mesh, const Surface& surface)
+{
+  TrimOptions options;
+  options.ProduceOffcut = true;
+  const Outcome outcome = RunTrim(WithSurplus(mesh), surface, options);
+  const std::string count = std::to_string(mesh.Grid->GetNumberOfCells());
+  const std::string text = outcome.Warnings.empty() ? "" : outcome.Warnings.front();
+  Expect(outcome.Clean() && outcome.Warnings.size() == 1 &&
+      text.find("more tuples than it has points or cells") != std::string::npos &&
+      text.find(" for " + count + " cells)") != std::string::npos,
+    "surplus: not one warning: " + text);
+  vtkUnstructuredGrid* const outputs[] = { outcome.Case.Trimmed, outcome.Case.Whole,
+    outcome.Offcut };
+  for (vtkUnstructuredGrid* output : outputs)
+  {
+    ExpectNoSurplus(output->GetPointData(), output->GetNumberOfPoints());
+    ExpectNoSurplus(output->GetCellData(), output->GetNumberOfCells());
+    Expect(output->GetPointData()->GetGlobalIds() && output->GetCellData()->HasArray("Names"),
+      "surplus: an array is lost");
+    output->GetCellData()->RemoveArray("Names");
+  }
+  const Outcome expected = RunTrim(mesh, surface, options);
+  const std::string difference = FirstDifference(expected.Case.Whole, outcome.Case.Whole) +
+    FirstDifference(expected.Case.Trimmed, outcome.Case.Trimmed);
+  Expect(difference.empty(), "surplus: another result: " + difference);
+}
 }
 
 int main()
@@ -217,6 +272,7 @@ int main()
   TestOtherLayout<double>("sheet2");
   TestOtherLayout<float>("float");
   TestUnusual(mesh, MakeSurface("scurve", mesh.Box, Placement()));
+  TestSurplus(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNameClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNamesOfEarlierTrim(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   std::printf("%d wrong\n", Wrong);

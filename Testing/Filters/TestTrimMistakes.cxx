@@ -20,7 +20,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <map>
+#include <utility>
 
 using namespace judge;
 
@@ -130,75 +132,168 @@ void TestUnits()
     "units: an alarm where they are the same");
 }
 
-// Pieces beside each other whose nodes were not merged; on each other they are two sheets.
-void TestSeam()
+// Cells that are open along a seam where a plane goes through, each with a face at the seam.
+int CountAtSeam(const std::string& name, const Mesh& mesh, const Vec3& origin, const Vec3& normal,
+  int axis, double place)
 {
-  const Surface across = PlaneThrough(Vec3(15, 10.3, 0.5), Vec3(0.1, 1, 0), 100);
-  const Outcome seam = RunTrim(TwoSheets(15, 20, 2, 0.5, Vec3(15, 0, 0)), across, TrimOptions());
-  vtkUnstructuredGrid* grid = seam.Case.Whole;
+  const Outcome outcome = RunTrim(mesh, PlaneThrough(origin, normal, 60), TrimOptions());
+  vtkUnstructuredGrid* grid = outcome.Case.Whole;
   vtkDataArray* feasibility = grid->GetCellData()->GetArray("Feasibility");
   int found = 0;
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
   {
     double box[6];
     grid->GetCellBounds(c, box);
-    const bool atSeam = box[0] == 15 || box[1] == 15;
-    Expect(feasibility->GetComponent(c, 0) != OpenSeam || atSeam, "seam: a cell elsewhere");
+    const bool atSeam = box[2 * axis] == place || box[2 * axis + 1] == place;
+    Expect(feasibility->GetComponent(c, 0) != OpenSeam || atSeam, name + ": a cell elsewhere");
     found += feasibility->GetComponent(c, 0) == OpenSeam;
   }
-  Expect(found >= 4 && CountWarned(seam, SeamPhrase) == found,
-    "seam: " + std::to_string(found) + " cells, warned of " +
-      std::to_string(CountWarned(seam, SeamPhrase)));
-  for (const Vec3& apart : { Vec3(0, 0, 1), Vec3(15.5, 0, 0) })
-  {
-    const Outcome none = RunTrim(TwoSheets(15, 20, 2, 0.5, apart), across, TrimOptions());
-    Expect(
-      none.Clean() && CountWarned(none, SeamPhrase) == 0, "seam: an alarm where there is none");
-  }
+  Expect(outcome.Clean() && CountWarned(outcome, SeamPhrase) == found,
+    name + ": " + std::to_string(found) + " cells, warned of " +
+      std::to_string(CountWarned(outcome, SeamPhrase)));
+  return found;
 }
 
-// One layer of squares, of size 1 up to x = 8 and of half the size beyond: every other node of the
-// small ones hangs on a side of the large ones.
-vtkSmartPointer<vtkUnstructuredGrid> HalfRefined()
+// Pieces beside each other whose nodes were not merged; on each other they are two sheets.
+void TestSeam()
 {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  std::map<std::array<double, 3>, vtkIdType> numbers;
-  const auto number = [&](double x, double y, double z)
+  const auto count = [](const Vec3& shift)
   {
-    const auto found = numbers.try_emplace({ x, y, z }, points->GetNumberOfPoints());
-    return found.second ? points->InsertNextPoint(x, y, z) : found.first->second;
+    return CountAtSeam(
+      "seam", TwoSheets(15, 20, 2, 0.5, shift), Vec3(15, 10.3, 0.5), Vec3(0.1, 1, 0), 0, 15);
   };
-  for (const double size : { 1.0, 0.5 })
+  const int found = count(Vec3(15, 0, 0));
+  Expect(found >= 4, "seam: " + std::to_string(found) + " cells");
+  Expect(count(Vec3(0, 0, 1)) == 0 && count(Vec3(15.5, 0, 0)) == 0,
+    "seam: an alarm where there is none");
+}
+
+// Bricks of a mesh: nodes at the same place are the same unless they are of another part.
+class Bricks
+{
+public:
+  void Add(const Vec3& low, const Vec3& high, const Vec3& size)
   {
-    for (double x = size < 1 ? 8 : 0; x < (size < 1 ? 16 : 8); x += size)
+    for (double z = low[2]; z < high[2]; z += size[2])
     {
-      for (double y = 0; y < 16; y += size)
+      for (double y = low[1]; y < high[1]; y += size[1])
       {
-        const double right = x + size, back = y + size;
-        const vtkIdType nodes[] = { number(x, y, 0), number(right, y, 0), number(right, back, 0),
-          number(x, back, 0), number(x, y, 0.5), number(right, y, 0.5), number(right, back, 0.5),
-          number(x, back, 0.5) };
-        grid->InsertNextCell(VTK_HEXAHEDRON, 8, nodes);
+        for (double x = low[0]; x < high[0]; x += size[0])
+        {
+          this->AddOne(Vec3(x, y, z), Vec3(x, y, z) + size);
+        }
       }
     }
   }
-  grid->SetPoints(points);
-  return grid;
-}
 
+  // Bricks from here on have nodes of their own, but for those at places that are glued.
+  void BeginPart(std::function<bool(const Vec3&)> isGlued)
+  {
+    ++this->Part;
+    this->IsGlued = std::move(isGlued);
+  }
+
+  // In a frame of a sheet for PlaneThrough.
+  Mesh ToMesh() const
+  {
+    Mesh mesh = Sheet(16, 16, 1, Vec3(1, 1, 0.5));
+    mesh.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    mesh.Grid->DeepCopy(this->Grid);
+    mesh.Grid->SetPoints(this->Points);
+    return mesh;
+  }
+
+private:
+  void AddOne(const Vec3& low, const Vec3& high)
+  {
+    const Vec3 ends[] = { low, high };
+    vtkIdType nodes[8];
+    for (int i = 0; i < 8; ++i)
+    {
+      const bool right = i % 4 == 1 || i % 4 == 2, back = i % 4 > 1;
+      nodes[i] = this->Number(Vec3(ends[right][0], ends[back][1], ends[i / 4][2]));
+    }
+    this->Grid->InsertNextCell(VTK_HEXAHEDRON, 8, nodes);
+  }
+
+  vtkIdType Number(const Vec3& at)
+  {
+    const int part = this->Part > 0 && this->IsGlued(at) ? 0 : this->Part;
+    const auto found =
+      this->Numbers.try_emplace({ at[0], at[1], at[2] + 100 * part }, this->Numbers.size());
+    return found.second ? this->Points->InsertNextPoint(at.data()) : found.first->second;
+  }
+
+  vtkNew<vtkUnstructuredGrid> Grid;
+  vtkNew<vtkPoints> Points;
+  std::map<std::array<double, 3>, vtkIdType> Numbers;
+  int Part = 0;
+  std::function<bool(const Vec3&)> IsGlued;
+};
+
+// One layer of squares, of size 1 up to x = 8 and of half the size beyond: every other node of the
+// small ones hangs on a side of the large ones.
 void TestHangingNodes()
 {
-  Mesh mesh = Sheet(16, 16, 1, Vec3(1, 1, 0.5));
-  mesh.Grid = HalfRefined();
-  const auto warned = [&mesh](const Vec3& origin, const Vec3& normal)
+  Bricks bricks;
+  bricks.Add(Vec3(0, 0, 0), Vec3(8, 16, 0.5), Vec3(1, 1, 0.5));
+  bricks.Add(Vec3(8, 0, 0), Vec3(16, 16, 0.5), Vec3(0.5, 0.5, 0.5));
+  const Mesh mesh = bricks.ToMesh();
+  const auto count = [&mesh](const Vec3& origin, const Vec3& normal)
+  { return CountAtSeam("hanging nodes", mesh, origin, normal, 0, 8); };
+  Expect(count(Vec3(8.3, 8.1, 0), Vec3(0.3, 1, 0)) >= 2, "hanging nodes: no word of them");
+  Expect(count(Vec3(4.3, 8, 0), Vec3::UnitX()) == 0, "hanging nodes: an alarm elsewhere");
+}
+
+// A sheet on another one, at z = 1, of elements of its own size, glued to it where it is said.
+int CountOnSheet(
+  const std::string& name, const Vec3& size, const std::function<bool(const Vec3&)>& isGlued)
+{
+  Bricks bricks;
+  bricks.Add(Vec3(0, 0, 0), Vec3(16, 16, 1), Vec3(1, 1, 1));
+  bricks.BeginPart(isGlued);
+  bricks.Add(Vec3(0, 0, 1), Vec3(16, 16, 2), size);
+  return CountAtSeam(name, bricks.ToMesh(), Vec3(8.3, 8.1, 1), Vec3(0.3, 1, 0), 2, 1);
+}
+
+// Skins of sheets may lie on each other, glued at some nodes as by welds too, but for nodes that
+// hang between those that are the same.
+void TestHangingOnSkin()
+{
+  const Vec3 fine(0.5, 0.5, 0.5);
+  const auto nowhere = [](const Vec3&) { return false; };
+  const auto atInterface = [](const Vec3& at) { return at[2] == 1; };
+  const auto atWelds = [](const Vec3& at)
+  { return at[2] == 1 && std::fmod(at[0], 4) == 0 && std::fmod(at[1], 2) == 0; };
+  const int hanging = CountOnSheet("two fine layers on a coarse one", fine, atInterface);
+  // Each row of 16 large elements is cut once or more, and two rows of small ones are.
+  Expect(hanging >= 16 + 32, "two fine layers on a coarse one: " + std::to_string(hanging));
+  Expect(CountOnSheet("fine layers that touch a coarse one", fine, nowhere) == 0 &&
+      CountOnSheet("sheets that touch", Vec3(1, 1, 0.5), nowhere) == 0 &&
+      CountOnSheet("sheets that are welded", Vec3(1, 1, 0.5), atWelds) == 0 &&
+      CountOnSheet("sheets that are one", Vec3(1, 1, 0.5), atInterface) == 0,
+    "on a skin: an alarm where nothing hangs");
+}
+
+// A wall of two fine layers that stands on a sheet, or beside the side of a block of large
+// elements.
+void TestHangingBesideSkin()
+{
+  for (const double size : { 1.0, 0.5 })
   {
-    return CountWarned(RunTrim(mesh, PlaneThrough(origin, normal, 60), TrimOptions()), SeamPhrase);
-  };
-  const int across = warned(Vec3(8.3, 8.1, 0), Vec3(0.3, 1, 0));
-  Expect(across >= 2, "hanging nodes: warned of " + std::to_string(across));
-  Expect(warned(Vec3(4.3, 8, 0), Vec3::UnitX()) == 0, "hanging nodes: an alarm elsewhere");
+    Bricks tee;
+    tee.Add(Vec3(0, 0, 0), Vec3(16, 16, 1), Vec3(1, 1, 1));
+    tee.Add(Vec3(7, 0, 1), Vec3(8, 16, 9), Vec3(size, size, 1));
+    const int found =
+      CountAtSeam("a wall on a sheet", tee.ToMesh(), Vec3(8, 8.1, 1), Vec3(0.05, 1, 0), 2, 1);
+    Expect((found > 0) == (size < 1), "a wall on a sheet: " + std::to_string(found));
+    Bricks beside;
+    beside.Add(Vec3(0, 0, 0), Vec3(8, 16, 8), Vec3(1, 1, 1));
+    beside.Add(Vec3(8, 0, 0), Vec3(8 + 2 * size, 16, 8), Vec3(size, size, 1));
+    const int along =
+      CountAtSeam("a wall at a block", beside.ToMesh(), Vec3(8, 8.1, 1), Vec3(0.05, 1, 0), 0, 8);
+    Expect((along > 0) == (size < 1), "a wall at a block: " + std::to_string(along));
+  }
 }
 
 // An element that is in the mesh twice.
@@ -317,6 +412,8 @@ int main()
   TestUnits();
   TestSeam();
   TestHangingNodes();
+  TestHangingOnSkin();
+  TestHangingBesideSkin();
   TestRepeated();
   TestHidden();
   TestInserted();

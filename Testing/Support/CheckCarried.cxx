@@ -10,6 +10,7 @@
 #include <vtkVariant.h>
 
 #include <cstring>
+#include <numeric>
 #include <set>
 
 namespace judge
@@ -178,6 +179,13 @@ std::string DifferentData(vtkFieldData* a, vtkFieldData* b)
   }
   return "";
 }
+
+std::vector<Id> FirstIds(Id count)
+{
+  std::vector<Id> ids(count);
+  std::iota(ids.begin(), ids.end(), Id(0));
+  return ids;
+}
 }
 
 void CheckCarriedArrays(const Evidence& e, Report& report)
@@ -188,9 +196,11 @@ void CheckCarriedArrays(const Evidence& e, Report& report)
   CompareAttributes(
     in->GetPointData(), out->GetPointData(), &e.PointOf, "port 0 point data", report);
   CompareAttributes(in->GetCellData(), out->GetCellData(), &e.CellOf, "port 0 cell data", report);
+  // Not by the arrays' own lengths, which may be more than the grid has.
+  const auto points = FirstIds(in->GetNumberOfPoints()), cells = FirstIds(in->GetNumberOfCells());
   CompareAttributes(
-    in->GetPointData(), whole->GetPointData(), nullptr, "port 1 point data", report);
-  CompareAttributes(in->GetCellData(), whole->GetCellData(), nullptr, "port 1 cell data", report);
+    in->GetPointData(), whole->GetPointData(), &points, "port 1 point data", report);
+  CompareAttributes(in->GetCellData(), whole->GetCellData(), &cells, "port 1 cell data", report);
   for (int i = 0; i < in->GetFieldData()->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = in->GetFieldData()->GetAbstractArray(i);
