@@ -63,13 +63,15 @@ void TestAbortOfClassification()
     "abort of classification: " + error);
   const nurbs::TrimmingSurface trimming(std::move(faces), 0.0);
   const trim::MeshBlocks blocks = trim::BuildMeshBlocks(view);
+  const auto everywhere = trim::FindRuns(blocks, [](const nurbs::Box3&) { return true; });
   const trim::Ranks alone;
   const trim::SharedNodes none;
   for (const bool stop : { false, true })
   {
     trim::NodeClassification nodes;
     const bool done = trim::ClassifyNodes(
-      view, blocks, { alone, none, {} }, trimming, 1e-9, [stop] { return stop; }, nodes, error);
+      view, blocks, everywhere, { alone, none, {} }, trimming, 1e-9, [stop] { return stop; }, nodes,
+      error);
     Expect(done != stop && error.empty(), "abort of classification: goes on, or an error");
   }
 }
