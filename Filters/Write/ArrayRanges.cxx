@@ -11,6 +11,7 @@
 #include <vtkInformationInformationVectorKey.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
@@ -219,6 +220,30 @@ void Tell(vtkDataArray* array, const Value* values, vtkIdType count)
   }
 }
 
+class PointsOfRanges : public vtkPoints
+{
+public:
+  static PointsOfRanges* New();
+  vtkTypeMacro(PointsOfRanges, vtkPoints);
+
+  void ComputeBounds() override
+  {
+    if (this->GetNumberOfPoints() == 0)
+    {
+      this->Superclass::ComputeBounds();
+    }
+    else if (this->GetMTime() > this->ComputeTime)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Data->GetRange(this->Bounds + 2 * axis, axis);
+      }
+      this->ComputeTime.Modified();
+    }
+  }
+};
+vtkStandardNewMacro(PointsOfRanges);
+
 /// The tuples at these places, and zeros for all others.
 template <typename Value>
 std::vector<Value> Listed(const Value* values, int components, const std::vector<vtkIdType>& places)
@@ -286,6 +311,13 @@ void TellRangeOfAscending(vtkIdTypeArray* array)
       array->GetValue(array->GetNumberOfTuples() - 1) };
     Tell(array, ends.data(), 2);
   }
+}
+
+vtkSmartPointer<vtkPoints> MakePoints(vtkDataArray* places)
+{
+  const auto points = vtkSmartPointer<PointsOfRanges>::New();
+  points->SetData(places);
+  return points;
 }
 
 void TellRanges(vtkDataSet* data)

@@ -10,6 +10,7 @@
 #ifndef ArrayRanges_h
 #define ArrayRanges_h
 
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <vector>
@@ -17,6 +18,7 @@
 class vtkDataArray;
 class vtkDataSet;
 class vtkIdTypeArray;
+class vtkPoints;
 
 namespace trim
 {
@@ -33,6 +35,10 @@ void TellRanges(vtkDataArray* array, const std::vector<vtkIdType>& places);
 
 /// The same for one component of values that ascend.
 void TellRangeOfAscending(vtkIdTypeArray* array);
+
+/// Points at the places that an array tells, three components each, whose bounds are the ranges of
+/// these. Others look through all places for them, which ParaView asks for after each Apply.
+vtkSmartPointer<vtkPoints> MakePoints(vtkDataArray* places);
 
 }
 

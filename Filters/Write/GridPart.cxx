@@ -50,9 +50,7 @@ void WriteCoordinates(
         to[3 * place + k] = static_cast<Value>(moved.NodeMoves->Position[node][k]);
       }
     });
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  output->SetPoints(points);
+  output->SetPoints(MakePoints(coordinates));
 }
 
 }

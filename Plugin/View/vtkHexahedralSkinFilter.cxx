@@ -150,7 +150,7 @@ void MakeSkin(vtkUnstructuredGrid* grid, const trim::HexMesh& mesh,
   {
     GatherPoints(mesh.PointsFloat, points.Ids, places);
   }
-  output->SetPoints(places);
+  output->SetPoints(trim::MakePoints(places->GetData()));
   output->SetPolys(MakePolygons(mesh, skin, points.NumberOf));
   std::vector<Id> cells;
   cells.reserve(skin.size());

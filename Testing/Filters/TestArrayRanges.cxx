@@ -63,6 +63,33 @@ void CheckTold(vtkDataArray* array, const std::string& what)
   }
 }
 
+/// As of points that look for their bounds; also when one was moved.
+void CheckBounds(vtkPoints* points)
+{
+  for (const double move : { 0.0, 1e3 })
+  {
+    double place[3];
+    points->GetPoint(0, place);
+    points->SetPoint(0, place[0] + move, place[1], place[2] - move);
+    if (move != 0.0)
+    {
+      points->Modified();
+    }
+    vtkNew<vtkPoints> others;
+    others->SetDataType(points->GetDataType());
+    others->DeepCopy(points);
+    Expect(std::equal(points->GetBounds(), points->GetBounds() + 6, others->GetBounds()),
+      "bounds of points: not what VTK finds");
+  }
+}
+
+void CheckNoBounds(vtkPoints* points)
+{
+  vtkNew<vtkPoints> others;
+  Expect(std::equal(points->GetBounds(), points->GetBounds() + 6, others->GetBounds()),
+    "bounds of no points: not what VTK finds");
+}
+
 /// Longer than what a thread takes at a time, so that the extremes lie in different pieces.
 template <typename Array>
 vtkNew<Array> MakeArray(int components)
@@ -159,6 +186,7 @@ void TestOutputs()
         }
       }
       CheckTold(grid->GetPoints()->GetData(), "coordinates");
+      CheckBounds(grid->GetPoints());
     }
   }
 }
@@ -179,6 +207,9 @@ int main()
   trim::TellRanges(empty);
   Expect(empty->GetRange()[0] > empty->GetRange()[1], "an empty array has a range");
   TestOutputs();
+  vtkNew<vtkDoubleArray> nowhere;
+  nowhere->SetNumberOfComponents(3);
+  CheckNoBounds(trim::MakePoints(nowhere));
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
