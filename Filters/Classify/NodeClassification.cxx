@@ -232,12 +232,7 @@ std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks
         }
       }
     });
-  std::vector<Id> all;
-  for (const auto& nodes : left)
-  {
-    all.insert(all.end(), nodes.begin(), nodes.end());
-  }
-  return all;
+  return Joined(left);
 }
 
 template <typename Index>
@@ -368,7 +363,7 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const std::vec
   std::fill(result.Status.begin(), result.Status.end(), static_cast<unsigned char>(NodeUnknown));
   const Vec3 margin = Vec3::Constant(tolerance);
   const auto mayHaveNodesOn = [&surface, &margin](const Box3& box)
-  { return surface.MayIntersect(Box3(box.min() - margin, box.max() + margin)); };
+  { return surface.MayIntersect(Grown(box, margin)); };
   result.CandidateCells = FindCells(mesh, blocks, nearRuns, mayHaveNodesOn);
 
   result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);

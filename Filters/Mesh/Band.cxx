@@ -263,10 +263,7 @@ void Band::BuildEdges()
         this->ListEdges(static_cast<int>(n), edges[run]);
       }
     });
-  for (const auto& list : edges)
-  {
-    this->Edges.insert(this->Edges.end(), list.begin(), list.end());
-  }
+  this->Edges = Joined(edges);
   this->EdgeLists = BuildLists(this->NumberOfNodes(),
     [this](auto&& add)
     {

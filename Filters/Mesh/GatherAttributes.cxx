@@ -71,6 +71,16 @@ std::vector<int> RolesOf(vtkDataSetAttributes* data, vtkAbstractArray* array)
   return roles;
 }
 
+void AddInRolesOf(vtkAbstractArray* other, vtkDataSetAttributes* ofOther, vtkAbstractArray* array,
+  vtkDataSetAttributes* data)
+{
+  const int index = data->AddArray(array);
+  for (const int role : RolesOf(ofOther, other))
+  {
+    data->SetActiveAttribute(index, role);
+  }
+}
+
 vtkSmartPointer<vtkAbstractArray> FirstTuples(vtkAbstractArray* source, vtkIdType count)
 {
   std::vector<vtkIdType> first(count);
@@ -84,11 +94,7 @@ void GatherAttributes(
   for (int i = 0; i < source->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = source->GetAbstractArray(i);
-    const int index = target->AddArray(GatherTuples(array, ids, count));
-    for (const int role : RolesOf(source, array))
-    {
-      target->SetActiveAttribute(index, role);
-    }
+    AddInRolesOf(array, source, GatherTuples(array, ids, count), target);
   }
 }
 

@@ -21,6 +21,10 @@ namespace trim
 /// knows of one role alone.
 std::vector<int> RolesOf(vtkDataSetAttributes* data, vtkAbstractArray* array);
 
+/// Adds an array in the roles that another one has in its data.
+void AddInRolesOf(vtkAbstractArray* other, vtkDataSetAttributes* ofOther, vtkAbstractArray* array,
+  vtkDataSetAttributes* data);
+
 /// An array that is the same but for the tuples behind the first `count`.
 vtkSmartPointer<vtkAbstractArray> FirstTuples(vtkAbstractArray* source, vtkIdType count);
 

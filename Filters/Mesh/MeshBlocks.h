@@ -85,11 +85,6 @@ struct MeshBlocks
   static constexpr int NoCluster = std::numeric_limits<int>::max();
 
   Id NumberOfBlocks() const { return static_cast<Id>(this->Boxes.size()); }
-  static Id FirstCell(Id block) { return block * CellsPerBlock; }
-  static Id EndCell(Id block, Id numberOfCells)
-  {
-    return std::min(numberOfCells, (block + 1) * CellsPerBlock);
-  }
   static Id FirstCellOfRun(Id run) { return run * CellsPerRun; }
   static Id EndCellOfRun(Id run, Id numberOfCells)
   {
@@ -108,6 +103,12 @@ int PointsOfCell(const HexMesh& mesh, Id cell, ElementPoints& points);
 
 /// The box of one cell.
 Box3 CellBox(const HexMesh& mesh, Id cell);
+
+/// A box with so much more on either side.
+inline Box3 Grown(const Box3& box, const Vec3& margin)
+{
+  return { box.min() - margin, box.max() + margin };
+}
 
 /**
  * Short runs of cells whose boxes pass a test, ascending: asked of blocks first.

@@ -65,7 +65,7 @@ MeetingPlaces FindMeetingPlaces(const Box3& own, const Ranks& ranks)
   const Vec3 margin = 1.01 / BoxesPerAxis * places.Whole.sizes();
   for (Box3& box : places.Others)
   {
-    box = Box3(box.min() - margin, box.max() + margin);
+    box = Grown(box, margin);
   }
   return places;
 }

@@ -41,11 +41,7 @@ void CutOff(vtkDataSetAttributes* data, vtkIdType count, const char* what, std::
         std::to_string(array->GetNumberOfTuples()) + " for " + std::to_string(count) + " " + what +
         ")";
     }
-    const int index = data->AddArray(own);
-    for (const int role : RolesOf(given, array))
-    {
-      data->SetActiveAttribute(index, role);
-    }
+    AddInRolesOf(array, given, own, data);
   }
 }
 

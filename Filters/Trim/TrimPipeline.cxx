@@ -246,9 +246,8 @@ std::vector<Id> FindNearRuns(
 {
   const Vec3 slack = Vec3::Constant(1e-6 * blocks.LargestDiagonal);
   const Vec3 margin = (rings * blocks.LargestCell + slack).cwiseMax(tolerance);
-  return FindRuns(blocks,
-    [&](const Box3& box)
-    { return surface.MayIntersect(Box3(box.min() - margin, box.max() + margin)); });
+  return FindRuns(
+    blocks, [&](const Box3& box) { return surface.MayIntersect(Grown(box, margin)); });
 }
 
 /// What is wrong where two elements have the same nodes; empty: there are none.

@@ -8,6 +8,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkMultiProcessController.h>
 #include <vtkNew.h>
@@ -71,15 +73,19 @@ struct SkinPoints
   }
 };
 
-template <typename Real>
-void GatherPoints(const Real* from, const std::vector<Id>& ids, vtkPoints* points)
+template <typename Array>
+vtkSmartPointer<vtkPoints> GatherPoints(
+  const typename Array::ValueType* from, const std::vector<Id>& ids)
 {
-  points->SetNumberOfPoints(static_cast<vtkIdType>(ids.size()));
-  Real* to = static_cast<Real*>(points->GetVoidPointer(0));
+  vtkNew<Array> places;
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
+  auto* to = places->GetPointer(0);
   for (const Id id : ids)
   {
     to = std::copy_n(from + 3 * id, 3, to);
   }
+  return trim::MakePoints(places);
 }
 
 vtkSmartPointer<vtkCellArray> MakePolygons(const trim::HexMesh& mesh,
@@ -140,17 +146,8 @@ void MakeSkin(vtkUnstructuredGrid* grid, const trim::HexMesh& mesh,
   const std::vector<trim::SkinFacet>& skin, vtkPolyData* output)
 {
   const SkinPoints points(mesh, skin);
-  vtkNew<vtkPoints> places;
-  places->SetDataType(mesh.PointsDouble ? VTK_DOUBLE : VTK_FLOAT);
-  if (mesh.PointsDouble)
-  {
-    GatherPoints(mesh.PointsDouble, points.Ids, places);
-  }
-  else
-  {
-    GatherPoints(mesh.PointsFloat, points.Ids, places);
-  }
-  output->SetPoints(trim::MakePoints(places->GetData()));
+  output->SetPoints(mesh.PointsDouble ? GatherPoints<vtkDoubleArray>(mesh.PointsDouble, points.Ids)
+                                      : GatherPoints<vtkFloatArray>(mesh.PointsFloat, points.Ids));
   output->SetPolys(MakePolygons(mesh, skin, points.NumberOf));
   std::vector<Id> cells;
   cells.reserve(skin.size());

@@ -154,7 +154,8 @@ void CheckBoxes(const Given& given, const HexMesh& mesh, const MeshBlocks& block
   for (Id b = 0; b < blocks.NumberOfBlocks(); ++b)
   {
     Box3 box;
-    for (Id c = MeshBlocks::FirstCell(b); c < MeshBlocks::EndCell(b, mesh.NumberOfCells); ++c)
+    const Id end = std::min(mesh.NumberOfCells, (b + 1) * MeshBlocks::CellsPerBlock);
+    for (Id c = b * MeshBlocks::CellsPerBlock; c < end; ++c)
     {
       const Box3 own = CellBox(mesh, c);
       box.extend(own);
