@@ -7,31 +7,45 @@
 namespace nurbs
 {
 
-void SquaredDistanceForm::Set(int p, int q, Vec4* net, double squaredDistance)
+void SquaredDistanceForm::Set(int p, int q, const Vec4* net, double squaredDistance)
 {
   const int nu = p + 1, nv = q + 1;
   this->CountU = 2 * p + 1;
   this->CountV = 2 * q + 1;
   std::fill(this->F, this->F + this->CountU * this->CountV, 0.0);
+  // Coordinate by coordinate, so that the products of two rows run over neighbours in memory:
+  // their number goes with the fourth power of the degree.
+  double scaled[4][(MaximumDegree + 1) * (MaximumDegree + 1)];
   const double* cu = Binomials(p);
   const double* cv = Binomials(q);
   for (int j = 0; j < nv; ++j)
   {
     for (int i = 0; i < nu; ++i)
     {
-      net[i + j * nu] *= cu[i] * cv[j];
+      const Vec4 a = cu[i] * cv[j] * net[i + j * nu];
+      for (int k = 0; k < 4; ++k)
+      {
+        scaled[k][i + j * nu] = a[k];
+      }
     }
   }
   for (int j = 0; j < nv; ++j)
   {
-    for (int i = 0; i < nu; ++i)
+    for (int l = j; l < nv; ++l)
     {
-      const Vec4& a = net[i + j * nu];
-      const Vec4 b(a.x(), a.y(), a.z(), -squaredDistance * a.w());
-      this->F[2 * i + 2 * j * this->CountU] += b.dot(a);
-      for (int k = i + j * nu + 1; k < nu * nv; ++k)
+      const int row = l * nu;
+      const double times = l == j ? 1 : 2;
+      for (int i = 0; i < nu; ++i)
       {
-        this->F[i + k % nu + (j + k / nu) * this->CountU] += 2 * b.dot(net[k]);
+        const int at = i + j * nu;
+        const double x = times * scaled[0][at], y = times * scaled[1][at];
+        const double z = times * scaled[2][at], w = -times * squaredDistance * scaled[3][at];
+        double* f = this->F + i + (j + l) * this->CountU;
+        for (int k = 0; k < nu; ++k)
+        {
+          f[k] += x * scaled[0][row + k] + y * scaled[1][row + k] + z * scaled[2][row + k] +
+            w * scaled[3][row + k];
+        }
       }
     }
   }

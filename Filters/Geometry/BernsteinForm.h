@@ -17,8 +17,8 @@ namespace nurbs
 class SquaredDistanceForm
 {
 public:
-  /// @param net (p+1) x (q+1) homogeneous points about p; changed: scaled by binomials.
-  void Set(int p, int q, Vec4* net, double squaredDistance);
+  /// @param net (p+1) x (q+1) homogeneous points about the point that the distance is from.
+  void Set(int p, int q, const Vec4* net, double squaredDistance);
 
   double Minimum() const
   {
@@ -31,7 +31,7 @@ public:
   /**
    * How the distance changes over the whole patch: +1 if it rises with s (t), -1 if it falls,
    * 0 if that is not certain.
-   * @param net as given to Set, not scaled.
+   * @param net as given to Set.
    */
   void FindSlopes(const Vec4* net, int& slopeS, int& slopeT) const;
 

@@ -324,9 +324,7 @@ bool ClosestPointSearch::IsDecided(
   const BezierPatch& patch, int index, const LeafDomain& box, const PartAbout& part)
 {
   SquaredDistanceForm form;
-  Vec4 scaled[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  std::copy(part.Net, part.Net + part.Size(), scaled);
-  form.Set(part.P, part.Q, scaled, this->Bound);
+  form.Set(part.P, part.Q, part.Net, this->Bound);
   if (form.Minimum() >= 0)
   {
     return true;
@@ -352,8 +350,7 @@ bool ClosestPointSearch::IsDecided(
     return true;
   }
   // With weights the certificate has to hold for the distance that was found.
-  std::copy(part.Net, part.Net + part.Size(), scaled);
-  form.Set(part.P, part.Q, scaled, foot.Squared);
+  form.Set(part.P, part.Q, part.Net, foot.Squared);
   return form.IsConvex();
 }
 
