@@ -1,6 +1,7 @@
 #include "OpenSeams.h"
 
 #include "Facet.h"
+#include "Runs.h"
 #include "SortUnique.h"
 
 #include <algorithm>
@@ -140,47 +141,74 @@ bool HaveSameCorners(const Band& band, const BandFace& a, const BandFace& b)
       });
 }
 
+/// A face at a node that may be one of a seam.
+struct OpenFace
+{
+  const BandFace* Face;
+  Vec3 Normal;
+  bool OnSkin;
+};
+
+void ListOpenFaces(const TrimBand& near, int node, std::vector<OpenFace>& open)
+{
+  const Band& band = near.Mesh;
+  open.clear();
+  for (const int f : band.FacesOfNode(node))
+  {
+    const BandFace& face = band.Faces[f];
+    if (IsOpen(band, face))
+    {
+      open.push_back({ &face, NormalOf(band, face), IsOnSkin(near, face) });
+    }
+  }
+}
+
+bool HangBySkin(const Band& band, const OpenFace& a, const OpenFace& b)
+{
+  return (a.OnSkin || b.OnSkin) && a.Normal.dot(b.Normal) < OppositeCosine &&
+    !HaveSameCorners(band, *a.Face, *b.Face) &&
+    LieOnEachOther(ToSide(band, *a.Face), ToSide(band, *b.Face));
+}
+
 /**
  * Elements at which others hang by a skin: sheets may lie on each other, and where nodes of both
  * are the same they are glued there or it is a fold, if all the others are double; a node that lies
  * between those of the other sheet was left behind by a refinement.
  */
-void FindHangingOnSkin(const TrimBand& near, std::vector<int>& elements)
+std::vector<int> FindHangingOnSkin(const TrimBand& near)
 {
+  constexpr Id length = 1024; // of a run of nodes
   const Band& band = near.Mesh;
-  const auto hangsOn = [&](const BandFace& face, const Vec3& normal, const BandFace& other)
-  {
-    return IsOpen(band, other) && NormalOf(band, other).dot(normal) < OppositeCosine &&
-      !HaveSameCorners(band, face, other) &&
-      LieOnEachOther(ToSide(band, face), ToSide(band, other));
-  };
-  for (const BandFace& face : band.Faces)
-  {
-    if (!IsOpen(band, face) || !IsOnSkin(near, face))
+  const Id count = static_cast<Id>(band.Point.size());
+  std::vector<std::vector<int>> found(NumberOfRuns(count, length));
+  ForRuns(count, length,
+    [&](Id run, Id begin, Id end)
     {
-      continue;
-    }
-    const Vec3 normal = NormalOf(band, face);
-    for (const int node : face)
-    {
-      for (const int f : band.FacesOfNode(node))
+      std::vector<OpenFace> open;
+      for (Id node = begin; node < end; ++node)
       {
-        if (hangsOn(face, normal, band.Faces[f]))
+        ListOpenFaces(near, static_cast<int>(node), open);
+        for (auto a = open.begin(); a != open.end(); ++a)
         {
-          elements.insert(elements.end(), { face.Element[0], band.Faces[f].Element[0] });
+          for (auto b = open.begin(); b != a; ++b)
+          {
+            if (HangBySkin(band, *a, *b))
+            {
+              found[run].insert(found[run].end(), { a->Face->Element[0], b->Face->Element[0] });
+            }
+          }
         }
       }
-    }
-  }
+    });
+  return Joined(found);
 }
 
 }
 
 std::vector<int> FindOpenSeams(const TrimBand& near)
 {
-  std::vector<int> elements;
+  std::vector<int> elements = FindHangingOnSkin(near);
   FindAmongSides(OpenSides(near), elements);
-  FindHangingOnSkin(near, elements);
   SortUnique(elements);
   elements.erase(std::remove_if(elements.begin(), elements.end(),
                    [&near](int e) { return near.Mesh.Elements[e].Ring != 0; }),
