@@ -55,11 +55,18 @@ Placement PlacementOf(const std::string& surface, const Mesh& mesh)
 // Where every node has to come to lie on the surface; elsewhere (steep cuts, bends as
 // sharp as two elements, slots, curves tighter than a stretched element, a corner of the model
 // right beside the curve) what is left off is a note, as long as the filter says so.
-bool IsOrdinary(const std::string& surface, const Mesh& mesh, int optimization)
+bool IsOrdinary(const std::string& surface, const Mesh& mesh, const TrimOptions& options)
 {
   // Elements twenty times as long as wide: what stays needle-shaped without wedges is below the
   // quality floor.
-  if (mesh.Name == "stretched" && optimization != 2)
+  if (mesh.Name == "stretched" && options.Optimization != 2)
+  {
+    return false;
+  }
+  // Untreated and slid along edges, columns of the block keep too much at a cone, and its elements
+  // one by one leave nodes.
+  if (mesh.Name == "block" && surface == "cone" && options.CorrectionType == 3 &&
+    options.Optimization == 0)
   {
     return false;
   }
@@ -72,21 +79,28 @@ bool IsOrdinary(const std::string& surface, const Mesh& mesh, int optimization)
 // What the worst element reaches at least with wedges. Below the project's 0.3 are
 // - inclined: border, skin and cut meet in a spike under 26, 27 and 37 degrees; of any three rays
 //   in it the determinant is 0.199 at most, or 0.229 as a wedge has it, however many elements meet;
-// - cone in a cup, roundrect in a channel: the surface leans from the wall by 15 and 17 degrees; a
-//   corner of a hexahedron there has at most the sines, 0.259 and 0.296;
+// - cone in a cup, leaning cylinder and roundrect in a channel: the surface leans from the wall by
+//   15, 15 and 17 degrees; a corner of a hexahedron there has at most the sines, 0.259, 0.257 and
+//   0.296 (a bit more where nodes are left off);
+// - roundrect in a cup with type III: along a wall, where 17 nodes are left off (type II: 5, and
+//   0.301);
 // - inclined in a block: decided element by element, as columns would leave nodes 3.6 elements off;
 // - round the hole: what is kept at its corners, so that they need not move, is as narrow as the
 //   cut leaves it; with the corner and the end of the cut on the border where they are the best
 //   places of the others on the cut, searched at random, give 0.2751 (cylinder), 0.2322 (leaning)
 //   and 0.2847 (roundrect);
 // - roundrect on the stretched sheet: as far as the relaxation gets.
-double FloorOf(const std::string& surface, const Mesh& mesh)
+double FloorOf(const std::string& surface, const Mesh& mesh, int correction)
 {
+  if (mesh.Name == "cup" && surface == "roundrect" && correction == 3)
+  {
+    return 0.26;
+  }
   const std::map<std::string, double> lower{ { "block inclined", 0.2 },
     { "channel inclined", 0.22 }, { "hole inclined", 0.22 }, { "lshape inclined", 0.22 },
-    { "islands inclined", 0.22 }, { "channel roundrect", 0.29 }, { "cup cone", 0.26 },
-    { "stretched roundrect", 0.295 }, { "hole cylinder", 0.274 }, { "hole leaning", 0.231 },
-    { "hole roundrect", 0.284 } };
+    { "islands inclined", 0.22 }, { "channel roundrect", 0.29 }, { "channel leaning", 0.25 },
+    { "cup cone", 0.26 }, { "stretched roundrect", 0.295 }, { "hole cylinder", 0.274 },
+    { "hole leaning", 0.231 }, { "hole roundrect", 0.284 } };
   const auto found = lower.find(mesh.Name + " " + surface);
   return found != lower.end() ? found->second : 0.3;
 }
@@ -131,13 +145,13 @@ int main(int argc, char* argv[])
         Report report(meshName + " " + name + " " + std::to_string(treatment.Correction) + " " +
           std::to_string(treatment.Optimization));
         const double lowest = JudgeBothSides(mesh, surface, options, report);
-        const bool ordinary = IsOrdinary(name, mesh, options.Optimization);
+        const bool ordinary = IsOrdinary(name, mesh, options);
         const auto left = report.Notes().find(LeftOff);
         if (ordinary && left != report.Notes().end())
         {
           report.Fail("left off the surface on an ordinary trim", "points", left->second, 0);
         }
-        const double floor = FloorOf(name, mesh);
+        const double floor = FloorOf(name, mesh, options.CorrectionType);
         if (options.CorrectionType != 1 && options.Optimization == 2 && lowest < floor)
         {
           report.Fail("scaled Jacobian with wedges", "lowest", lowest, floor);
