@@ -89,7 +89,7 @@ bool IsOrdinary(const std::string& surface, const Mesh& mesh, const TrimOptions&
 //   cut leaves it; with the corner and the end of the cut on the border where they are the best
 //   places of the others on the cut, searched at random, give 0.2751 (cylinder), 0.2322 (leaning)
 //   and 0.2847 (roundrect);
-// - roundrect on the stretched sheet: as far as the relaxation gets.
+// - roundrect on the stretched sheet: it meets the border under 17.2 degrees, the sine is 0.2955.
 double FloorOf(const std::string& surface, const Mesh& mesh, int correction)
 {
   if (mesh.Name == "cup" && surface == "roundrect" && correction == 3)
