@@ -4,6 +4,7 @@ add_library(NURBSTrimStages STATIC
   Mesh/BandCells.cxx
   Mesh/BandPlace.cxx
   Mesh/BandStretches.cxx
+  Mesh/CellMeasure.cxx
   Mesh/Columns.cxx
   Mesh/ElementChain.cxx
   Mesh/ElementMap.cxx
@@ -13,7 +14,6 @@ add_library(NURBSTrimStages STATIC
   Mesh/Jacobian.cxx
   Mesh/LocalThickness.cxx
   Mesh/MeshBlocks.cxx
-  Mesh/RowMeasure.cxx
   Mesh/Team.cxx
   Mesh/Wavefront.cxx
   Ranks/ControllerRanks.cxx
@@ -107,4 +107,4 @@ target_link_libraries(NURBSTrimStages
   PRIVATE Boost::headers VTK::ParallelCore)
 target_compile_features(NURBSTrimStages PUBLIC cxx_std_17)
 # Processors that multiply and add in one step would round otherwise than others.
-set_source_files_properties(Mesh/RowMeasure.cxx PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
+set_source_files_properties(Mesh/CellMeasure.cxx PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
