@@ -83,6 +83,7 @@ add_library(NURBSTrimStages STATIC
   Write/TrimmedGrid.cxx
   Write/ValueWeights.cxx
   Trim/BandDecision.cxx
+  Trim/BestLayer.cxx
   Trim/CutColumns.cxx
   Trim/EdgesCrossedTwice.cxx
   Trim/ElementProbe.cxx
@@ -93,6 +94,7 @@ add_library(NURBSTrimStages STATIC
   Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
   Trim/OpenSeams.cxx
+  Trim/Shortcomings.cxx
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx
   Trim/StretchTrims.cxx
