@@ -23,7 +23,9 @@ add_library(NURBSTrimStages STATIC
   Ranks/SharedNodes.cxx
   Ranks/SharedSurface.cxx
   Classify/EdgeCrossing.cxx
+  Classify/ElementClassification.cxx
   Classify/EndInside.cxx
+  Classify/KeptSide.cxx
   Classify/NodeClassification.cxx
   Classify/PieceSides.cxx
   Decide/CutEdges.cxx
