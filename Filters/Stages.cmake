@@ -64,9 +64,9 @@ add_library(NURBSTrimStages STATIC
   Treat/Relaxation.cxx
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
-  Treat/TrimmedBand.cxx
   Treat/StepDirections.cxx
   Treat/TrialTrim.cxx
+  Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx
   Renumber/PillarGraph.cxx

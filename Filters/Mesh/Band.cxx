@@ -1,7 +1,6 @@
 #include "Band.h"
 
 #include "Runs.h"
-#include "Team.h"
 
 #include <algorithm>
 #include <limits>
@@ -161,23 +160,22 @@ std::vector<Band::Side> Band::FindTwins() const
       }
     });
   std::vector<Side> twins(keys.size());
-  ParallelFor(0, this->NumberOfNodes(), 1000,
-    [&](Id begin, Id end)
+  ForAll(
+    this->NumberOfNodes(),
+    [&](int n)
     {
-      for (int n = static_cast<int>(begin); n < end; ++n)
+      for (const int* side = sides.begin(n); side != sides.end(n); ++side)
       {
-        for (const int* side = sides.begin(n); side != sides.end(n); ++side)
+        const int* twin = std::find_if(side + 1, sides.end(n),
+          [&](int other)
+          { return other / MostFaces > *side / MostFaces && keys[other] == keys[*side]; });
+        if (twin != sides.end(n))
         {
-          const int* twin = std::find_if(side + 1, sides.end(n),
-            [&](int other)
-            { return other / MostFaces > *side / MostFaces && keys[other] == keys[*side]; });
-          if (twin != sides.end(n))
-          {
-            twins[*side] = { *twin / MostFaces, *twin % MostFaces };
-          }
+          twins[*side] = { *twin / MostFaces, *twin % MostFaces };
         }
       }
-    });
+    },
+    1000);
   return twins;
 }
 

@@ -14,7 +14,6 @@
 #include <deque>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>

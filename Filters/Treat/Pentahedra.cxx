@@ -5,7 +5,6 @@
 #include "NodeConstraint.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
