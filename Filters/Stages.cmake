@@ -65,6 +65,8 @@ add_library(NURBSTrimStages STATIC
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
   Treat/StepDirections.cxx
+  Treat/TrialCreases.cxx
+  Treat/TrialReturns.cxx
   Treat/TrialTrim.cxx
   Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx

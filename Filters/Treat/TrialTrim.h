@@ -15,8 +15,10 @@
 #include "TrimCase.h"
 #include "TrimmedBand.h"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -90,8 +92,9 @@ private:
   std::vector<char> TakeRelaxed(
     const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
+  void BringNearer(
+    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   double GoalForLeft() const;
-  std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
   /// What must not become more when nodes that were left return.
   struct Faults
   {
@@ -100,23 +103,10 @@ private:
     BandQuality::Shortage OfGoal;
   };
   Faults FaultsOf(const TrimmedBand& trimmed, double goal) const;
+  /// Does something to the band; undoes it if it was no help or spoiled an element.
+  /// @param action returns whether it has changed anything.
   template <typename Action>
   bool Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const;
-  void ReturnWithRoom(
-    const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
-  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
-    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
-    FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
-  void BringNearer(
-    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,
-    const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const;
-  void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-    const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
-  /// @return nodes beside sharp edges that were missed.
-  std::vector<char> PutOnCreases(const Choices& set, const std::vector<char>& among,
-    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   /// What a RelaxationCase and a GuardedCase refer to.
   struct Shapes
   {
@@ -129,6 +119,26 @@ private:
     Shapes& shapes, double least, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   void RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
     const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
+  /// Pillars of pentahedra that are tried without their nodes, at most.
+  static constexpr int MostDrops = 100;
+
+  // TrialReturns.cxx
+  void ReturnWithRoom(
+    const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
+  std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
+  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
+    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
+    FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
+  bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,
+    const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const;
+
+  // TrialCreases.cxx
+  void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
+    const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
+  /// @return nodes beside sharp edges that were missed.
+  std::vector<char> PutOnCreases(const Choices& set, const std::vector<char>& among,
+    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
 
   const Band& TheBand;
   const Columns& TheColumns;
@@ -138,6 +148,26 @@ private:
   NodeMover Mover;
   Decision TheDecision;
 };
+
+template <typename Action>
+bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const
+{
+  Moves moves = trimmed.NodeMoves;
+  Pentahedra treated = trimmed.Treated;
+  if (action())
+  {
+    const Faults now = this->FaultsOf(trimmed, faults.Goal);
+    if (now.Invalid <= faults.Invalid && now.BelowFloor <= faults.BelowFloor &&
+      now.OfGoal.Sum <= faults.OfGoal.Sum && now.OfGoal.Largest <= faults.OfGoal.Largest)
+    {
+      faults = now;
+      return true;
+    }
+  }
+  trimmed.NodeMoves = std::move(moves);
+  trimmed.Treated = std::move(treated);
+  return false;
+}
 
 }
 
