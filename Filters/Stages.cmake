@@ -50,6 +50,7 @@ add_library(NURBSTrimStages STATIC
   Treat/CreaseNodes.cxx
   Treat/DirectionBehind.cxx
   Treat/ElementWorth.cxx
+  Treat/ExposedEdges.cxx
   Treat/FailedReturns.cxx
   Treat/FloorClimb.cxx
   Treat/GuardedMesh.cxx
