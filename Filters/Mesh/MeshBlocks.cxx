@@ -2,6 +2,7 @@
 
 #include "CellMeasure.h"
 #include "ClusterJoiner.h"
+#include "Jacobian.h"
 #include "Runs.h"
 
 #include <vtkSMPTools.h>
