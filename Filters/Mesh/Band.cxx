@@ -1,6 +1,7 @@
 #include "Band.h"
 
 #include "Runs.h"
+#include "SortFour.h"
 
 #include <algorithm>
 #include <limits>
@@ -32,14 +33,7 @@ std::array<int, 4> FaceKey(const BandElement& element, int slot)
   {
     key[i] = element.Node[face.Node[i]];
   }
-  // A sorting network: std::sort would take longer than all else here.
-  constexpr int network[5][2] = { { 0, 1 }, { 2, 3 }, { 0, 2 }, { 1, 3 }, { 1, 2 } };
-  for (const auto& [low, high] : network)
-  {
-    const int least = std::min(key[low], key[high]);
-    key[high] = std::max(key[low], key[high]);
-    key[low] = least;
-  }
+  SortFour(key);
   return key;
 }
 
