@@ -4,6 +4,7 @@ add_library(NURBSTrimStages STATIC
   Mesh/BandCells.cxx
   Mesh/BandPlace.cxx
   Mesh/BandStretches.cxx
+  Mesh/CellMeasure.cxx
   Mesh/Columns.cxx
   Mesh/ElementChain.cxx
   Mesh/ElementMap.cxx
@@ -13,7 +14,6 @@ add_library(NURBSTrimStages STATIC
   Mesh/Jacobian.cxx
   Mesh/LocalThickness.cxx
   Mesh/MeshBlocks.cxx
-  Mesh/RowMeasure.cxx
   Mesh/Team.cxx
   Mesh/Wavefront.cxx
   Ranks/ControllerRanks.cxx
@@ -23,7 +23,9 @@ add_library(NURBSTrimStages STATIC
   Ranks/SharedNodes.cxx
   Ranks/SharedSurface.cxx
   Classify/EdgeCrossing.cxx
+  Classify/ElementClassification.cxx
   Classify/EndInside.cxx
+  Classify/KeptSide.cxx
   Classify/NodeClassification.cxx
   Classify/PieceSides.cxx
   Decide/CutEdges.cxx
@@ -48,6 +50,7 @@ add_library(NURBSTrimStages STATIC
   Treat/CreaseNodes.cxx
   Treat/DirectionBehind.cxx
   Treat/ElementWorth.cxx
+  Treat/ExposedEdges.cxx
   Treat/FailedReturns.cxx
   Treat/FloorClimb.cxx
   Treat/GuardedMesh.cxx
@@ -62,9 +65,11 @@ add_library(NURBSTrimStages STATIC
   Treat/Relaxation.cxx
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
-  Treat/TrimmedBand.cxx
   Treat/StepDirections.cxx
+  Treat/TrialCreases.cxx
+  Treat/TrialReturns.cxx
   Treat/TrialTrim.cxx
+  Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx
   Renumber/NodeOrdering.cxx
   Renumber/PillarGraph.cxx
@@ -83,6 +88,7 @@ add_library(NURBSTrimStages STATIC
   Write/TrimmedGrid.cxx
   Write/ValueWeights.cxx
   Trim/BandDecision.cxx
+  Trim/BestLayer.cxx
   Trim/CutColumns.cxx
   Trim/EdgesCrossedTwice.cxx
   Trim/ElementProbe.cxx
@@ -93,6 +99,7 @@ add_library(NURBSTrimStages STATIC
   Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
   Trim/OpenSeams.cxx
+  Trim/Shortcomings.cxx
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx
   Trim/StretchTrims.cxx
@@ -107,4 +114,4 @@ target_link_libraries(NURBSTrimStages
   PRIVATE Boost::headers VTK::ParallelCore)
 target_compile_features(NURBSTrimStages PUBLIC cxx_std_17)
 # Processors that multiply and add in one step would round otherwise than others.
-set_source_files_properties(Mesh/RowMeasure.cxx PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
+set_source_files_properties(Mesh/CellMeasure.cxx PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")

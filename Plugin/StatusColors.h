@@ -7,10 +7,9 @@
 
 /**
  * Gives the arrays of statuses and findings (NodeStatus, Feasibility, ...) default color maps in
- * which each value has a colour and a name of its own, so that the legend reads "keep",
- * "eliminate",
- * ... instead of numbers. The user's own defaults for these arrays win over them. Works in every
- * client, with a window or without; called when the plugin is loaded.
+ * which each value has a colour and a name of its own, so that the legend reads "keep" and
+ * "eliminate" instead of numbers. The user's own defaults for these arrays win over them. Works in
+ * every client, with a window or without; called when the plugin is loaded.
  */
 void RegisterStatusColors();
 

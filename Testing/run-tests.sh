@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian 12), builds with the tests, and runs them. Arguments go to
-# ctest, e.g. -L kernel (labels: kernel, filter, reader, fuzz, plugin, gui) or -R <name>.
+# ctest, e.g. -L kernel (labels: kernel, reader, filter, fuzz, plugin, ranks, gui) or -R <name>.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Plugin/setup.sh"
 

@@ -83,8 +83,8 @@ private:
 
 }
 
-bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
-  const nurbs::TrimmingSurface& surface, Place& place)
+std::optional<Vec3> FindEndInside(
+  const HexMesh& mesh, const NodeClassification& nodes, const nurbs::TrimmingSurface& surface)
 {
   const NodeFeet& near = nodes.Near;
   const auto isAtEnd = [&near](Id node)
@@ -92,7 +92,7 @@ bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
   if (std::none_of(near.Feet.begin(), near.Feet.end(),
         [](const nurbs::Foot& foot) { return foot.Kind == FootKind::Border; }))
   {
-    return false;
+    return {};
   }
   std::array<Id, 8> cell;
   const CellNeighbours neighbours(mesh, nodes.CandidateCells);
@@ -112,12 +112,11 @@ bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
       const auto foot = surface.ClosestPoint(MapToSpace(points, count, at));
       if (foot.Kind == FootKind::Border && IsWithin(mesh, round, foot.Point))
       {
-        place = ToPlace(foot.Point);
-        return true;
+        return foot.Point;
       }
     }
   }
-  return false;
+  return {};
 }
 
 std::optional<Vec3> FindEndBeside(

@@ -6,17 +6,16 @@
 #define EndInside_h
 
 #include "NodeClassification.h"
-#include "Place.h"
 
 #include <optional>
 
 namespace trim
 {
 
-/// A place on the free border of the surface that lies within the elements round it; false if there
-/// is none next to an element with a node that the border is nearest to.
-bool FindEndInside(const HexMesh& mesh, const NodeClassification& nodes,
-  const nurbs::TrimmingSurface& surface, Place& place);
+/// A place on the free border of the surface that lies within the elements round it; none if there
+/// is no such next to an element with a node that the border is nearest to.
+std::optional<Vec3> FindEndInside(
+  const HexMesh& mesh, const NodeClassification& nodes, const nurbs::TrimmingSurface& surface);
 
 /**
  * Where the surface ends beside an edge that joins its two sides without meeting it: in a hole, or

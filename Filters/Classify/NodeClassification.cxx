@@ -291,9 +291,9 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
     piece, [&sets](Id node) { return sets.Find(node); }, ofRoot);
   if (piece.All.Any(!parted || !partedAll))
   {
-    if (FindEndInside(mesh, result, surface, place.At))
+    if (const auto end = FindEndInside(mesh, result, surface))
     {
-      place.Distance = 0.0;
+      place = { 0.0, ToPlace(*end) };
     }
     error = EndOfSurface(piece, near, place);
     return false;
@@ -303,14 +303,8 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
   if (!farParts.empty())
   {
     // Points that no cell uses are parts, too, and there may be many.
-    ParallelFor(0, static_cast<Id>(farParts.size()), 256,
-      [&](Id begin, Id end)
-      {
-        for (Id i = begin; i < end; ++i)
-        {
-          ofRoot.Set(farParts[i].first, SideOfFarPart(farParts[i].second, surface));
-        }
-      });
+    ForAll(static_cast<int>(farParts.size()),
+      [&](int i) { ofRoot.Set(farParts[i].first, SideOfFarPart(farParts[i].second, surface)); });
     AssignSides(mesh, blocks, ofRoot, sets, result);
   }
   return true;
@@ -339,16 +333,12 @@ bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   {
     return true;
   }
-  SurfaceEnd end;
-  if (FindEndInside(mesh, result, surface, end.At))
-  {
-    end.Distance = 0.0;
-  }
-  if (!piece.All.Any(end.Distance == 0.0))
+  const auto end = FindEndInside(mesh, result, surface);
+  if (!piece.All.Any(end.has_value()))
   {
     return true;
   }
-  error = EndOfSurface(piece, near, end);
+  error = EndOfSurface(piece, near, end ? SurfaceEnd{ 0.0, ToPlace(*end) } : SurfaceEnd());
   return false;
 }
 

@@ -6,6 +6,7 @@
 #ifndef MoverMemory_h
 #define MoverMemory_h
 
+#include "Jacobian.h"
 #include "NodeConstraint.h"
 #include "NodeMove.h"
 #include "Remembered.h"

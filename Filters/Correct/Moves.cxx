@@ -1,6 +1,6 @@
 #include "Moves.h"
 
-#include "Team.h"
+#include "Runs.h"
 
 #include <algorithm>
 #include <map>
@@ -178,18 +178,17 @@ Moves MoveNodes(const Band& band, const NodeMover& mover, const std::vector<char
     }
     pillars[at].push_back(n);
   }
-  ParallelFor(0, static_cast<Id>(pillars.size()), 16,
-    [&](Id begin, Id end)
+  ForAll(
+    static_cast<int>(pillars.size()),
+    [&](int i)
     {
-      for (Id i = begin; i < end; ++i)
-      {
-        const auto& nodes = pillars[i];
-        const auto& chosen = choice[mover.PillarOf(nodes.front())];
-        const bool slide =
-          (asked == Correction::Slide) != (chosen.Correction == CorrectionChoice::Other);
-        MovePillar(band, mover, nodes, slide, chosen, moves);
-      }
-    });
+      const auto& nodes = pillars[i];
+      const auto& chosen = choice[mover.PillarOf(nodes.front())];
+      const bool slide =
+        (asked == Correction::Slide) != (chosen.Correction == CorrectionChoice::Other);
+      MovePillar(band, mover, nodes, slide, chosen, moves);
+    },
+    16);
   return moves;
 }
 

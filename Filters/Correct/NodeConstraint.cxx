@@ -36,14 +36,6 @@ Vec3 FaceNormal(const Band& band, const BandFace& face)
   return normal.normalized();
 }
 
-/// The corners of a face that its edges join with a node.
-std::array<int, 2> NeighboursOf(const BandFace& face, int node)
-{
-  const int at = CornerOf(face, node);
-  const int last = face.Count - 1;
-  return { face.Node[at < last ? at + 1 : 0], face.Node[at > 0 ? at - 1 : last] };
-}
-
 /// Edges at the node that faces of a set share under more than an angle.
 void AddCreases(const Band& band, const std::vector<int>& faces, int node, double cosine,
   std::vector<int>& ridgeEdges)

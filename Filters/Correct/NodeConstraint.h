@@ -48,6 +48,9 @@ bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatu
 double TurnCosine(
   const BandFace& a, const Vec3& normalOfA, const BandFace& b, const Vec3& normalOfB);
 
+/// Faces that meet under less than 45 degrees belong to one side of the model.
+constexpr double SameSideCosine = 0.7071;
+
 /**
  * The constraint of one node. Exterior faces that lie wholly beyond the surface do not hold a
  * node: they go with what is cut off.

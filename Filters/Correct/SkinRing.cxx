@@ -11,9 +11,6 @@ namespace trim
 namespace
 {
 
-/// Faces that meet under less than 45 degrees belong to one side of the model.
-constexpr double SameSideCosine = 0.7071;
-
 /// Some faces and those next to them on the same side of the model.
 std::vector<int> FacesAround(
   const Band& band, const Columns& columns, const std::vector<int>& faces)

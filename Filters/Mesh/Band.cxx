@@ -1,7 +1,7 @@
 #include "Band.h"
 
 #include "Runs.h"
-#include "Team.h"
+#include "SortFour.h"
 
 #include <algorithm>
 #include <limits>
@@ -33,14 +33,7 @@ std::array<int, 4> FaceKey(const BandElement& element, int slot)
   {
     key[i] = element.Node[face.Node[i]];
   }
-  // A sorting network: std::sort would take longer than all else here.
-  constexpr int network[5][2] = { { 0, 1 }, { 2, 3 }, { 0, 2 }, { 1, 3 }, { 1, 2 } };
-  for (const auto& [low, high] : network)
-  {
-    const int least = std::min(key[low], key[high]);
-    key[high] = std::max(key[low], key[high]);
-    key[low] = least;
-  }
+  SortFour(key);
   return key;
 }
 
@@ -161,23 +154,22 @@ std::vector<Band::Side> Band::FindTwins() const
       }
     });
   std::vector<Side> twins(keys.size());
-  ParallelFor(0, this->NumberOfNodes(), 1000,
-    [&](Id begin, Id end)
+  ForAll(
+    this->NumberOfNodes(),
+    [&](int n)
     {
-      for (int n = static_cast<int>(begin); n < end; ++n)
+      for (const int* side = sides.begin(n); side != sides.end(n); ++side)
       {
-        for (const int* side = sides.begin(n); side != sides.end(n); ++side)
+        const int* twin = std::find_if(side + 1, sides.end(n),
+          [&](int other)
+          { return other / MostFaces > *side / MostFaces && keys[other] == keys[*side]; });
+        if (twin != sides.end(n))
         {
-          const int* twin = std::find_if(side + 1, sides.end(n),
-            [&](int other)
-            { return other / MostFaces > *side / MostFaces && keys[other] == keys[*side]; });
-          if (twin != sides.end(n))
-          {
-            twins[*side] = { *twin / MostFaces, *twin % MostFaces };
-          }
+          twins[*side] = { *twin / MostFaces, *twin % MostFaces };
         }
       }
-    });
+    },
+    1000);
   return twins;
 }
 

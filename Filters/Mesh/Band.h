@@ -10,8 +10,8 @@
 #define Band_h
 
 #include "BandCells.h"
+#include "ElementMap.h"
 #include "ElementTopology.h"
-#include "Jacobian.h"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +51,14 @@ struct BandFace
 inline int CornerOf(const BandFace& face, int node)
 {
   return static_cast<int>(std::find(face.begin(), face.end(), node) - face.begin());
+}
+
+/// The corners of a face that its edges join with a node: the next one, and the one before.
+inline std::array<int, 2> NeighboursOf(const BandFace& face, int node)
+{
+  const int at = CornerOf(face, node);
+  const int last = face.Count - 1;
+  return { face.Node[at < last ? at + 1 : 0], face.Node[at > 0 ? at - 1 : last] };
 }
 
 struct BandEdge

@@ -3,7 +3,6 @@
 #include "Band.h"
 #include "Runs.h"
 #include "SortUnique.h"
-#include "Team.h"
 
 #include <algorithm>
 #include <atomic>
@@ -92,14 +91,7 @@ private:
   template <typename Action>
   void ForCells(const Action& action)
   {
-    ParallelFor(0, static_cast<Id>(this->Near.size()), LightGrain,
-      [&](Id begin, Id end)
-      {
-        for (Id c = begin; c < end; ++c)
-        {
-          action(c);
-        }
-      });
+    ForAll(static_cast<int>(this->Near.size()), action, LightGrain);
   }
 
   int MarkOf(Id node) const { return this->Marks[node].load(std::memory_order_relaxed); }
@@ -239,17 +231,16 @@ std::vector<int> OrderNodes(const BandCells& band)
 {
   Band::Lists buckets = BucketNodes(band.Nodes);
   const auto pointOf = [&band](int node) -> const Vec3& { return band.Nodes[node].Point; };
-  ParallelFor(0, static_cast<Id>(buckets.Offset.size()) - 1, 50,
-    [&](Id begin, Id end)
+  ForAll(
+    static_cast<int>(buckets.Offset.size()) - 1,
+    [&](int bucket)
     {
-      for (Id b = begin; b < end; ++b)
-      {
-        std::sort(buckets.Item.begin() + buckets.Offset[b],
-          buckets.Item.begin() + buckets.Offset[b + 1],
-          [&pointOf](int a, int b)
-          { return pointOf(a) == pointOf(b) ? a < b : LiesBefore(pointOf(a), pointOf(b)); });
-      }
-    });
+      std::sort(buckets.Item.begin() + buckets.Offset[bucket],
+        buckets.Item.begin() + buckets.Offset[bucket + 1],
+        [&pointOf](int a, int b)
+        { return pointOf(a) == pointOf(b) ? a < b : LiesBefore(pointOf(a), pointOf(b)); });
+    },
+    50);
   SplitTies(band, buckets.Item);
   return std::move(buckets.Item);
 }

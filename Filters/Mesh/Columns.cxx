@@ -397,11 +397,6 @@ void BuildPlainGroups(
   }
 }
 
-}
-
-namespace
-{
-
 /// What each owner has, ascending.
 Band::Lists ItemsOf(const std::vector<int>& owner)
 {

@@ -1,7 +1,8 @@
 #include "MeshBlocks.h"
 
+#include "CellMeasure.h"
 #include "ClusterJoiner.h"
-#include "RowMeasure.h"
+#include "Jacobian.h"
 #include "Runs.h"
 
 #include <vtkSMPTools.h>
@@ -71,114 +72,25 @@ bool FindUnusedNodes(const HexMesh& mesh, MeshBlocks& blocks)
   return finite;
 }
 
-/// A coordinate of two cells.
-using Two = Eigen::Array2d;
-
-/// A point of each of two cells.
-struct TwoPoints
-{
-  Two X, Y, Z;
-
-  friend TwoPoints operator-(const TwoPoints& a, const TwoPoints& b)
-  {
-    return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
-  }
-  friend TwoPoints operator+(const TwoPoints& a, const TwoPoints& b)
-  {
-    return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };
-  }
-};
-
-EIGEN_ALWAYS_INLINE Two Determinant(const TwoPoints& a, const TwoPoints& b, const TwoPoints& c)
-{
-  return (a.Y * b.Z - a.Z * b.Y) * c.X + (a.Z * b.X - a.X * b.Z) * c.Y +
-    (a.X * b.Y - a.Y * b.X) * c.Z;
-}
-
-/// What is found of the cells of a run.
-struct RunSize
-{
-  Two Low[3], High[3]; ///< the boxes of the first and of the second cells of pairs
-  Two Sides[3] = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } };
-  Two Diagonal{ 0.0, 0.0 }; ///< squared
-  /// Of terms that each coordinate is in: finite only if all of these are.
-  Two Sum{ 0.0, 0.0 };
-
-  RunSize()
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Low[k].setConstant(std::numeric_limits<double>::max());
-      this->High[k].setConstant(std::numeric_limits<double>::lowest());
-    }
-  }
-  void Add(const Two (&low)[3], const Two (&high)[3])
-  {
-    Two squared(0.0, 0.0);
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Low[k] = this->Low[k].min(low[k]);
-      this->High[k] = this->High[k].max(high[k]);
-      const Two side = high[k] - low[k];
-      this->Sides[k] = this->Sides[k].max(side);
-      squared += side.square();
-    }
-    this->Diagonal = this->Diagonal.max(squared);
-  }
-  Box3 Box() const
-  {
-    return { Vec3(this->Low[0].minCoeff(), this->Low[1].minCoeff(), this->Low[2].minCoeff()),
-      Vec3(this->High[0].maxCoeff(), this->High[1].maxCoeff(), this->High[2].maxCoeff()) };
-  }
-};
-
-/// Two hexahedra side by side, so that the processor computes both at once; returns the volumes.
-template <typename Coordinate>
-Two MeasureHexahedra(const Coordinate* points, const std::array<Id, 8>& nodesA,
-  const std::array<Id, 8>& nodesB, RunSize& run)
-{
-  std::array<TwoPoints, 8> p;
-  for (int i = 0; i < 8; ++i)
-  {
-    const Coordinate* a = points + 3 * nodesA[i];
-    const Coordinate* b = points + 3 * nodesB[i];
-    p[i] = { Two(a[0], b[0]), Two(a[1], b[1]), Two(a[2], b[2]) };
-  }
-  Two low[3] = { p[0].X, p[0].Y, p[0].Z };
-  Two high[3] = { p[0].X, p[0].Y, p[0].Z };
-  for (int i = 1; i < 8; ++i)
-  {
-    low[0] = low[0].min(p[i].X);
-    low[1] = low[1].min(p[i].Y);
-    low[2] = low[2].min(p[i].Z);
-    high[0] = high[0].max(p[i].X);
-    high[1] = high[1].max(p[i].Y);
-    high[2] = high[2].max(p[i].Z);
-  }
-  run.Add(low, high);
-  const Two volumes = HexahedronVolume(
-    p, [](const auto& a, const auto& b, const auto& c) { return Determinant(a, b, c); });
-  run.Sum += volumes;
-  return volumes.abs();
-}
-
-double MeasureWedge(const HexMesh& mesh, Id cell, RunSize& run)
+/// The volume of a wedge, which the sizes and the box are to take in, too.
+double MeasureWedge(const HexMesh& mesh, Id cell, CellSizes& sizes, Box3& box)
 {
   ElementPoints points;
   const int count = PointsOfCell(mesh, cell, points);
-  Box3 box;
+  Box3 own;
   for (int i = 0; i < count; ++i)
   {
-    box.extend(points[i]);
-    run.Sum += points[i].sum();
+    own.extend(points[i]);
+    sizes.Sum[0] += points[i].sum();
   }
-  Two low[3], high[3];
+  const Vec3 sides = own.sizes();
   for (int k = 0; k < 3; ++k)
   {
-    low[k].setConstant(box.min()[k]);
-    high[k].setConstant(box.max()[k]);
+    sizes.Sides[k][0] = std::max(sizes.Sides[k][0], sides[k]);
   }
-  run.Add(low, high);
+  const double squared = sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2];
+  sizes.Diagonal[0] = std::max(sizes.Diagonal[0], squared);
+  box.extend(own);
   return std::abs(VolumeOf(points, count));
 }
 
@@ -241,15 +153,15 @@ public:
   ClusterJoiner& Joined() { return this->Joiner; }
   BlockSizes Sizes() const
   {
-    const auto largest = [](const RowSizes::Lanes& lanes)
+    const auto largest = [](const CellSizes::Lanes& lanes)
     { return *std::max_element(lanes.begin(), lanes.end()); };
-    BlockSizes sizes = this->OfEach;
-    sizes.Diagonal = std::max(sizes.Diagonal, std::sqrt(largest(this->OfRows.Diagonal)));
+    BlockSizes sizes;
+    sizes.Diagonal = std::sqrt(largest(this->OfCells.Diagonal));
     for (int k = 0; k < 3; ++k)
     {
-      sizes.Sides[k] = std::max(sizes.Sides[k], largest(this->OfRows.Sides[k]));
+      sizes.Sides[k] = largest(this->OfCells.Sides[k]);
     }
-    sizes.Finite &= std::all_of(this->OfRows.Sum.begin(), this->OfRows.Sum.end(),
+    sizes.Finite = std::all_of(this->OfCells.Sum.begin(), this->OfCells.Sum.end(),
       [](double sum) { return std::isfinite(sum); });
     return sizes;
   }
@@ -263,46 +175,49 @@ private:
 
   void MeasureInRow(Id first, Box3& whole)
   {
-    RowBox boxes[CellRow::Cells / CellsPerRowBox];
+    CellBounds boxes[CellRow::Cells / CellsPerBox];
     this->PointsOfRow.Take(this->Row, this->Points);
     MeasureRow(
-      this->PointsOfRow, this->Row.Axis, this->Blocks.Volumes.data() + first, boxes, this->OfRows);
-    for (const RowBox& box : boxes)
+      this->PointsOfRow, this->Row.Axis, this->Blocks.Volumes.data() + first, boxes, this->OfCells);
+    for (const CellBounds& box : boxes)
     {
       this->AddBox(first, { Vec3(box.Low), Vec3(box.High) }, whole);
-      first += CellsPerRowBox;
+      first += CellsPerBox;
     }
   }
 
+  /// Of cells in no row.
   void MeasureEach(Id first, Id end, Box3& whole)
   {
-    RunSize run;
-    for (Id c = first; c < end;)
+    std::array<Id, CellsPerBox> hexahedra;
+    int count = 0;
+    Box3 box;
+    for (Id c = first; c < end; ++c)
     {
-      std::array<Id, 8> a, b;
-      if (this->Mesh.Cell(c, a) != 8)
+      std::array<Id, 8> nodes;
+      if (this->Mesh.Cell(c, nodes) == 8)
       {
-        this->Blocks.Volumes[c] = MeasureWedge(this->Mesh, c, run);
-        ++c;
-        continue;
+        this->Corners.Set(count, this->Points, nodes);
+        hexahedra[count++] = c;
       }
-      const bool two = c + 1 < end && this->Mesh.Cell(c + 1, b) == 8;
-      const Two volumes = MeasureHexahedra(this->Points, a, two ? b : a, run);
-      this->Blocks.Volumes[c] = volumes[0];
-      if (two)
+      else
       {
-        this->Blocks.Volumes[c + 1] = volumes[1];
+        this->Blocks.Volumes[c] = MeasureWedge(this->Mesh, c, this->OfCells, box);
       }
-      c += two ? 2 : 1;
     }
-    this->AddBox(first, run.Box(), whole);
-    BlockSizes& sizes = this->OfEach;
-    sizes.Diagonal = std::max(sizes.Diagonal, std::sqrt(run.Diagonal.maxCoeff()));
-    for (int k = 0; k < 3; ++k)
+    if (count > 0)
     {
-      sizes.Sides[k] = std::max(sizes.Sides[k], run.Sides[k].maxCoeff());
+      double volumes[CellsPerBox];
+      CellBounds own;
+      this->Corners.FillFrom(count);
+      MeasureCells(this->Corners, volumes, own, this->OfCells);
+      for (int i = 0; i < count; ++i)
+      {
+        this->Blocks.Volumes[hexahedra[i]] = volumes[i];
+      }
+      box.extend(Box3(Vec3(own.Low), Vec3(own.High)));
     }
-    sizes.Finite &= std::isfinite(run.Sum.sum());
+    this->AddBox(first, box, whole);
   }
 
   const HexMesh& Mesh;
@@ -311,8 +226,8 @@ private:
   ClusterJoiner Joiner;
   CellRow Row; ///< the run at hand, if it is one
   RowPoints PointsOfRow;
-  RowSizes OfRows;
-  BlockSizes OfEach; ///< of cells in no row
+  CellCorners Corners; ///< of cells in no row
+  CellSizes OfCells;
 };
 
 /// What a stretch of blocks is found to have.
@@ -374,7 +289,7 @@ bool Scan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks)
 bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
 {
   static_assert(MeshBlocks::CellsPerBlock % MeshBlocks::CellsPerClusterRun == 0 &&
-      MeshBlocks::CellsPerClusterRun == CellRow::Cells && MeshBlocks::CellsPerRun == CellsPerRowBox,
+      MeshBlocks::CellsPerClusterRun == CellRow::Cells && MeshBlocks::CellsPerRun == CellsPerBox,
     "blocks are filled by several threads, clusters and boxes by rows");
   blocks = MeshBlocks();
   blocks.Boxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerBlock));

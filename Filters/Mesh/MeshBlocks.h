@@ -8,8 +8,8 @@
 #ifndef MeshBlocks_h
 #define MeshBlocks_h
 
+#include "ElementMap.h"
 #include "HexMesh.h"
-#include "Jacobian.h"
 #include "Runs.h"
 #include "TrimmingSurface.h"
 

@@ -65,6 +65,4 @@ NURBSTRIMREAD_EXPORT bool ReadTrimmingSurface(
   vtkDataObject* data, std::vector<NurbsSurface>& surfaces, std::string& error);
 }
 
-#include "NURBSTessellation.h" // For TessellateNURBS, which attaches the field data
-
 #endif

@@ -1,5 +1,7 @@
 #include "SheetSkin.h"
 
+#include "AxisSense.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCommunicator.h"
@@ -278,12 +280,7 @@ Vec3 SheetSkin::MeanNormal(const std::vector<Vec3>& places, double reach) const
   this->Reduce(values, vtkCommunicator::SUM_OP);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
     Eigen::Map<Eigen::Matrix3d>(values.data()));
-  // Rounding must not tilt a normal that is along an axis.
-  Vec3 normal = solver.eigenvectors().col(2);
-  normal = (normal.array().abs() < 1e-12).select(0.0, normal).normalized();
-  Eigen::Index largest = 0;
-  normal.cwiseAbs().maxCoeff(&largest);
-  return normal[largest] < 0.0 ? Vec3(-normal) : normal;
+  return PositiveSense(solver.eigenvectors().col(2));
 }
 
 //------------------------------------------------------------------------------

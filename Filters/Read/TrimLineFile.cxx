@@ -7,7 +7,6 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -309,13 +308,12 @@ private:
   size_t Own = 0, Count = 0, First = 0;
   size_t Shortest = std::numeric_limits<size_t>::max(); ///< points of a list
 };
-}
 
-//------------------------------------------------------------------------------
-bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::string& error)
+/// The lines of a file.
+/// @param file how it is called in an error.
+bool OpenFile(
+  const std::string& path, const std::string& file, std::istringstream& lines, std::string& error)
 {
-  points.clear();
-  const std::string file = "The file of points \"" + path + "\"";
   const std::string advice = "; give the path of an existing CSV, IGES or STEP file";
   std::error_code unread;
   // Before it is opened: to open a pipe means to wait until somebody writes.
@@ -336,7 +334,21 @@ bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::s
     return false;
   }
   SkipByteOrderMark(stream);
-  std::istringstream lines = TakeLines(stream);
+  lines = TakeLines(stream);
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadTrimLineFile(const std::string& path, std::vector<Vec3>& points, std::string& error)
+{
+  points.clear();
+  const std::string file = "The file of points \"" + path + "\"";
+  std::istringstream lines;
+  if (!OpenFile(path, file, lines, error))
+  {
+    return false;
+  }
   std::string line;
   Layout layout;
   Points read;

@@ -1,5 +1,6 @@
 #include "TrimLineSweep.h"
 
+#include "AxisSense.h"
 #include "CurveCrossing.h"
 #include "CurveEvaluation.h"
 #include "PlaceText.h"
@@ -104,11 +105,7 @@ Vec3 EnclosedNormal(const std::vector<TrimLine>& lines, const std::vector<Polygo
   {
     return Vec3::UnitZ();
   }
-  Vec3 normal = sum.normalized();
-  normal = (normal.array().abs() < 1e-12).select(0.0, normal).normalized();
-  Eigen::Index largest = 0;
-  normal.cwiseAbs().maxCoeff(&largest);
-  return normal[largest] < 0.0 ? Vec3(-normal) : normal;
+  return PositiveSense(sum.normalized());
 }
 
 /// Extent of points along a direction.

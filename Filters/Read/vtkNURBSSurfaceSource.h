@@ -91,7 +91,7 @@ protected:
 
   int Degrees[2] = { 3, 3 };
   int ControlNetSize[2] = { 7, 4 };
-  std::vector<double> ControlPoints; // four values each
+  std::vector<double> ControlPoints; ///< four values each
   std::vector<double> KnotsU;
   std::vector<double> KnotsV;
   int Resolution = 32;

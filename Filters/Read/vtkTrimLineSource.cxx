@@ -72,6 +72,30 @@ void WriteSweep(const nurbs::Sweep& sweep, vtkPolyData* output)
   length->InsertNextValue(sweep.Length);
   output->GetFieldData()->AddArray(length);
 }
+
+/// The surface of the line, or those of several as named blocks.
+void WriteSurfaces(const std::vector<nurbs::TrimLine>& lines, const nurbs::Sweep& sweep,
+  int resolution, vtkInformationVector* outputVector)
+{
+  const std::vector<nurbs::NurbsSurface> surfaces = nurbs::SweepLines(lines, sweep);
+  if (vtkPolyData* output = vtkPolyData::GetData(outputVector))
+  {
+    nurbs::TessellateNURBS(surfaces[0], resolution, output);
+    WriteSweep(sweep, output);
+    return;
+  }
+  vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputVector);
+  for (unsigned int i = 0; i < surfaces.size(); ++i)
+  {
+    vtkNew<vtkPolyData> block;
+    nurbs::TessellateNURBS(surfaces[i], resolution, block);
+    WriteSweep(sweep, block);
+    blocks->SetBlock(i, block);
+    const std::string& name = lines[i].Name;
+    blocks->GetMetaData(i)->Set(
+      vtkCompositeDataSet::NAME(), name.empty() ? "Line " + std::to_string(i + 1) : name);
+  }
+}
 }
 
 /// What was made of the inputs is kept until they change.
@@ -380,24 +404,7 @@ int vtkTrimLineSource::RequestData(
     }
     return 1;
   }
-  const std::vector<nurbs::NurbsSurface> surfaces = nurbs::SweepLines(kept.Lines, sweep);
-  if (vtkPolyData* output = vtkPolyData::GetData(outputVector))
-  {
-    nurbs::TessellateNURBS(surfaces[0], this->Resolution, output);
-    WriteSweep(sweep, output);
-    return 1;
-  }
-  vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputVector);
-  for (unsigned int i = 0; i < surfaces.size(); ++i)
-  {
-    vtkNew<vtkPolyData> block;
-    nurbs::TessellateNURBS(surfaces[i], this->Resolution, block);
-    WriteSweep(sweep, block);
-    blocks->SetBlock(i, block);
-    const std::string& name = kept.Lines[i].Name;
-    blocks->GetMetaData(i)->Set(
-      vtkCompositeDataSet::NAME(), name.empty() ? "Line " + std::to_string(i + 1) : name);
-  }
+  WriteSurfaces(kept.Lines, sweep, this->Resolution, outputVector);
   return 1;
 }
 

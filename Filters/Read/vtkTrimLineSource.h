@@ -167,7 +167,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  std::vector<double> Points; // three values each
+  std::vector<double> Points; ///< three values each
   vtkTypeBool Closed = 0;
   int LineType = SPLINE;
   double Direction[3] = { 0.0, 0.0, 0.0 };

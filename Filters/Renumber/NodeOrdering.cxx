@@ -9,12 +9,10 @@
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 #include <boost/graph/properties.hpp>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <deque>
-
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>

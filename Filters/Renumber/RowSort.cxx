@@ -1,6 +1,6 @@
 #include "RowSort.h"
 
-#include "Team.h"
+#include "Runs.h"
 
 #include <algorithm>
 #include <array>
@@ -212,15 +212,14 @@ PageVector<int> SortByRows(const PageVector<nurbs::Vec3>& points, const Eigen::M
 {
   std::array<PageVector<int>, 3> row;
   std::array<int, 3> rows{};
-  ParallelFor(0, 3, 1,
-    [&](vtkIdType begin, vtkIdType end)
+  ForAll(
+    3,
+    [&](int axis)
     {
-      for (vtkIdType axis = begin; axis < end; ++axis)
-      {
-        row[axis].resize(points.size());
-        rows[axis] = FindRows(points, axes.col(axis), row[axis]);
-      }
-    });
+      row[axis].resize(points.size());
+      rows[axis] = FindRows(points, axes.col(axis), row[axis]);
+    },
+    1);
   PageVector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   // The innermost axis first: each pass keeps the order of the one before within a row. Axes whose

@@ -66,10 +66,7 @@ private:
     {
       return false;
     }
-    const int at = CornerOf(face, node);
-    const int last = face.Count - 1;
-    const std::array<int, 2> next{ face.Node[at < last ? at + 1 : 0],
-      face.Node[at > 0 ? at - 1 : last] };
+    const auto next = NeighboursOf(face, node);
     return std::any_of(next.begin(), next.end(),
       [&](int other)
       {

@@ -3,8 +3,6 @@
 #include "AddUnique.h"
 #include "SortUnique.h"
 
-#include <algorithm>
-
 namespace trim
 {
 

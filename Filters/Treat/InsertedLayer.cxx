@@ -1,6 +1,7 @@
 #include "InsertedLayer.h"
 
 #include "DirectionBehind.h"
+#include "Jacobian.h"
 #include "Moves.h"
 #include "MovingNodes.h"
 #include "Status.h"

@@ -88,30 +88,30 @@ private:
   struct Part
   {
     std::vector<int> Nodes, Elements;
-    std::vector<double> Cap; // by element
-    Band::Lists Slots;       // of each element: its nodes, by their places in the part
-    std::vector<int> Order;  // of elements: those that spoiled a step first
+    std::vector<double> Cap; ///< by element
+    Band::Lists Slots;       ///< of each element: its nodes, by their places in the part
+    std::vector<int> Order;  ///< of elements: those that spoiled a step first
   };
 
   struct Variables
   {
-    std::vector<int> First;      // by node of the part
-    std::vector<Vec3> Direction; // as long as an edge
+    std::vector<int> First;      ///< by node of the part
+    std::vector<Vec3> Direction; ///< as long as an edge
   };
 
   /// A determinant of an element, or an edge's worth, and how it changes.
   struct Row
   {
     double Value;
-    std::size_t Element;    // of the part
-    std::size_t Begin, End; // of its gradient
+    std::size_t Element;    ///< of the part
+    std::size_t Begin, End; ///< of its gradient
   };
   /// All there is to know of a part before a step.
   struct Linearisation
   {
-    std::vector<double> Worth; // by element
+    std::vector<double> Worth; ///< by element
     Variables Free;
-    std::vector<Vec3> From; // by node
+    std::vector<Vec3> From; ///< by node
     std::vector<Row> Rows;
     std::vector<Slope> Gradients;
     /// Where nodes settle that a step leaves where they are, by node, once known.
@@ -544,8 +544,8 @@ private:
   double Goal;
   bool EndsEarly;
   StepDirections Directions;
-  std::vector<int> Slot; // by node: its place in the part that is raised, or -1
-  std::size_t Work = 0;  // steps times free directions
+  std::vector<int> Slot; ///< by node: its place in the part that is raised, or -1
+  std::size_t Work = 0;  ///< steps times free directions
 };
 
 }

@@ -475,11 +475,11 @@ private:
   const TrimmedBand& Trimmed;
   const BandQuality& Quality;
   double Goal;
-  std::vector<RelaxedElement> Slots;    // by element of the band; Count 0: not in the offcut
-  std::vector<signed char> SplitCorner; // -1: whole
-  std::vector<char> Shared;             // nodes that the kept part uses
-  Band::Lists Members;                  // elements of each column
-  std::map<int, std::vector<DroppedNode>> Dropped; // by pillar
+  std::vector<RelaxedElement> Slots;    ///< by element of the band; Count 0: not in the offcut
+  std::vector<signed char> SplitCorner; ///< -1: whole
+  std::vector<char> Shared;             ///< nodes that the kept part uses
+  Band::Lists Members;                  ///< elements of each column
+  std::map<int, std::vector<DroppedNode>> Dropped; ///< by pillar
   Offcut Result;
 };
 

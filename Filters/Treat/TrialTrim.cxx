@@ -1,6 +1,5 @@
 #include "TrialTrim.h"
 
-#include "CreaseNodes.h"
 #include "JointRelaxation.h"
 #include "MovingNodes.h"
 #include "SortUnique.h"
@@ -23,8 +22,6 @@ constexpr double PolishedGoal = 0.6;
 constexpr double PolishedOnCutGoal = 0.5;
 /// How often nodes that are left come nearer to the surface and their neighbours make room.
 constexpr int ApproachPasses = 4;
-/// Pillars of pentahedra that are tried without their nodes, at most.
-constexpr int MostDrops = 100;
 
 }
 
@@ -307,127 +304,6 @@ void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, Trimmed
     set, this->Quality.FindShortOf(trimmed, goal), PolishedGoal, Brief, trimmed, onCutToo);
 }
 
-void TrialTrim::FollowCreases(
-  const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
-{
-  if (this->Options.QualityFloor <= 0.0 || this->Options.CorrectionType == Correction::Eliminate ||
-    !MayHaveCreases(this->Surface))
-  {
-    return;
-  }
-  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  const std::vector<char> missed = this->PutOnCreases(set, {}, aborted, trimmed);
-  if (this->Options.Treatment == Optimization::Degenerate &&
-    std::find(missed.begin(), missed.end(), 1) != missed.end())
-  {
-    // The middle node of a pentahedron may be in the way: then it is dropped.
-    Faults faults = this->FaultsOf(trimmed, this->GoalForLeft());
-    int tried = 0;
-    for (const auto& wedges :
-      FindDroppable(this->TheBand, this->TheColumns, trimmed.Kept, trimmed.Treated))
-    {
-      if (missed[wedges.front().Dropped[0]] && tried++ < MostDrops && !aborted())
-      {
-        this->DropAtCrease(set, wedges, aborted, faults, trimmed);
-      }
-    }
-  }
-}
-
-/// Drops edges if that lets a node beside them go to a sharp edge.
-void TrialTrim::DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-  const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const
-{
-  std::vector<char> beside(this->TheBand.NumberOfNodes(), 0);
-  for (const auto& wedge : wedges)
-  {
-    std::for_each(wedge.Node.begin(), wedge.Node.begin() + 6, [&beside](int n) { beside[n] = 1; });
-  }
-  const std::vector<char> before = trimmed.OnCrease;
-  const bool helped = this->Try(faults, trimmed,
-    [&]
-    {
-      if (!DropEdges(wedges, trimmed.Treated))
-      {
-        return false;
-      }
-      this->PutOnCreases(set, beside, aborted, trimmed);
-      return trimmed.OnCrease != before;
-    });
-  if (!helped)
-  {
-    trimmed.OnCrease = before;
-  }
-}
-
-std::vector<char> TrialTrim::PutOnCreases(const Choices& set, const std::vector<char>& among,
-  const std::function<bool()>& aborted, TrimmedBand& trimmed) const
-{
-  Shapes shapes = this->ShapesOf(set, trimmed, true);
-  return trim::PutOnCreases(this->Guard(shapes, this->GoalForLeft(), aborted, trimmed),
-    this->Surface, among, trimmed.OnCrease);
-}
-
-void TrialTrim::ReturnLeft(
-  const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const
-{
-  const auto aborted = [&progress] { return progress(-1.0); };
-  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  const double aim = this->GoalForLeft();
-  this->ReturnWithRoom(set, aim, progress, trimmed);
-  this->BringNearer(set, aborted, trimmed);
-  // Some have come so near that nothing keeps them from the surface any more.
-  const std::vector<int> left = this->FindLeft(set, trimmed);
-  if (!left.empty())
-  {
-    Faults faults = this->FaultsOf(trimmed, aim);
-    this->Try(faults, trimmed,
-      [&] { return this->ReturnNodesLeft(set, left, aim, ReturnEffort::Alone, aborted, trimmed); });
-  }
-}
-
-std::shared_ptr<TrimmedBand> TrialTrim::ReturnLeftToFloor(
-  const Choices& choices, const Progress& progress, const TrimmedBand& from) const
-{
-  const double floor = this->Options.QualityFloor;
-  const Choices set = this->ForDecision(this->WithDemands(choices), from);
-  const std::size_t left = this->FindLeft(set, from).size();
-  if (left == 0 || floor <= 0.0 || floor >= this->GoalForLeft())
-  {
-    return nullptr;
-  }
-  auto trimmed = std::make_shared<TrimmedBand>(from);
-  this->ReturnWithRoom(set, floor, progress, *trimmed);
-  this->BringNearer(
-    set, [&progress] { return progress(-1.0); }, *trimmed);
-  return this->FindLeft(set, *trimmed).size() < left ? trimmed : nullptr;
-}
-
-/// @param goal what elements are not to fall below for it.
-void TrialTrim::ReturnWithRoom(
-  const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const
-{
-  const auto aborted = [&progress] { return progress(-1.0); };
-  Faults faults = this->FaultsOf(trimmed, goal);
-  FailedReturns failures; // of edges to drop: what else there is wrong only gets less
-  bool changed = true;
-  double done = 0.0;
-  // What makes room for one node may do so for others.
-  for (const auto effort : { ReturnEffort::Alone, ReturnEffort::Relaxed, ReturnEffort::Alone })
-  {
-    progress(done);
-    done += 1.0 / 3.0;
-    const std::vector<int> left = this->FindLeft(set, trimmed);
-    if (left.empty() || (!changed && effort == ReturnEffort::Alone))
-    {
-      break;
-    }
-    changed = this->Try(faults, trimmed,
-      [&] { return this->ReturnNodesLeft(set, left, goal, effort, aborted, trimmed); });
-    changed |= this->DropEdgesLeft(set, aborted, failures, faults, trimmed);
-  }
-}
-
 /// Nodes that have to be left come as near to the surface as the floor lets them, and their
 /// neighbours make room.
 void TrialTrim::BringNearer(
@@ -476,116 +352,11 @@ double TrialTrim::GoalForLeft() const
   return std::max(this->Options.AimedQuality(), SmallestGoal);
 }
 
-/// Nodes that should be on the surface and are not, without those that the offcut needs there.
-std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trimmed) const
-{
-  const std::vector<int> users = CountUsers(this->TheBand, trimmed);
-  const auto& demanded = this->Options.ForOffcut.LeavePillar;
-  std::vector<int> left;
-  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
-  {
-    const int pillar = this->TheColumns.Pillar[n];
-    if (users[n] > 0 && trimmed.NodeMoves.Left[n] &&
-      set.Corrections[pillar].Correction != CorrectionChoice::Inside &&
-      (demanded.empty() || !demanded[pillar]))
-    {
-      left.push_back(n);
-    }
-  }
-  return left;
-}
-
 TrialTrim::Faults TrialTrim::FaultsOf(const TrimmedBand& trimmed, double goal) const
 {
   const BandQuality quality = this->Quality.With(goal, Measure::Worth);
   return { goal, this->Quality.FindInvalid(trimmed).size(),
     this->Quality.FindBelowFloor(trimmed).size(), quality.MeasureShortage(trimmed) };
-}
-
-/// Does something to the band; undoes it if it was no help or spoiled an element.
-template <typename Action>
-bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const
-{
-  Moves moves = trimmed.NodeMoves;
-  Pentahedra treated = trimmed.Treated;
-  if (action())
-  {
-    const Faults now = this->FaultsOf(trimmed, faults.Goal);
-    if (now.Invalid <= faults.Invalid && now.BelowFloor <= faults.BelowFloor &&
-      now.OfGoal.Sum <= faults.OfGoal.Sum && now.OfGoal.Largest <= faults.OfGoal.Largest)
-    {
-      faults = now;
-      return true;
-    }
-  }
-  trimmed.NodeMoves = std::move(moves);
-  trimmed.Treated = std::move(treated);
-  return false;
-}
-
-bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
-  ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
-{
-  Shapes shapes = this->ShapesOf(set, trimmed, true);
-  return ReturnNodes(this->Guard(shapes, goal, aborted, trimmed), left, effort);
-}
-
-/// Pentahedra that kept their middle nodes as those were left may do without them.
-bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
-  FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const
-{
-  const std::vector<int> left = this->FindLeft(set, trimmed);
-  if (left.empty() || this->Options.Treatment != Optimization::Degenerate)
-  {
-    return false;
-  }
-  const auto isLeft = [&](int n) { return std::binary_search(left.begin(), left.end(), n); };
-  bool dropped = false;
-  int tried = 0;
-  for (const auto& wedges :
-    FindDroppable(this->TheBand, this->TheColumns, trimmed.Kept, trimmed.Treated))
-  {
-    const bool helps = std::any_of(wedges.begin(), wedges.end(),
-      [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });
-    if (helps && tried++ < MostDrops && !aborted())
-    {
-      FailedReturns::Key key;
-      const bool stood = this->Try(faults, trimmed,
-        [&] { return this->DropAndRelax(set, wedges, faults.Goal, failures, key, trimmed); });
-      dropped |= stood;
-      if (!stood)
-      {
-        failures.Add(key);
-      }
-    }
-  }
-  return dropped;
-}
-
-/// @param[out] key of what it depends on.
-/// @return false, too, if it is one of the failures.
-bool TrialTrim::DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges,
-  double goal, const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const
-{
-  if (!DropEdges(wedges, trimmed.Treated))
-  {
-    return false;
-  }
-  std::vector<int> elements;
-  for (const auto& wedge : wedges)
-  {
-    elements.push_back(wedge.Element);
-  }
-  std::sort(elements.begin(), elements.end());
-  const auto [shapes, fixed, onCut] = this->ShapesOf(set, trimmed, true);
-  const RelaxedMesh mesh({ this->TheBand, this->Mover, shapes, fixed, onCut }, trimmed.NodeMoves);
-  key = StateRound(mesh, fixed, elements, RelaxedRings);
-  if (failures.Contain(key))
-  {
-    return false;
-  }
-  this->RelaxRound(set, elements, goal, Decisive, trimmed);
-  return true;
 }
 
 TrialTrim::Shapes TrialTrim::ShapesOf(

@@ -8,53 +8,21 @@
 #include "BandQuality.h"
 #include "Decision.h"
 #include "FailedReturns.h"
+#include "LadderOptions.h"
 #include "Progress.h"
 #include "Relaxation.h"
 #include "ReturnedNodes.h"
 #include "TrimCase.h"
 #include "TrimmedBand.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace trim
 {
-
-/// What has to be so for the sake of the offcut, whatever the ladder does; empty: nothing.
-struct Demands
-{
-  std::vector<char> KeepColumn;  ///< by column
-  std::vector<char> LeavePillar; ///< by pillar: its nodes stay where they are
-};
-
-/// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.
-constexpr double AimedFloor = 0.3;
-
-struct LadderOptions
-{
-  Correction CorrectionType = Correction::Project; ///< Eliminate, Project or Slide
-  Optimization Treatment = Optimization::Degenerate;
-  double EliminationFraction = 0.5;
-  /// Scaled Jacobian that touched elements have to reach, but for straight corners; 0: none.
-  double QualityFloor = 0.2;
-  /// Whether what is nearly all beyond the surface may be kept so that a corner of the model need
-  /// not move.
-  bool KeepsCorners = true;
-  bool SlidesBehind = false; ///< see NodeMover
-  /// Whether a node beyond the surface may slide along the border behind the cut where the one next
-  /// to it has left the border: the corner between border and surface may be cut off then.
-  bool CutsCorners = true;
-  Demands ForOffcut;
-  FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others
-
-  /// Scaled Jacobian that touched elements are to reach short of leaving nodes off; 0: none.
-  double AimedQuality() const
-  {
-    return this->QualityFloor > 0.0 ? std::max(this->QualityFloor, AimedFloor) : 0.0;
-  }
-};
 
 /// Everything the ladder may set.
 struct Choices
@@ -124,8 +92,9 @@ private:
   std::vector<char> TakeRelaxed(
     const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
+  void BringNearer(
+    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   double GoalForLeft() const;
-  std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
   /// What must not become more when nodes that were left return.
   struct Faults
   {
@@ -134,23 +103,10 @@ private:
     BandQuality::Shortage OfGoal;
   };
   Faults FaultsOf(const TrimmedBand& trimmed, double goal) const;
+  /// Does something to the band; undoes it if it was no help or spoiled an element.
+  /// @param action returns whether it has changed anything.
   template <typename Action>
   bool Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const;
-  void ReturnWithRoom(
-    const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
-  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
-    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
-    FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
-  void BringNearer(
-    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
-  bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,
-    const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const;
-  void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-    const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
-  /// @return nodes beside sharp edges that were missed.
-  std::vector<char> PutOnCreases(const Choices& set, const std::vector<char>& among,
-    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   /// What a RelaxationCase and a GuardedCase refer to.
   struct Shapes
   {
@@ -163,6 +119,26 @@ private:
     Shapes& shapes, double least, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   void RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
     const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
+  /// Pillars of pentahedra that are tried without their nodes, at most.
+  static constexpr int MostDrops = 100;
+
+  // TrialReturns.cxx
+  void ReturnWithRoom(
+    const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
+  std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
+  bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
+    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
+    FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
+  bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,
+    const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const;
+
+  // TrialCreases.cxx
+  void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
+    const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
+  /// @return nodes beside sharp edges that were missed.
+  std::vector<char> PutOnCreases(const Choices& set, const std::vector<char>& among,
+    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
 
   const Band& TheBand;
   const Columns& TheColumns;
@@ -172,6 +148,26 @@ private:
   NodeMover Mover;
   Decision TheDecision;
 };
+
+template <typename Action>
+bool TrialTrim::Try(Faults& faults, TrimmedBand& trimmed, const Action& action) const
+{
+  Moves moves = trimmed.NodeMoves;
+  Pentahedra treated = trimmed.Treated;
+  if (action())
+  {
+    const Faults now = this->FaultsOf(trimmed, faults.Goal);
+    if (now.Invalid <= faults.Invalid && now.BelowFloor <= faults.BelowFloor &&
+      now.OfGoal.Sum <= faults.OfGoal.Sum && now.OfGoal.Largest <= faults.OfGoal.Largest)
+    {
+      faults = now;
+      return true;
+    }
+  }
+  trimmed.NodeMoves = std::move(moves);
+  trimmed.Treated = std::move(treated);
+  return false;
+}
 
 }
 

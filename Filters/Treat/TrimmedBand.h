@@ -5,7 +5,6 @@
 #ifndef TrimmedBand_h
 #define TrimmedBand_h
 
-#include "Jacobian.h"
 #include "Pentahedra.h"
 
 #include <memory>

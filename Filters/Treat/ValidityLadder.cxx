@@ -4,7 +4,6 @@
 #include "FloorClimb.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace trim
 {

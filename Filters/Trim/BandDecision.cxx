@@ -1,23 +1,18 @@
 #include "BandDecision.h"
 
-#include "BandQuality.h"
+#include "BestLayer.h"
 #include "BorderCorners.h"
 #include "BothParts.h"
 #include "ColumnChoices.h"
 #include "ElementsAstray.h"
-#include "LayerTrim.h"
 #include "MoverMemory.h"
+#include "Shortcomings.h"
 #include "Shortfalls.h"
-#include "Status.h"
-#include "Team.h"
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <limits>
 #include <memory>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace trim
 {
@@ -30,61 +25,11 @@ constexpr double FarthestLeft = 0.5;
 constexpr std::size_t MostLeft = 250;
 /// Nodes that are left for the sake of a higher floor are so by any decision.
 constexpr double HighestFloor = 0.5;
-/// How much of the elements under an inserted layer may lie beyond the surface: the less, the more
-/// there is for the layer to fill, which the border of the model may not let it.
-constexpr std::array<double, 3> LayerShares = { 0.25, 0.5, 0.1 };
-
 /// So many elements that no place of their nodes makes valid are worth to begin with a layer.
 constexpr std::size_t ManyAslant = 100;
 /// What one of them costs at least without a layer, as the square of a distance in edges: in blocks
 /// cut by planes and waves, and in an O-grid, it was 0.027 to 0.24.
 constexpr double SquaresAslant = 0.02;
-
-/// What a trim could not do.
-struct Shortcomings
-{
-  std::size_t Elements = 0; ///< invalid or below the floor
-  double Squares = 0.0;  ///< sum of those of the distances of nodes left off the surface, in edges
-  double Farthest = 0.0; ///< of these distances
-  bool operator<(const Shortcomings& other) const
-  {
-    return std::tie(this->Elements, this->Squares) < std::tie(other.Elements, other.Squares);
-  }
-};
-
-Shortcomings MeasureLeft(const TrimBand& near)
-{
-  const Band& band = WithoutLayer(near.Mesh);
-  Shortcomings sum;
-  sum.Elements = near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() +
-    near.Rest.Invalid.size() + near.Rest.BelowFloor.size();
-  for (const auto& [left, distance] : near.NodesLeft)
-  {
-    if (near.Mesh.IsInsertedNode(left))
-    {
-      continue; // it sticks out under one of the new boundary
-    }
-    const int node = NodeWithoutLayer(near.Mesh, left);
-    double length = 0.0;
-    const auto edges = band.EdgesOfNode(node);
-    for (const int edge : edges)
-    {
-      length += (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm() / edges.size();
-    }
-    sum.Squares += distance * distance / (length * length);
-    sum.Farthest = std::max(sum.Farthest, distance / length);
-  }
-  return sum;
-}
-
-/// The same, where an element short of what is aimed at counts as a node left by two edges.
-Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& options)
-{
-  const BandQuality aimed(near.Mesh, options.Treatment, options.AimedQuality(), Measure::Worth);
-  Shortcomings sum = MeasureLeft(near);
-  sum.Squares += 4.0 * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
-  return sum;
-}
 
 ElementsAstray FindAstray(const TrimBand& near, const BandTask& task)
 {
@@ -289,97 +234,6 @@ void DecideWithMesh(TrimBand& near, const BandTask& task, const Progress& progre
   }
 }
 
-/// The trims with an inserted layer, of which one may be taken instead.
-class LayerTrims
-{
-public:
-  LayerTrims(const TrimBand& near, const BandTask& task)
-    : Near(near)
-    , Task(task)
-    , Before(std::make_shared<const Band>(near.Mesh))
-  {
-  }
-
-  /// The one that leaves least off the surface, if that is less than a limit; else null, and it may
-  /// be asked for again.
-  std::unique_ptr<TrimBand> FindBest(const Shortcomings& limit, const Progress& progress)
-  {
-    if (limit.Elements > 0 && this->GivesUp)
-    {
-      // What was given up may be less bad than that, and is to be made after all.
-      this->GivesUp = false;
-      this->Tried = 0;
-      this->IsMade = {};
-      this->Best = nullptr;
-    }
-    if (this->Tried == 0 && Team::Current())
-    {
-      this->MakeAhead(progress);
-    }
-    while (this->Tried < LayerShares.size() && !(this->Best && this->Best->NodesLeft.empty()) &&
-      !progress(static_cast<double>(this->Tried) / LayerShares.size()))
-    {
-      this->TryNext(progress);
-    }
-    return this->Best && this->Least < limit ? std::move(this->Best) : nullptr;
-  }
-
-private:
-  void TryNext(const Progress& progress)
-  {
-    const std::size_t trim = this->Tried++;
-    const double done = static_cast<double>(trim) / LayerShares.size();
-    auto layered = this->IsMade[trim]
-      ? std::move(this->Made[trim])
-      : this->Make(trim, Part(progress, done, done + 1.0 / LayerShares.size()));
-    const Shortcomings now = layered ? MeasureLeft(*layered) : Shortcomings();
-    if (layered && (!this->Best || now < this->Least))
-    {
-      this->Least = now;
-      this->Best = std::move(layered);
-    }
-  }
-
-  std::unique_ptr<TrimBand> Make(std::size_t trim, const Progress& progress) const
-  {
-    return TrimWithLayer(
-      this->Near, this->Before, LayerShares[trim], this->GivesUp, this->Task, progress);
-  }
-
-  /// Makes all of them at once, by threads; those after one that leaves nothing end, as hardly
-  /// anybody will ask for them.
-  void MakeAhead(const Progress& progress)
-  {
-    const Id count = static_cast<Id>(LayerShares.size());
-    std::atomic<Id> last{ count };
-    ParallelFor(0, count, 1,
-      [&](Id begin, Id end)
-      {
-        for (Id trim = begin; trim < end; ++trim)
-        {
-          this->Made[trim] =
-            this->Make(trim, [&](double) { return trim > last || progress(-1.0); });
-          const bool leavesNone = this->Made[trim] && this->Made[trim]->NodesLeft.empty();
-          for (Id before = last; leavesNone && trim < before;)
-          {
-            last.compare_exchange_weak(before, trim);
-          }
-          this->IsMade[trim] = trim <= last; // else it may have ended early
-        }
-      });
-  }
-
-  const TrimBand& Near;
-  const BandTask& Task;
-  std::shared_ptr<const Band> Before;
-  std::array<std::unique_ptr<TrimBand>, LayerShares.size()> Made; ///< ahead, not tried yet
-  std::array<bool, LayerShares.size()> IsMade{};
-  bool GivesUp = true;            ///< see TrimWithLayer
-  std::size_t Tried = 0;          ///< of LayerShares
-  std::unique_ptr<TrimBand> Best; ///< of those tried
-  Shortcomings Least;             ///< those of the best
-};
-
 /// Elements that are invalid with all nodes on the surface, as they have faces of the cut on all
 /// sides of a corner: where a block is cut aslant to all its elements.
 std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
@@ -458,7 +312,7 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
     TakeCloser(near, task, Part(progress, 0.9, 1.0));
     return;
   }
-  LayerTrims layers(near, task);
+  BestLayer layer(near, task);
   std::unique_ptr<TrimBand> layered;
   // There the ladder without a layer is long, and in vain.
   const std::size_t aslant = CountCutAslant(near, task);
@@ -466,7 +320,7 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
   {
     Shortcomings without;
     without.Squares = SquaresAslant * static_cast<double>(aslant);
-    layered = layers.FindBest(without, Part(progress, 0.0, 0.5));
+    layered = layer.Find(without, Part(progress, 0.0, 0.5));
   }
   if (!layered)
   {
@@ -474,7 +328,7 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
     TakeCloser(near, task, Part(progress, 0.75, 0.8));
     if (!progress(0.8) && !near.NodesLeft.empty())
     {
-      layered = layers.FindBest(MeasureLeft(near), Part(progress, 0.8, 1.0));
+      layered = layer.Find(MeasureLeft(near), Part(progress, 0.8, 1.0));
     }
   }
   if (layered)

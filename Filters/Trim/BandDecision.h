@@ -6,10 +6,13 @@
 #ifndef BandDecision_h
 #define BandDecision_h
 
+#include "LadderOptions.h"
 #include "Progress.h"
 #include "TrialTrim.h"
 #include "TrimBand.h"
 #include "TrimmingSurface.h"
+
+#include <memory>
 
 namespace trim
 {

@@ -5,7 +5,6 @@
 #include "Runs.h"
 #include "SortUnique.h"
 #include "Status.h"
-#include "Team.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,14 +112,8 @@ std::vector<MeshEdge> FindEdgesCrossedTwice(
 {
   const std::vector<MeshEdge> edges = FindNearEdges(mesh, surface, nodes);
   std::vector<char> twice(edges.size());
-  ParallelFor(0, static_cast<Id>(edges.size()), 256,
-    [&](Id begin, Id end)
-    {
-      for (Id i = begin; i < end; ++i)
-      {
-        twice[i] = IsCrossedTwice(mesh, surface, edges[i]);
-      }
-    });
+  ForAll(static_cast<int>(edges.size()),
+    [&](int i) { twice[i] = IsCrossedTwice(mesh, surface, edges[i]); });
   std::vector<MeshEdge> found;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {

@@ -1,6 +1,7 @@
 #include "ElementsAstray.h"
 
 #include "ElementTopology.h"
+#include "Jacobian.h"
 #include "Status.h"
 
 #include <algorithm>

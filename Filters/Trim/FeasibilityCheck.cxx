@@ -5,8 +5,8 @@
 #include "ElementProbe.h"
 #include "ElementTopology.h"
 #include "OpenSeams.h"
+#include "Runs.h"
 #include "Status.h"
-#include "Team.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +52,8 @@ public:
     const auto& cells = this->Result.Nodes.CandidateCells;
     this->FindCellsAtSeams();
     std::vector<Feasibility> values(cells.size(), Feasibility::Fine);
-    ParallelFor(0, static_cast<Id>(cells.size()), 64,
-      [&](Id begin, Id end)
-      {
-        for (Id i = begin; i < end; ++i)
-        {
-          values[i] = this->Check(cells[i]);
-        }
-      });
+    ForAll(
+      static_cast<int>(cells.size()), [&](int i) { values[i] = this->Check(cells[i]); }, 64);
     std::vector<std::pair<Id, Feasibility>> found;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {

@@ -1,5 +1,7 @@
 #include "InputTimes.h"
 
+#include "SortUnique.h"
+
 #include <vtkDataObject.h>
 #include <vtkInformation.h>
 #include <vtkInformationDoubleKey.h>
@@ -33,8 +35,7 @@ void TellTimes(vtkInformation* grid, vtkInformation* surface, vtkInformationVect
       range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
     }
   }
-  std::sort(steps.begin(), steps.end());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  SortUnique(steps);
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkInformation* output = outputs->GetInformationObject(port);

@@ -21,8 +21,6 @@ constexpr double BesideShare = 0.05;
 /// parameters, by which it may lie beyond its edges.
 constexpr double BorderTolerance = 1e-5;
 constexpr double BorderSlack = 1e-4;
-/// Faces that meet under less than 45 degrees belong to one side of the model.
-constexpr double SameSideCosine = 0.7071;
 /// How far along the border a node slides at most, in edges.
 constexpr int LongestSlide = 5;
 

@@ -23,9 +23,15 @@ bool HasSurplus(vtkDataSetAttributes* data, vtkIdType count)
   return false;
 }
 
+/// Cuts arrays off, if any is too long.
 /// @param[in,out] told which arrays are cut off, before this and after.
 void CutOff(vtkDataSetAttributes* data, vtkIdType count, const char* what, std::string& told)
 {
+  if (!HasSurplus(data, count))
+  {
+    return;
+  }
+  // All of them anew, in their order: an array without a name cannot be replaced.
   const auto given = vtkSmartPointer<vtkDataSetAttributes>::Take(data->NewInstance());
   given->ShallowCopy(data);
   data->Initialize();

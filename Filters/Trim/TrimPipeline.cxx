@@ -1,11 +1,12 @@
 #include "TrimPipeline.h"
 
 #include "CutColumns.h"
+#include "ElementClassification.h"
 #include "EndInside.h"
 #include "FeasibilityCheck.h"
 #include "GatherBand.h"
 #include "InputScale.h"
-#include "Place.h"
+#include "KeptSide.h"
 #include "Shortfalls.h"
 #include "Status.h"
 #include "StretchTrims.h"
@@ -15,7 +16,6 @@
 #include "TrimWarnings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -37,184 +37,25 @@ constexpr double FarPlacePrecision = 64.0 * std::numeric_limits<double>::epsilon
 constexpr double DistanceRounding = 16.0 * std::numeric_limits<double>::epsilon();
 /// A smaller tolerance leaves no node where it can be seen.
 constexpr double FinestCoarseTolerance = 1e-6;
-/// Turns the surface round for a scope.
-class Turned
+
+/// Whether the surface has to be turned round for its normal to point to what goes.
+bool MustTurn(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  const nurbs::TrimmingSurface& surface, const TrimOptions& options, double tolerance,
+  TrimResult& result)
 {
-public:
-  Turned(nurbs::TrimmingSurface& surface, bool turn)
-    : Surface(surface)
-    , Turn(turn)
+  if (!options.UseKeepPoint)
   {
-    this->Flip();
+    return options.InvertSide;
   }
-  ~Turned() { this->Flip(); }
-  Turned(const Turned&) = delete;
-  void operator=(const Turned&) = delete;
-
-private:
-  void Flip()
+  if (surface.ClosestPoint(options.KeepPoint).Distance <= tolerance)
   {
-    if (this->Turn)
-    {
-      this->Surface.Flip();
-    }
+    result.Warnings.emplace_back(
+      "KeepPoint lies on the surface and tells no side, so the normal of the surface does: give a "
+      "point in the part that is to stay.");
+    return options.InvertSide;
   }
-  nurbs::TrimmingSurface& Surface;
-  bool Turn;
-};
-
-/// A node nearest to some point.
-struct NearestNode
-{
-  double Distance = std::numeric_limits<double>::infinity(); ///< squared
-  Place At{};
-  unsigned char Status = NodeUnknown;
-
-  bool IsNearer(const NearestNode& other) const
-  {
-    return this->Distance != other.Distance ? this->Distance < other.Distance : this->At < other.At;
-  }
-};
-
-NearestNode FindNearestNode(
-  const HexMesh& mesh, const Piece& piece, const NodeClassification& nodes, const Vec3& point)
-{
-  NearestNode nearest;
-  for (Id i = 0; i < mesh.NumberOfPoints; ++i)
-  {
-    const Vec3 p = mesh.Point(i);
-    const double distance = (p - point).squaredNorm();
-    if (distance <= nearest.Distance)
-    {
-      const NearestNode node{ distance, ToPlace(p), nodes.Status[i] };
-      nearest = node.IsNearer(nearest) ? node : nearest;
-    }
-  }
-  for (const auto& node : piece.All.Gather(std::vector<NearestNode>{ nearest }))
-  {
-    nearest = node.IsNearer(nearest) ? node : nearest;
-  }
-  return nearest;
-}
-
-/// Whether a point lies beyond the surface: by projection near it, where the sign is certain, else
-/// on the side that one comes to on the way from the nearest node, whose status was carried along
-/// the mesh.
-bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
-  const nurbs::TrimmingSurface& surface, const NodeClassification& nodes, const Vec3& point)
-{
-  const auto foot = surface.ClosestPoint(point);
-  const NearestNode node = FindNearestNode(mesh, piece, nodes, point);
-  const bool near = foot.Distance < blocks.LargestDiagonal;
-  if ((near && foot.Kind == nurbs::FootKind::Interior) || node.Status == NodeOnSurface)
-  {
-    return foot.SignedDistance > 0.0;
-  }
-  constexpr double leastSlope = 1e-6; // a crossing, no touch
-  const Vec3 way = point - ToVec3(node.At);
-  const auto hits = surface.Intersect(ToVec3(node.At), point, 0.0, 1.0);
-  const auto last = std::find_if(hits.rbegin(), hits.rend(),
-    [&way](const nurbs::LineHit& hit)
-    { return std::abs(hit.Normal.dot(way)) > leastSlope * way.norm(); });
-  return last == hits.rend() ? node.Status == NodeEliminate : last->Normal.dot(way) > 0.0;
-}
-
-template <typename Statuses>
-void TurnSides(Statuses& statuses)
-{
-  for (auto& status : statuses)
-  {
-    if (status == NodeKeep || status == NodeEliminate)
-    {
-      status = static_cast<unsigned char>(status == NodeKeep ? NodeEliminate : NodeKeep);
-    }
-  }
-}
-
-void TurnStatuses(NodeClassification& nodes)
-{
-  TurnSides(nodes.Status);
-  TurnSides(nodes.ClusterSide);
-  for (auto& node : nodes.SignedDistances)
-  {
-    node.second = -node.second;
-  }
-  for (auto& foot : nodes.Near.Feet)
-  {
-    foot.Normal = -foot.Normal;
-    foot.SignedDistance = -foot.SignedDistance;
-  }
-}
-
-ElementStatus StatusOfCell(const HexMesh& mesh, const TrimResult& result, Id cell)
-{
-  std::array<Id, 8> nodes;
-  std::array<unsigned char, 8> status;
-  const int count = mesh.Cell(cell, nodes);
-  for (int i = 0; i < count; ++i)
-  {
-    status[i] = result.Nodes.Status[nodes[i]];
-  }
-  return StatusOfElement(status.data(), count);
-}
-
-/// Whether a cell whose nodes all are on the surface lies beyond it: in a slot of one element.
-bool LiesBetween(const HexMesh& mesh, const TrimResult& result,
-  const nurbs::TrimmingSurface& surface, double rounding, Id cell)
-{
-  std::array<Id, 8> nodes;
-  const int count = mesh.Cell(cell, nodes);
-  Vec3 middle = Vec3::Zero();
-  for (int i = 0; i < count; ++i)
-  {
-    if (result.Nodes.Status[nodes[i]] != NodeOnSurface)
-    {
-      return false;
-    }
-    middle += mesh.Point(nodes[i]) / count;
-  }
-  const auto foot = surface.ClosestPoint(middle);
-  return foot.Kind == nurbs::FootKind::Interior && foot.SignedDistance > rounding;
-}
-
-/// A cell that the surface does not meet lies on the side of any of its nodes.
-void ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
-  const nurbs::TrimmingSurface& surface, double rounding, TrimResult& result)
-{
-  result.ElementStatus.resize(mesh.NumberOfCells);
-  ParallelFor(0, blocks.NumberOfClusters(), 6000,
-    [&](Id begin, Id end)
-    {
-      const auto& sides = result.Nodes.ClusterSide;
-      for (Id cluster = begin, next; cluster < end; cluster = next)
-      {
-        const unsigned char side = sides[cluster];
-        next = std::find_if(sides.begin() + cluster, sides.begin() + end,
-                 [side](unsigned char other) { return other != side; }) -
-          sides.begin();
-        const Id first = blocks.FirstCellOfCluster(cluster);
-        const Id last = std::min(mesh.NumberOfCells, blocks.FirstCellOfCluster(next));
-        if (side == NodeKeep || side == NodeEliminate)
-        {
-          std::fill(result.ElementStatus.begin() + first, result.ElementStatus.begin() + last,
-            side == NodeKeep ? ElementKeep : ElementEliminate);
-          continue;
-        }
-        for (Id c = first; c < last; ++c)
-        {
-          const unsigned char node = result.Nodes.Status[mesh.FirstNode(c)];
-          result.ElementStatus[c] = node == NodeKeep ? ElementKeep
-            : node == NodeEliminate                  ? ElementEliminate
-                                                     : StatusOfCell(mesh, result, c);
-        }
-      }
-    });
-  for (const Id c : result.Nodes.CandidateCells)
-  {
-    result.ElementStatus[c] = LiesBetween(mesh, result, surface, rounding, c)
-      ? ElementEliminate
-      : StatusOfCell(mesh, result, c);
-  }
+  return options.InvertSide !=
+    LiesBeyond(mesh, blocks, piece, surface, result.Nodes, options.KeepPoint);
 }
 
 /// Cells that the surface cuts or touches with a node.
@@ -427,24 +268,13 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   {
     return result;
   }
-  bool turn = options.InvertSide;
-  if (options.UseKeepPoint && surface.ClosestPoint(options.KeepPoint).Distance <= tolerance)
-  {
-    result.Warnings.emplace_back(
-      "KeepPoint lies on the surface and tells no side, so the normal of the surface does: give a "
-      "point in the part that is to stay.");
-  }
-  else if (options.UseKeepPoint &&
-    LiesBeyond(mesh, blocks, piece, surface, result.Nodes, options.KeepPoint))
-  {
-    turn = !turn;
-  }
+  const bool turn = MustTurn(mesh, blocks, piece, surface, options, tolerance, result);
   const Turned turned(surface, turn);
   if (turn)
   {
     TurnStatuses(result.Nodes);
   }
-  ClassifyElements(mesh, blocks, surface, rounding, result);
+  result.ElementStatus = ClassifyElements(mesh, blocks, surface, rounding, result.Nodes);
 
   // Decide, correct and treat, near the cut.
   const auto seeds = FindSeeds(mesh, result);

@@ -15,17 +15,19 @@ namespace trim
 namespace
 {
 
-struct Text
-{
-  Feasibility Value;
-  const char* What;
-};
-
 /// Share of the cut elements' volume that is told of where nodes were left off the surface: most
 /// trims that leave none miss less.
 constexpr double MissWhereLeft = 0.05;
 
-constexpr Text FeasibilityTexts[] = {
+/// What is told of a finding, behind the number of elements.
+template <typename Finding>
+struct Text
+{
+  Finding Value;
+  const char* What;
+};
+
+constexpr Text<Feasibility> FeasibilityTexts[] = {
   { Feasibility::OpenSeam,
     " elements have a face that lies on another without common nodes: there the mesh is open, and "
     "what was one may come apart. Merge the nodes by Clean to Grid, unless it is a slit; of an "
@@ -47,13 +49,7 @@ constexpr Text FeasibilityTexts[] = {
     "sizes, which the border cuts off: refine the mesh there or round the surface off." },
 };
 
-struct ShortfallText
-{
-  Shortfall Value;
-  const char* What;
-};
-
-constexpr ShortfallText ShortfallTexts[] = {
+constexpr Text<Shortfall> ShortfallTexts[] = {
   { Shortfall::CameInvalid,
     " elements at the cut were inside out or without volume before the trim, and still are: repair "
     "the mesh there. One that was mirrored by Transform is so everywhere: take Reflect instead." },
@@ -65,7 +61,7 @@ constexpr ShortfallText ShortfallTexts[] = {
     "surface." },
 };
 
-constexpr ShortfallText OffcutTexts[] = {
+constexpr Text<Shortfall> OffcutTexts[] = {
   { Shortfall::CameInvalid,
     " elements of the offcut were inside out or without volume before the trim, and still are: "
     "repair the mesh there." },
@@ -136,7 +132,7 @@ void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Short
         const Band& band = result.Near->Mesh;
         const auto& element = band.Elements[item.first];
         count.Cell = piece.All.Alone() ? piece.InputCell(CellOf(band, item.first)) : Id(-1);
-        count.At = ToPlace(result.Near->Mesh.Point[element.Node[0]]);
+        count.At = ToPlace(band.Point[element.Node[0]]);
       }
     }
     Warn(count, text.What, result.Warnings);

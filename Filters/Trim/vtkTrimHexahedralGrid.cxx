@@ -32,6 +32,27 @@
 namespace
 {
 
+/// Of ports 0 to 2.
+using Outputs = std::array<vtkUnstructuredGrid*, 3>;
+
+Outputs OutputsOf(vtkInformationVector* outputVector)
+{
+  Outputs outputs;
+  for (std::size_t port = 0; port < outputs.size(); ++port)
+  {
+    outputs[port] = vtkUnstructuredGrid::GetData(outputVector, static_cast<int>(port));
+  }
+  return outputs;
+}
+
+void Clear(const Outputs& outputs)
+{
+  for (vtkUnstructuredGrid* output : outputs)
+  {
+    output->Initialize();
+  }
+}
+
 /// What is wrong with the options; empty: nothing.
 std::string FindOptionDefect(int correctionType, int optimization, const trim::TrimOptions& options)
 {
@@ -66,11 +87,10 @@ std::string FindOptionDefect(int correctionType, int optimization, const trim::T
     : "";
 }
 
-/// @param outputs of ports 0 to 2.
 /// @param[in,out] result gets another warning where arrays of the input had to be renamed.
 void WriteOutputs(const trim::TrimInputs& inputs, trim::TrimResult& result,
   const trim::Ranks& ranks, const trim::WriteOptions& options, bool offcut,
-  const trim::Progress& progress, const std::array<vtkUnstructuredGrid*, 3>& outputs)
+  const trim::Progress& progress, const Outputs& outputs)
 {
   std::string renamed;
   const auto own = trim::ResolveNameClashes(inputs.Own().Grid, options.InsertLayer, renamed);
@@ -226,10 +246,7 @@ int vtkTrimHexahedralGrid::GiveUp(
   vtkInformationVector* outputVector, const trim::Ranks& ranks, const std::string& error)
 {
   this->Inputs = std::make_unique<trim::TrimInputs>();
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkUnstructuredGrid::GetData(outputVector, port)->Initialize();
-  }
+  Clear(OutputsOf(outputVector));
   nurbs::PagePool::Get().Empty();
   return this->Refuse(ranks, error);
 }
@@ -238,9 +255,9 @@ int vtkTrimHexahedralGrid::GiveUp(
 int vtkTrimHexahedralGrid::Trim(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector, const trim::Ranks& ranks)
 {
-  const std::array<vtkUnstructuredGrid*, 3> outputs = { vtkUnstructuredGrid::GetData(
-                                                          outputVector, 0),
-    vtkUnstructuredGrid::GetData(outputVector, 1), vtkUnstructuredGrid::GetData(outputVector, 2) };
+  vtkDataObject* const grid = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* const surface = vtkDataObject::GetData(inputVector[1]);
+  const Outputs outputs = OutputsOf(outputVector);
   for (vtkUnstructuredGrid* output : outputs)
   {
     // VTK has passed on the field data of the input already.
@@ -248,9 +265,7 @@ int vtkTrimHexahedralGrid::Trim(
   }
   const trim::TrimOptions options = this->Options();
   std::string error = FindOptionDefect(this->CorrectionType, this->Optimization, options);
-  if (!error.empty() ||
-    !this->Inputs->Take(
-      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), ranks, error))
+  if (!error.empty() || !this->Inputs->Take(grid, surface, ranks, error))
   {
     return this->Refuse(ranks, error);
   }
@@ -292,29 +307,32 @@ int vtkTrimHexahedralGrid::Trim(
     this->ProduceOffcut, progress, outputs);
   if (ranks.Any(progress(1.0)))
   {
-    for (vtkUnstructuredGrid* output : outputs)
-    {
-      output->Initialize();
-    }
+    Clear(outputs);
     return 1;
   }
   for (vtkUnstructuredGrid* output : outputs)
   {
     trim::TellRanges(output);
-    trim::TellTime(
-      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), output);
+    trim::TellTime(grid, surface, output);
   }
-  for (std::size_t i = 0; ranks.Rank() == 0 && i < result.Warnings.size(); ++i)
+  this->Warn(ranks, result.Warnings);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrimHexahedralGrid::Warn(const trim::Ranks& ranks, const std::vector<std::string>& warnings)
+{
+  for (std::size_t i = 0; ranks.Rank() == 0 && i < warnings.size(); ++i)
   {
-    vtkWarningMacro(<< result.Warnings[i]);
+    vtkWarningMacro(<< warnings[i]);
   }
-  if (this->RenumberNodes && !renumber)
+  const vtkIdType cells = this->Inputs->Mesh().NumberOfCells;
+  if (this->RenumberNodes && !trim::CanOrderNodes(cells))
   {
-    vtkWarningMacro(<< "The nodes keep their order, as " << inputs.Mesh().NumberOfCells
+    vtkWarningMacro(<< "The nodes keep their order, as " << cells
                     << " elements are too many to renumber at once: distribute the grid over "
                        "several ranks.");
   }
-  return 1;
 }
 
 //------------------------------------------------------------------------------

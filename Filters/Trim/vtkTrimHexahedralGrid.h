@@ -68,6 +68,7 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkDataObject;
 class vtkUnstructuredGrid;
@@ -277,8 +278,10 @@ private:
   std::unique_ptr<trim::TrimInputs> Inputs;
   std::unique_ptr<nurbs::PageUser> Pages; ///< memory from one run to the next
 
+  /// All of RequestData but threads and memory.
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     const trim::Ranks& ranks);
+  void Warn(const trim::Ranks& ranks, const std::vector<std::string>& warnings);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
   /// a line of its own to the one that says what to do.
   int Refuse(const trim::Ranks& ranks, const std::string& error);

@@ -1,5 +1,6 @@
 #include "PartQuality.h"
 
+#include "Jacobian.h"
 #include "OrderlessSum.h"
 #include "Team.h"
 

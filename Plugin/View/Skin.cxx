@@ -2,12 +2,12 @@
 
 #include "ElementTopology.h"
 #include "Runs.h"
+#include "SortFour.h"
 
 #include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace trim
 {
@@ -32,18 +32,7 @@ std::array<int, 4> SortedNodes(const std::array<Id, 8>& cell, const FaceNodes& f
   {
     n[i] = i < face.Count ? static_cast<int>(cell[face.Node[i]]) : VTK_INT_MAX;
   }
-  const auto order = [&n](int i, int j)
-  {
-    if (n[j] < n[i])
-    {
-      std::swap(n[i], n[j]);
-    }
-  };
-  order(0, 1);
-  order(2, 3);
-  order(0, 2);
-  order(1, 3);
-  order(1, 2);
+  SortFour(n);
   n[3] = face.Count == 4 ? n[3] : NoNode;
   return n;
 }

@@ -342,6 +342,20 @@ void TestSlots()
   }
 }
 
+/// Number that a warning gives after these words; 0 without it.
+int NumberAfter(const std::string& words, const Outcome& outcome)
+{
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::size_t start = warning.find(words);
+    if (start != std::string::npos)
+    {
+      return std::atoi(&warning[start + words.size()]);
+    }
+  }
+  return 0;
+}
+
 // Of the second sheet a strip is spared, of which no element is made.
 void TestStripLost()
 {
@@ -349,12 +363,7 @@ void TestStripLost()
   const Vec3 first(sheets.Grid->GetPoint(0));
   const Surface plane = PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100);
   const Outcome outcome = RunTrim(sheets, plane, {});
-  bool told = false;
-  for (const std::string& warning : outcome.Warnings)
-  {
-    told = told || warning.find("The volume of 6 cut elements") != std::string::npos;
-  }
-  Expect(told && outcome.Warnings.size() == 1,
+  Expect(NumberAfter("The volume of ", outcome) == 6 && outcome.Warnings.size() == 1,
     "strip lost: " +
       (outcome.Warnings.empty() ? std::string("nothing told") : outcome.Warnings.front()));
   TrimOptions rest;
@@ -385,20 +394,6 @@ double MeasureLoss(
     elements -= judge::VolumeOf(kept.Corners(c), kept.Elements[c].Size) / volume;
   }
   return elements;
-}
-
-/// Number that a warning gives after these words; 0 without it.
-int NumberAfter(const std::string& words, const Outcome& outcome)
-{
-  for (const std::string& warning : outcome.Warnings)
-  {
-    const std::size_t start = warning.find(words);
-    if (start != std::string::npos)
-    {
-      return std::atoi(&warning[start + words.size()]);
-    }
-  }
-  return 0;
 }
 
 // A cut that is nearly along a sheet of one layer takes far more than lies beyond it. Nodes are

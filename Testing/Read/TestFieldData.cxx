@@ -3,6 +3,7 @@
  * file, in any numeric type; each array that is missing or malformed is named.
  */
 #include "NURBSFieldData.h"
+#include "NURBSTessellation.h"
 #include "ReadTesting.h"
 
 #include "vtkCompositeDataSet.h"

@@ -3,6 +3,7 @@
  * inside the trim loops and nothing else, without cracks.
  */
 #include "NURBSFieldData.h"
+#include "NURBSTessellation.h"
 #include "ReadTesting.h"
 
 #include "vtkCell.h"

@@ -1,8 +1,7 @@
-#include "RowMeasure.h"
+#include "CellMeasure.h"
 
 #include "Jacobian.h"
 
-#include <algorithm>
 #include <cmath>
 
 // Several variants, of which the one for the processor is taken when the library is loaded, which
@@ -20,7 +19,7 @@ namespace
 {
 
 constexpr int Cells = CellRow::Cells;
-static_assert(Cells == 2 * CellsPerRowBox, "lanes are added by halves of a row");
+static_assert(Cells == 2 * CellsPerBox, "lanes are added by halves of a row");
 
 struct Coordinates
 {
@@ -79,6 +78,13 @@ constexpr std::array<NodePlace, 8> PlacesOf(const RowAxis& axis)
   return places;
 }
 
+EIGEN_ALWAYS_INLINE double VolumeOfCorners(const Coordinates (&p)[8])
+{
+  return HexahedronVolume(p,
+    [](const Coordinates& a, const Coordinates& b, const Coordinates& c)
+    { return Determinant(a, b, c); });
+}
+
 template <int Axis>
 EIGEN_ALWAYS_INLINE double VolumeAt(const Places& points, int c)
 {
@@ -90,9 +96,7 @@ EIGEN_ALWAYS_INLINE double VolumeAt(const Places& points, int c)
     const int line = places[k].Line;
     p[k] = { points.At[0][line][at], points.At[1][line][at], points.At[2][line][at] };
   }
-  return HexahedronVolume(p,
-    [](const Coordinates& a, const Coordinates& b, const Coordinates& c)
-    { return Determinant(a, b, c); });
+  return VolumeOfCorners(p);
 }
 
 template <int Axis>
@@ -107,9 +111,9 @@ EIGEN_ALWAYS_INLINE void FindVolumes(const Places& points, double* volumes, doub
   {
     volumes[c] = std::abs(found[c]);
   }
-  for (int c = 0; c < CellsPerRowBox; ++c)
+  for (int c = 0; c < CellsPerBox; ++c)
   {
-    sum[c] += found[c] + found[c + CellsPerRowBox];
+    sum[c] += found[c] + found[c + CellsPerBox];
   }
 }
 
@@ -142,14 +146,14 @@ EIGEN_ALWAYS_INLINE void FindFaces(const Places& points, Faces& faces)
 }
 
 /// Of half a row.
-EIGEN_ALWAYS_INLINE void FindBox(const Faces& faces, int first, RowBox& box)
+EIGEN_ALWAYS_INLINE void FindBox(const Faces& faces, int first, CellBounds& box)
 {
   for (int k = 0; k < 3; ++k)
   {
     box.Low[k] = faces.Low[k][first];
     box.High[k] = faces.High[k][first];
   }
-  for (int s = first + 1; s <= first + CellsPerRowBox; ++s)
+  for (int s = first + 1; s <= first + CellsPerBox; ++s)
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -159,9 +163,35 @@ EIGEN_ALWAYS_INLINE void FindBox(const Faces& faces, int first, RowBox& box)
   }
 }
 
-EIGEN_ALWAYS_INLINE void FindSizes(const Faces& faces, RowSizes& sizes)
+/// Of as many cells as there are lanes, or twice as many.
+template <int Count>
+EIGEN_ALWAYS_INLINE void TakeLargest(const double (&values)[Count], CellSizes::Lanes& largest)
 {
-  double sides[3][Cells], squared[Cells];
+  for (int c = 0; c < CellsPerBox; ++c)
+  {
+    largest[c] = Greater(largest[c], Greater(values[c], values[c + Count - CellsPerBox]));
+  }
+}
+
+/// @param sides of the cells' boxes.
+template <int Count>
+EIGEN_ALWAYS_INLINE void TakeSizes(const double (&sides)[3][Count], CellSizes& sizes)
+{
+  double squared[Count];
+  for (int c = 0; c < Count; ++c)
+  {
+    squared[c] = sides[0][c] * sides[0][c] + sides[1][c] * sides[1][c] + sides[2][c] * sides[2][c];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    TakeLargest(sides[k], sizes.Sides[k]);
+  }
+  TakeLargest(squared, sizes.Diagonal);
+}
+
+EIGEN_ALWAYS_INLINE void FindSizes(const Faces& faces, CellSizes& sizes)
+{
+  double sides[3][Cells];
   for (int k = 0; k < 3; ++k)
   {
     for (int c = 0; c < Cells; ++c)
@@ -170,29 +200,56 @@ EIGEN_ALWAYS_INLINE void FindSizes(const Faces& faces, RowSizes& sizes)
         Less(faces.Low[k][c], faces.Low[k][c + 1]);
     }
   }
-  for (int c = 0; c < Cells; ++c)
+  TakeSizes(sides, sizes);
+}
+
+EIGEN_ALWAYS_INLINE void FindVolumes(
+  const CellCorners& corners, double (&volumes)[CellsPerBox], CellSizes::Lanes& sum)
+{
+  for (int c = 0; c < CellsPerBox; ++c)
   {
-    squared[c] = sides[0][c] * sides[0][c] + sides[1][c] * sides[1][c] + sides[2][c] * sides[2][c];
-  }
-  const auto takeLargest = [](const double(&values)[Cells], RowSizes::Lanes& largest)
-  {
-    for (int c = 0; c < CellsPerRowBox; ++c)
+    Coordinates p[8];
+    for (int i = 0; i < 8; ++i)
     {
-      largest[c] = Greater(largest[c], Greater(values[c], values[c + CellsPerRowBox]));
+      p[i] = { corners.At[0][i][c], corners.At[1][i][c], corners.At[2][i][c] };
     }
-  };
+    const double volume = VolumeOfCorners(p);
+    volumes[c] = std::abs(volume);
+    sum[c] += volume;
+  }
+}
+
+/// The box of all cells and the sides of each one's.
+EIGEN_ALWAYS_INLINE void FindBoxes(
+  const CellCorners& corners, CellBounds& box, double (&sides)[3][CellsPerBox])
+{
   for (int k = 0; k < 3; ++k)
   {
-    takeLargest(sides[k], sizes.Sides[k]);
+    const auto& at = corners.At[k];
+    double low[CellsPerBox], high[CellsPerBox];
+    for (int c = 0; c < CellsPerBox; ++c)
+    {
+      low[c] = Less(Less(Less(at[0][c], at[1][c]), Less(at[2][c], at[3][c])),
+        Less(Less(at[4][c], at[5][c]), Less(at[6][c], at[7][c])));
+      high[c] = Greater(Greater(Greater(at[0][c], at[1][c]), Greater(at[2][c], at[3][c])),
+        Greater(Greater(at[4][c], at[5][c]), Greater(at[6][c], at[7][c])));
+      sides[k][c] = high[c] - low[c];
+    }
+    box.Low[k] = low[0];
+    box.High[k] = high[0];
+    for (int c = 1; c < CellsPerBox; ++c)
+    {
+      box.Low[k] = Less(box.Low[k], low[c]);
+      box.High[k] = Greater(box.High[k], high[c]);
+    }
   }
-  takeLargest(squared, sizes.Diagonal);
 }
 
 }
 
 NURBSTRIM_FOR_EACH_PROCESSOR
 void MeasureRow(const RowPoints& points, int axis, double* volumes,
-  RowBox (&boxes)[Cells / CellsPerRowBox], RowSizes& sizes)
+  CellBounds (&boxes)[Cells / CellsPerBox], CellSizes& sizes)
 {
   Places places;
   FindPlaces(points, places);
@@ -211,10 +268,20 @@ void MeasureRow(const RowPoints& points, int axis, double* volumes,
   Faces faces;
   FindFaces(places, faces);
   FindSizes(faces, sizes);
-  for (int half = 0; half < Cells / CellsPerRowBox; ++half)
+  for (int half = 0; half < Cells / CellsPerBox; ++half)
   {
-    FindBox(faces, half * CellsPerRowBox, boxes[half]);
+    FindBox(faces, half * CellsPerBox, boxes[half]);
   }
+}
+
+NURBSTRIM_FOR_EACH_PROCESSOR
+void MeasureCells(
+  const CellCorners& corners, double (&volumes)[CellsPerBox], CellBounds& box, CellSizes& sizes)
+{
+  FindVolumes(corners, volumes, sizes.Sum);
+  double sides[3][CellsPerBox];
+  FindBoxes(corners, box, sides);
+  TakeSizes(sides, sizes);
 }
 
 }

@@ -1,13 +1,13 @@
 /**
- * @file RowMeasure.h
- * @brief Volumes and boxes of the cells of a row, several at a time, as many as the processor has
- * room for.
+ * @file CellMeasure.h
+ * @brief Volumes and boxes of cells, several at a time, as many as the processor has room for.
  */
-#ifndef RowMeasure_h
-#define RowMeasure_h
+#ifndef CellMeasure_h
+#define CellMeasure_h
 
 #include "CellRow.h"
 
+#include <algorithm>
 #include <array>
 
 namespace trim
@@ -53,12 +53,43 @@ private:
 };
 
 /// Cells for which one box is made.
-constexpr int CellsPerRowBox = 8;
+constexpr int CellsPerBox = 8;
+
+/// The corners of hexahedra that are in no row, coordinate by coordinate, so that those of several
+/// are side by side.
+struct CellCorners
+{
+  double At[3][8][CellsPerBox];
+
+  template <typename Coordinate>
+  void Set(int cell, const Coordinate* points, const std::array<Id, 8>& nodes)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->At[k][i][cell] = points[3 * nodes[i] + k];
+      }
+    }
+  }
+
+  /// Where there are fewer cells: the first one again.
+  void FillFrom(int count)
+  {
+    for (auto& coordinate : this->At)
+    {
+      for (auto& cells : coordinate)
+      {
+        std::fill(cells + count, cells + CellsPerBox, cells[0]);
+      }
+    }
+  }
+};
 
 /// The largest of many cells, lane by lane.
-struct RowSizes
+struct CellSizes
 {
-  using Lanes = std::array<double, CellsPerRowBox>;
+  using Lanes = std::array<double, CellsPerBox>;
 
   alignas(64) std::array<Lanes, 3> Sides{};
   alignas(64) Lanes Diagonal{}; ///< squared
@@ -66,15 +97,21 @@ struct RowSizes
   alignas(64) Lanes Sum{};
 };
 
-struct RowBox
+/// The box of some cells.
+struct CellBounds
 {
   double Low[3], High[3];
 };
 
 /// @param volumes of the cells, >= 0.
 /// @param boxes of the first and the second half of the row.
+/// @param[in,out] sizes with those of the cells.
 void MeasureRow(const RowPoints& points, int axis, double* volumes,
-  RowBox (&boxes)[CellRow::Cells / CellsPerRowBox], RowSizes& sizes);
+  CellBounds (&boxes)[CellRow::Cells / CellsPerBox], CellSizes& sizes);
+
+/// The same of hexahedra that are in no row.
+void MeasureCells(
+  const CellCorners& corners, double (&volumes)[CellsPerBox], CellBounds& box, CellSizes& sizes);
 
 }
 

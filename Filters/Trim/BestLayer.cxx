@@ -1,0 +1,90 @@
+#include "BestLayer.h"
+
+#include "LayerTrim.h"
+#include "Team.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace trim
+{
+
+BestLayer::BestLayer(const TrimBand& near, const BandTask& task)
+  : Near(near)
+  , Task(task)
+  , Before(std::make_shared<const Band>(near.Mesh))
+{
+}
+
+std::unique_ptr<TrimBand> BestLayer::Find(const Shortcomings& limit, const Progress& progress)
+{
+  if (limit.Elements > 0 && this->GivesUp)
+  {
+    // What was given up may be less bad than that, and is to be made after all.
+    this->GivesUp = false;
+    this->Trims = {};
+  }
+  const bool isNew = std::none_of(
+    this->Trims.begin(), this->Trims.end(), [](const auto& made) { return made.has_value(); });
+  if (isNew && Team::Current())
+  {
+    this->MakeAhead(progress);
+  }
+  constexpr auto count = static_cast<double>(Shares.size());
+  std::unique_ptr<TrimBand> best;
+  std::size_t ofBest = 0;
+  for (std::size_t i = 0; i < Shares.size() && !(best && best->NodesLeft.empty()) &&
+       !progress(static_cast<double>(i) / count);
+       ++i)
+  {
+    const double done = static_cast<double>(i) / count;
+    auto& made = this->Trims[i];
+    std::unique_ptr<TrimBand> own =
+      made ? std::move(*made) : this->Make(i, Part(progress, done, done + 1.0 / count));
+    made = nullptr;
+    if (own && (!best || MeasureLeft(*own) < MeasureLeft(*best)))
+    {
+      best = std::move(own);
+      ofBest = i;
+    }
+  }
+  if (best && !(MeasureLeft(*best) < limit))
+  {
+    this->Trims[ofBest] = std::move(best);
+    return nullptr;
+  }
+  return best;
+}
+
+std::unique_ptr<TrimBand> BestLayer::Make(std::size_t trim, const Progress& progress) const
+{
+  return TrimWithLayer(this->Near, this->Before, Shares[trim], this->GivesUp, this->Task, progress);
+}
+
+/// Makes all of them at once, by threads; those after one that leaves nothing end, as hardly
+/// anybody will ask for them.
+void BestLayer::MakeAhead(const Progress& progress)
+{
+  const Id count = static_cast<Id>(Shares.size());
+  std::atomic<Id> last{ count };
+  ParallelFor(0, count, 1,
+    [&](Id begin, Id end)
+    {
+      for (Id trim = begin; trim < end; ++trim)
+      {
+        auto made = this->Make(trim, [&](double) { return trim > last || progress(-1.0); });
+        const bool leavesNone = made && made->NodesLeft.empty();
+        for (Id before = last; leavesNone && trim < before;)
+        {
+          last.compare_exchange_weak(before, trim);
+        }
+        if (trim <= last) // else it may have ended early
+        {
+          this->Trims[trim] = std::move(made);
+        }
+      }
+    });
+}
+
+}

@@ -1,0 +1,43 @@
+#include "Shortcomings.h"
+
+#include "BandQuality.h"
+
+#include <algorithm>
+
+namespace trim
+{
+
+Shortcomings MeasureLeft(const TrimBand& near)
+{
+  const Band& band = WithoutLayer(near.Mesh);
+  Shortcomings sum;
+  sum.Elements = near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() +
+    near.Rest.Invalid.size() + near.Rest.BelowFloor.size();
+  for (const auto& [left, distance] : near.NodesLeft)
+  {
+    if (near.Mesh.IsInsertedNode(left))
+    {
+      continue; // it sticks out under one of the new boundary
+    }
+    const int node = NodeWithoutLayer(near.Mesh, left);
+    double length = 0.0;
+    const auto edges = band.EdgesOfNode(node);
+    for (const int edge : edges)
+    {
+      length += (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).norm() / edges.size();
+    }
+    sum.Squares += distance * distance / (length * length);
+    sum.Farthest = std::max(sum.Farthest, distance / length);
+  }
+  return sum;
+}
+
+Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& options)
+{
+  const BandQuality aimed(near.Mesh, options.Treatment, options.AimedQuality(), Measure::Worth);
+  Shortcomings sum = MeasureLeft(near);
+  sum.Squares += 4.0 * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
+  return sum;
+}
+
+}
