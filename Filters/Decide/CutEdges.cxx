@@ -2,8 +2,8 @@
 
 #include "AddUnique.h"
 #include "EdgeCrossing.h"
+#include "Runs.h"
 #include "Status.h"
-#include "Team.h"
 
 #include <algorithm>
 
@@ -79,15 +79,12 @@ void CutEdges::ListEdges(const Band& band, const nurbs::TrimmingSurface& surface
 void CutEdges::Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
 {
   this->Shares.resize(this->Edges.size());
-  ParallelFor(0, static_cast<Id>(this->Edges.size()), 256,
-    [&](Id begin, Id end)
+  ForAll(static_cast<int>(this->Edges.size()),
+    [&](int i)
     {
-      for (Id i = begin; i < end; ++i)
-      {
-        const auto [eliminated, kept] = this->Edges[i];
-        this->Shares[i] =
-          CrossEdge(surface, band.Point[eliminated], band.Point[kept], gap).value_or(Missed);
-      }
+      const auto [eliminated, kept] = this->Edges[i];
+      this->Shares[i] =
+        CrossEdge(surface, band.Point[eliminated], band.Point[kept], gap).value_or(Missed);
     });
 }
 

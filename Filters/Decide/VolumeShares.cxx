@@ -2,8 +2,8 @@
 
 #include "CutEdges.h"
 #include "EliminatedFraction.h"
+#include "Runs.h"
 #include "Status.h"
-#include "Team.h"
 
 namespace trim
 {
@@ -20,21 +20,20 @@ bool MeasureShares(const Band& band, const Columns& columns, const nurbs::Trimmi
   {
     return false;
   }
-  ParallelFor(0, count, 64,
-    [&](Id begin, Id end)
+  ForAll(
+    count,
+    [&](int e)
     {
-      for (int e = static_cast<int>(begin); e < end; ++e)
+      const std::array<int, 8> nodes = OrderForTetrahedra(band, e, surface);
+      const double volume = MeasureVolume(band, e, nodes);
+      shares.Volume[e] = volume;
+      shares.Element[e] = band.ElementStatus[e] == ElementEliminate ? 1.0 : 0.0;
+      if (band.ElementStatus[e] == ElementToTreat && volume > 0.0)
       {
-        const std::array<int, 8> nodes = OrderForTetrahedra(band, e, surface);
-        const double volume = MeasureVolume(band, e, nodes);
-        shares.Volume[e] = volume;
-        shares.Element[e] = band.ElementStatus[e] == ElementEliminate ? 1.0 : 0.0;
-        if (band.ElementStatus[e] == ElementToTreat && volume > 0.0)
-        {
-          shares.Element[e] = MeasureEliminated(band, e, nodes, edges) / volume;
-        }
+        shares.Element[e] = MeasureEliminated(band, e, nodes, edges) / volume;
       }
-    });
+    },
+    64);
   MeasureColumnShares(columns, shares);
   return true;
 }

@@ -1,10 +1,10 @@
 #include "ClosestPoint.h"
 
-#include "BernsteinForm.h"
 #include "BezierEvaluation.h"
 #include "BezierRestriction.h"
 #include "BoxHalving.h"
 #include "PointInversion.h"
+#include "SquaredDistanceForm.h"
 
 #include <algorithm>
 #include <cmath>

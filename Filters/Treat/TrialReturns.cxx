@@ -3,10 +3,19 @@
 /// dropped.
 #include "TrialTrim.h"
 
+#include "SortUnique.h"
+
 #include <algorithm>
 
 namespace trim
 {
+namespace
+{
+
+/// How often nodes that are left come nearer to the surface and their neighbours make room.
+constexpr int ApproachPasses = 4;
+
+}
 
 void TrialTrim::ReturnLeft(
   const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const
@@ -65,6 +74,48 @@ void TrialTrim::ReturnWithRoom(
     changed = this->Try(faults, trimmed,
       [&] { return this->ReturnNodesLeft(set, left, goal, effort, aborted, trimmed); });
     changed |= this->DropEdgesLeft(set, aborted, failures, faults, trimmed);
+  }
+}
+
+/// Nodes that have to be left come as near to the surface as the floor lets them, and their
+/// neighbours make room.
+void TrialTrim::BringNearer(
+  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+{
+  const std::vector<int> left = this->FindLeft(set, trimmed);
+  if (left.empty())
+  {
+    return;
+  }
+  const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
+  const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
+  std::vector<int> round;
+  for (const int n : left)
+  {
+    for (const int e : this->TheBand.ElementsOfNode(n))
+    {
+      if (trimmed.Kept[e])
+      {
+        round.push_back(e);
+      }
+    }
+  }
+  SortUnique(round);
+  for (int pass = 0; pass < ApproachPasses && !aborted(); ++pass)
+  {
+    const Moves before = trimmed.NodeMoves;
+    if (pass > 0)
+    {
+      this->RelaxRound(set, round, this->GoalForLeft(), Brief, trimmed);
+    }
+    const bool changed =
+      this->ReturnNodesLeft(set, left, this->GoalForLeft(), ReturnEffort::Nearer, aborted, trimmed);
+    if (!changed || this->Quality.FindInvalid(trimmed).size() > invalid ||
+      this->Quality.FindBelowFloor(trimmed).size() > below)
+    {
+      trimmed.NodeMoves = before;
+      return;
+    }
   }
 }
 

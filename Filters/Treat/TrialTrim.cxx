@@ -2,7 +2,6 @@
 
 #include "JointRelaxation.h"
 #include "MovingNodes.h"
-#include "SortUnique.h"
 
 #include <algorithm>
 #include <functional>
@@ -20,8 +19,6 @@ constexpr double PolishedGoal = 0.6;
 /// Below this the nodes on the cut move along it too: then the offcut of another run, with the
 /// side inverted, need not fit node by node.
 constexpr double PolishedOnCutGoal = 0.5;
-/// How often nodes that are left come nearer to the surface and their neighbours make room.
-constexpr int ApproachPasses = 4;
 
 }
 
@@ -302,48 +299,6 @@ void TrialTrim::PolishTo(const Choices& set, double goal, bool onCutToo, Trimmed
 {
   this->RelaxRound(
     set, this->Quality.FindShortOf(trimmed, goal), PolishedGoal, Brief, trimmed, onCutToo);
-}
-
-/// Nodes that have to be left come as near to the surface as the floor lets them, and their
-/// neighbours make room.
-void TrialTrim::BringNearer(
-  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
-{
-  const std::vector<int> left = this->FindLeft(set, trimmed);
-  if (left.empty())
-  {
-    return;
-  }
-  const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
-  const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
-  std::vector<int> round;
-  for (const int n : left)
-  {
-    for (const int e : this->TheBand.ElementsOfNode(n))
-    {
-      if (trimmed.Kept[e])
-      {
-        round.push_back(e);
-      }
-    }
-  }
-  SortUnique(round);
-  for (int pass = 0; pass < ApproachPasses && !aborted(); ++pass)
-  {
-    const Moves before = trimmed.NodeMoves;
-    if (pass > 0)
-    {
-      this->RelaxRound(set, round, this->GoalForLeft(), Brief, trimmed);
-    }
-    const bool changed =
-      this->ReturnNodesLeft(set, left, this->GoalForLeft(), ReturnEffort::Nearer, aborted, trimmed);
-    if (!changed || this->Quality.FindInvalid(trimmed).size() > invalid ||
-      this->Quality.FindBelowFloor(trimmed).size() > below)
-    {
-      trimmed.NodeMoves = before;
-      return;
-    }
-  }
 }
 
 /// What elements are not to fall below for nodes that were left.

@@ -1,4 +1,4 @@
-#include "BernsteinForm.h"
+#include "SquaredDistanceForm.h"
 
 #include "Binomials.h"
 

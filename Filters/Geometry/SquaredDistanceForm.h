@@ -1,12 +1,12 @@
 /**
- * @file BernsteinForm.h
+ * @file SquaredDistanceForm.h
  * @brief The squared distance to a rational patch as a polynomial with Bernstein coefficients.
  *
  * F(s, t) = |A - w p|^2 - d^2 w^2 is below zero exactly where the surface A / w is closer to p
  * than d. Its coefficients bound it over the patch, however far p is and whatever the curvature.
  */
-#ifndef BernsteinForm_h
-#define BernsteinForm_h
+#ifndef SquaredDistanceForm_h
+#define SquaredDistanceForm_h
 
 #include "BezierPatch.h"
 
