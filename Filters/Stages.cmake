@@ -92,6 +92,7 @@ add_library(NURBSTrimStages STATIC
   Trim/InputTimes.cxx
   Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
+  Trim/LostVolume.cxx
   Trim/OpenSeams.cxx
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx

@@ -10,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
@@ -342,6 +343,14 @@ void TestSlots()
   }
 }
 
+bool IsTold(const Outcome& outcome, const std::string& words)
+{
+  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
+    [&words](const std::string& warning) { return warning.find(words) != std::string::npos; });
+}
+
+const char* const StripPhrase = "The volume of 6 cut elements is lost";
+
 // Of the second sheet a strip is spared, of which no element is made.
 void TestStripLost()
 {
@@ -349,18 +358,38 @@ void TestStripLost()
   const Vec3 first(sheets.Grid->GetPoint(0));
   const Surface plane = PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100);
   const Outcome outcome = RunTrim(sheets, plane, {});
-  bool told = false;
-  for (const std::string& warning : outcome.Warnings)
-  {
-    told = told || warning.find("The volume of 6 cut elements") != std::string::npos;
-  }
-  Expect(told && outcome.Warnings.size() == 1,
+  Expect(IsTold(outcome, StripPhrase) && outcome.Warnings.size() == 1,
     "strip lost: " +
       (outcome.Warnings.empty() ? std::string("nothing told") : outcome.Warnings.front()));
   TrimOptions rest;
   rest.InvertSide = true;
   const Outcome other = RunTrim(sheets, plane, rest);
   Expect(other.Warnings.empty(), "the other side of a strip: something is told");
+}
+
+// The same, where the cut goes on through ten more sheets, and where a hole in the first one is
+// told of: neither makes up for the strip.
+void TestStripLostAmongOthers()
+{
+  std::vector<Vec3> shifts{ Vec3::Zero(), Vec3(9, 0, 0) };
+  for (int i = 1; i <= 10; ++i)
+  {
+    shifts.emplace_back(5.0, 20.0 * i, 0.0);
+  }
+  const Mesh many = Sheets(8, 10, 2, 0.4, shifts);
+  const Vec3 first(many.Grid->GetPoint(0));
+  const Surface plane = PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 1000);
+  Expect(IsTold(RunTrim(many, plane, {}), StripPhrase), "strip lost beside a long cut");
+
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
+  Surface both;
+  vtkNew<vtkMultiBlockDataSet> faces;
+  faces->SetBlock(0, plane.Data);
+  faces->SetBlock(1, Hole(sheets, 4, 5, 0.45).Data);
+  both.Data = faces;
+  const Outcome outcome = RunTrim(sheets, both, {});
+  Expect(ExpectWarned("strip and hole", outcome)[NotOpened] == 8 && IsTold(outcome, StripPhrase),
+    "strip lost beside a hole that is not opened");
 }
 
 /// Volume of what the plane, which is nearly along a sheet of one layer, has on its kept side, less
@@ -601,6 +630,7 @@ int main()
   TestAligned();
   TestSlots();
   TestStripLost();
+  TestStripLostAmongOthers();
   TestFlatLost();
   TestStretched();
   TestShortfalls();
