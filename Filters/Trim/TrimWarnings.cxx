@@ -205,20 +205,14 @@ void WarnOfCornersLost(TrimResult& result)
 std::vector<char> FindLossTold(const Piece& piece, const TrimResult& result)
 {
   const Band& band = result.Near->Mesh;
-  const std::vector<int> byCell = band.ElementsByCell();
-  const auto cellOf = [&band](int e) { return band.Elements[e].Global; };
   std::vector<int> own;
   for (const auto& [cell, value] : result.Found.Feasibilities)
   {
-    if (value == Feasibility::Inclined || value == Feasibility::Curved)
+    const bool tells = value != Feasibility::Inclined && value != Feasibility::Curved;
+    const int e = tells ? band.FindElement(cell) : -1;
+    if (e >= 0)
     {
-      continue;
-    }
-    const auto place = std::lower_bound(
-      byCell.begin(), byCell.end(), cell, [&](int e, Id of) { return cellOf(e) < of; });
-    if (place != byCell.end() && cellOf(*place) == cell)
-    {
-      own.push_back(*place);
+      own.push_back(e);
     }
   }
   std::vector<char> told(band.NumberOfElements(), 0);
