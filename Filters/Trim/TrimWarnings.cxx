@@ -270,6 +270,20 @@ bool WarnIfMissed(const Piece& piece, const std::string& unitsHint, TrimResult& 
   return true;
 }
 
+/// Parts that the surface does not meet are on one side of it, unless they lie beside its end.
+void WarnOfPartsBesideEnd(TrimResult& result)
+{
+  const auto& parts = result.Nodes.PartsBesideEnd;
+  if (!parts.empty())
+  {
+    result.Warnings.push_back(std::to_string(parts.size()) +
+      " parts of the grid lie beyond the end of the trimming surface, on both sides of where it "
+      "would go on, and are kept or eliminated whole: extend the surface through them, or trim "
+      "without them. The first is at " +
+      nurbs::PlaceText(ToVec3(parts.front())) + ".");
+  }
+}
+
 /// @return whether it was warned of.
 bool WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
 {
@@ -290,6 +304,10 @@ void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& opt
   const std::string& unitsHint, TrimResult& result)
 {
   const bool told = WarnIfMissed(piece, unitsHint, result) || WarnIfNothingIsLeft(piece, result);
+  if (!told)
+  {
+    WarnOfPartsBesideEnd(result);
+  }
   WarnOfFeasibilities(mesh, piece, result);
   if (result.Near)
   {

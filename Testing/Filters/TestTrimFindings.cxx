@@ -392,6 +392,42 @@ void TestStripLostAmongOthers()
     "strip lost beside a hole that is not opened");
 }
 
+// A surface that ends in the gap between two sheets leaves open what becomes of the second one if
+// that has parts on both sides of where it would go on; if it has not, all is clear.
+void TestBesideEnd()
+{
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  const auto wall = [&first](double y, double xEnd)
+  {
+    SplineSurface spline;
+    spline.CountU = spline.CountV = 2;
+    spline.KnotsU = spline.KnotsV = { 0, 0, 1, 1 };
+    for (const double z : { -9.0, 9.0 })
+    {
+      for (const double x : { -9.0, xEnd })
+      {
+        const Vec3 corner = first + Vec3(x, y, z);
+        spline.Control.emplace_back(corner[0], corner[1], corner[2], 1);
+      }
+    }
+    Surface surface;
+    surface.Data = ToPolyData(spline);
+    return surface;
+  };
+  const std::string phrase = "1 parts of the grid lie beyond the end of the trimming surface";
+  for (const bool invert : { false, true })
+  {
+    TrimOptions options;
+    options.InvertSide = invert;
+    Expect(IsTold(RunTrim(sheets, wall(4.3, 8.5), options), phrase), "a part beside an end");
+    Expect(RunTrim(sheets, wall(4.3, 20), options).Warnings.empty(), "through both parts");
+  }
+  // The second one higher up, above the end of the surface.
+  const Mesh apart = TwoSheets(8, 10, 2, 0.4, Vec3(9, 5, 0));
+  Expect(RunTrim(apart, wall(4.3, 8.5), {}).Warnings.empty(), "a part beyond on one side");
+}
+
 /// Volume of what the plane, which is nearly along a sheet of one layer, has on its kept side, less
 /// that of what is kept, in elements.
 double MeasureLoss(
@@ -631,6 +667,7 @@ int main()
   TestSlots();
   TestStripLost();
   TestStripLostAmongOthers();
+  TestBesideEnd();
   TestFlatLost();
   TestStretched();
   TestShortfalls();
