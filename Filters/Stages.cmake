@@ -98,6 +98,7 @@ add_library(NURBSTrimStages STATIC
   Trim/InputTimes.cxx
   Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
+  Trim/LostVolume.cxx
   Trim/OpenSeams.cxx
   Trim/Shortcomings.cxx
   Trim/Shortfalls.cxx

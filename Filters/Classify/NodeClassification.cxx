@@ -11,6 +11,7 @@
 #include "Team.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -152,11 +153,20 @@ std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const Surface
                                                                  : EndsInsideText(at);
 }
 
-/// Side of a part that the surface does not meet, by the most decisive of its outermost nodes.
-unsigned char SideOfFarPart(const OutermostNodes& nodes, const nurbs::TrimmingSurface& surface)
+struct FarPart
 {
+  unsigned char Side = NodeKeep;
+  bool BesideEnd = false; ///< sees but the border of the surface, and from both sides
+};
+
+/// A part that the surface does not meet, by the most decisive of its outermost nodes.
+FarPart ClassifyFarPart(const OutermostNodes& nodes, const nurbs::TrimmingSurface& surface)
+{
+  constexpr double leastCosine = 0.05; // to the normal, of a side that is one
+  FarPart part;
   double best = -1.0;
-  unsigned char status = NodeKeep;
+  bool interior = false;
+  std::array<bool, 2> sides{};
   const auto& places = nodes.Places();
   for (auto place = places.begin(); place != places.end(); ++place)
   {
@@ -168,15 +178,48 @@ unsigned char SideOfFarPart(const OutermostNodes& nodes, const nurbs::TrimmingSu
     const Foot foot = surface.ClosestPoint(node);
     const double cosine = foot.Distance > 0.0 ? std::abs(foot.SignedDistance) / foot.Distance : 0.0;
     const double weight = cosine + (foot.Kind == FootKind::Interior ? 1.0 : 0.0);
+    // On the border the signed distance may be zero: the normal decides what it can.
+    const double side = (node - foot.Point).dot(foot.Normal);
+    interior |= foot.Kind == FootKind::Interior;
+    if (std::abs(side) > leastCosine * foot.Distance)
+    {
+      sides[side > 0.0 ? 1 : 0] = true;
+    }
     if (weight > best)
     {
       best = weight;
-      // On the border the signed distance may be zero: the normal decides what it can.
-      const double side = (node - foot.Point).dot(foot.Normal);
-      status = side > 0.0 ? NodeEliminate : NodeKeep;
+      part.Side = side > 0.0 ? NodeEliminate : NodeKeep;
     }
   }
-  return status;
+  part.BesideEnd = !interior && sides[0] && sides[1];
+  return part;
+}
+
+/// Gives parts that the surface does not meet their sides.
+/// @param parts the outermost nodes of each, by its root. Collective.
+void ClassifyFarParts(const Piece& piece, const nurbs::TrimmingSurface& surface,
+  const std::vector<std::pair<Id, OutermostNodes>>& parts, SetSides& ofRoot,
+  NodeClassification& result)
+{
+  // Points that no cell uses are parts, too, and there may be many.
+  std::vector<char> besideEnd(parts.size());
+  ForAll(static_cast<int>(parts.size()),
+    [&](int i)
+    {
+      const FarPart part = ClassifyFarPart(parts[i].second, surface);
+      ofRoot.Set(parts[i].first, part.Side);
+      besideEnd[i] = part.BesideEnd ? 1 : 0;
+    });
+  std::vector<Place> own;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (besideEnd[i])
+    {
+      own.push_back(parts[i].second.Places().front());
+    }
+  }
+  result.PartsBesideEnd = piece.All.Gather(own);
+  SortUnique(result.PartsBesideEnd);
 }
 
 /// Sides by the root of each set of nodes, from those that were projected or voted for. False
@@ -300,11 +343,9 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
   }
   auto farParts = AssignSides(mesh, blocks, ofRoot, sets, result);
   joined.ShareOutermost(piece, farParts);
+  ClassifyFarParts(piece, surface, farParts, ofRoot, result);
   if (!farParts.empty())
   {
-    // Points that no cell uses are parts, too, and there may be many.
-    ForAll(static_cast<int>(farParts.size()),
-      [&](int i) { ofRoot.Set(farParts[i].first, SideOfFarPart(farParts[i].second, surface)); });
     AssignSides(mesh, blocks, ofRoot, sets, result);
   }
   return true;

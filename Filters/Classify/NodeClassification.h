@@ -13,6 +13,7 @@
 
 #include "HexMesh.h"
 #include "MeshBlocks.h"
+#include "Place.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -49,6 +50,9 @@ struct NodeClassification
   /// of a run has that of the first.
   std::vector<unsigned char> ClusterSide;
   NodeFeet Near; ///< of the nodes of CandidateCells
+  /// A node of each part of the mesh that lies beside the end of the surface, on both sides of
+  /// where it would go on; ascending, on all ranks alike.
+  std::vector<Place> PartsBesideEnd;
 };
 
 /**

@@ -273,7 +273,24 @@ bool Decision::Collapses(int e)
   return this->Collapsing[e] != 0;
 }
 
-/// Whether what is kept is no manifold at a node, where the whole mesh is one.
+/// Whether what is kept is no manifold at a node, where the whole mesh is one; where it is none
+/// either, whether other edges than those of the whole join what is kept.
+bool Decision::MakesPinch(int node, const std::vector<char>& kept) const
+{
+  if (IsManifoldAt(this->TheBand, kept, node))
+  {
+    return false;
+  }
+  if (IsManifoldAt(this->TheBand, this->Whole, node))
+  {
+    return true;
+  }
+  const std::vector<int> whole = FindPinchedEdgesAt(this->TheBand, this->Whole, node);
+  const std::vector<int> now = FindPinchedEdgesAt(this->TheBand, kept, node);
+  return !std::includes(whole.begin(), whole.end(), now.begin(), now.end());
+}
+
+/// The same, remembered.
 bool Decision::IsPinched(std::size_t inner, const std::vector<char>& kept)
 {
   const int node = this->InnerNodes[inner];
@@ -291,8 +308,7 @@ bool Decision::IsPinched(std::size_t inner, const std::vector<char>& kept)
   {
     return false;
   }
-  const bool pinched =
-    !IsManifoldAt(this->TheBand, kept, node) && IsManifoldAt(this->TheBand, this->Whole, node);
+  const bool pinched = this->MakesPinch(node, kept);
   if (!pinched)
   {
     this->NotPinched[inner] = pattern;
@@ -331,7 +347,7 @@ bool Decision::MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) 
   {
     const char before = kept[candidate.second];
     this->SetColumn(candidate.second, !before, kept);
-    if (IsManifoldAt(this->TheBand, kept, node))
+    if (!this->MakesPinch(node, kept))
     {
       return true;
     }

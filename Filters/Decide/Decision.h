@@ -69,6 +69,7 @@ private:
   std::vector<int> FindBacked(const LostSides& lost, const std::vector<char>& kept) const;
   bool EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept);
   bool Collapses(int e);
+  bool MakesPinch(int node, const std::vector<char>& kept) const;
   bool IsPinched(std::size_t inner, const std::vector<char>& kept);
   bool MendPinches(bool onlyEliminate, std::vector<char>& kept);
   bool MendPinch(int node, bool onlyEliminate, std::vector<char>& kept) const;

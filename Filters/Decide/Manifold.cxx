@@ -74,4 +74,23 @@ bool IsManifoldAt(const Band& band, const std::vector<char>& kept, int node)
   return groups == 1;
 }
 
+std::vector<int> FindPinchedEdgesAt(const Band& band, const std::vector<char>& kept, int node)
+{
+  std::vector<int> ends;
+  for (const FanFace& face : BoundaryFan(band, kept, node))
+  {
+    ends.insert(ends.end(), { face.Before, face.After });
+  }
+  std::sort(ends.begin(), ends.end());
+  std::vector<int> pinched;
+  for (std::size_t i = 2; i < ends.size(); ++i)
+  {
+    if (ends[i] == ends[i - 2] && (pinched.empty() || pinched.back() != ends[i]))
+    {
+      pinched.push_back(ends[i]);
+    }
+  }
+  return pinched;
+}
+
 }

@@ -18,6 +18,10 @@ namespace trim
  */
 bool IsManifoldAt(const Band& band, const std::vector<char>& kept, int node);
 
+/// The other ends of edges at this node with more than two boundary facets of the kept elements,
+/// which are joined there alone; ascending.
+std::vector<int> FindPinchedEdgesAt(const Band& band, const std::vector<char>& kept, int node);
+
 }
 
 #endif

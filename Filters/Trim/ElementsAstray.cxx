@@ -15,21 +15,6 @@ namespace trim
 namespace
 {
 
-/// Of each node, whether an element of one fate has it.
-std::vector<char> NodesOfFate(const TrimBand& near, bool kept)
-{
-  std::vector<char> has(near.Mesh.NumberOfNodes(), 0);
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
-  {
-    const auto& element = near.Mesh.Elements[e];
-    if ((near.Trimmed.Kept[e] != 0) == kept)
-    {
-      std::for_each(element.begin(), element.end(), [&has](int n) { has[n] = 1; });
-    }
-  }
-  return has;
-}
-
 Vec3 CentreAt(const std::vector<Vec3>& places, const BandElement& element)
 {
   const auto sum = [&places](const Vec3& before, int node) -> Vec3
@@ -59,9 +44,23 @@ double SizeAlong(const Band& band, const BandElement& element, const Vec3& direc
   return std::sqrt(3.0 * squares / topology.NumberOfEdges);
 }
 
-/// How much more than what lies on the kept side is kept of an element. Nothing is due of an
-/// inserted one, whose share is that of the element it stands on.
-double Excess(const TrimBand& near, int e)
+}
+
+std::vector<char> NodesOfFate(const TrimBand& near, bool kept)
+{
+  std::vector<char> has(near.Mesh.NumberOfNodes(), 0);
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  {
+    const auto& element = near.Mesh.Elements[e];
+    if ((near.Trimmed.Kept[e] != 0) == kept)
+    {
+      std::for_each(element.begin(), element.end(), [&has](int n) { has[n] = 1; });
+    }
+  }
+  return has;
+}
+
+double ExcessOf(const TrimBand& near, int e)
 {
   const bool inserted = near.Mesh.IsInserted(e);
   const double whole = near.Shares.Volume[e];
@@ -74,9 +73,7 @@ double Excess(const TrimBand& near, int e)
   return (shape.Touched || inserted ? VolumeOf(shape.Points, shape.Count) : whole) - due;
 }
 
-}
-
-ElementsAstray MeasureVolumeAstray(const TrimBand& near)
+ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>& without)
 {
   ElementsAstray astray;
   const Band& band = near.Mesh;
@@ -84,12 +81,16 @@ ElementsAstray MeasureVolumeAstray(const TrimBand& near)
   double excess = 0.0;
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
+    if (!without.empty() && without[e])
+    {
+      continue;
+    }
     if (band.ElementStatus[e] == ElementToTreat && !band.IsInserted(e))
     {
       cut += near.Shares.Volume[e];
       ++astray.Cut;
     }
-    excess += Excess(near, e);
+    excess += ExcessOf(near, e);
   }
   astray.Volume = cut > 0.0 ? std::abs(excess) / cut * static_cast<double>(astray.Cut) : 0.0;
   return astray;

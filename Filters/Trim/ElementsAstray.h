@@ -10,6 +10,7 @@
 #include "TrimmingSurface.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace trim
 {
@@ -46,8 +47,16 @@ struct ElementsAstray
   static constexpr double LargestMiss = 0.1;
 };
 
+/// How much more than what lies on the kept side is kept of an element. Nothing is due of an
+/// inserted one, whose share is that of the element it stands on.
+double ExcessOf(const TrimBand& near, int e);
+
 /// The volume alone, of a trim whose border is the surface.
-ElementsAstray MeasureVolumeAstray(const TrimBand& near);
+/// @param without by element those that do not count; empty: all count.
+ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>& without = {});
+
+/// Of each node, whether an element of one fate has it.
+std::vector<char> NodesOfFate(const TrimBand& near, bool kept);
 
 ElementsAstray FindElementsAstray(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, Correction type);

@@ -1,6 +1,7 @@
 #include "TrimWarnings.h"
 
 #include "ElementsAstray.h"
+#include "LostVolume.h"
 #include "Place.h"
 #include "PlaceText.h"
 #include "Status.h"
@@ -195,57 +196,49 @@ void WarnOfCornersLost(TrimResult& result)
   }
 }
 
-/// Whether some finding tells already of what is lost or stays. Nodes left tell how far off the
-/// border is, not how much it takes or leaves.
-bool IsLossTold(const Piece& piece, const TrimResult& result)
+/// Of each element of the band, whether a finding tells already of what is lost or stays there.
+/// Nodes left tell how far off the border is, not how much it takes or leaves. Collective.
+std::vector<char> FindLossTold(const Piece& piece, const TrimResult& result)
 {
-  const auto& found = result.Found.Feasibilities;
-  const bool own = std::any_of(found.begin(), found.end(),
-    [](const auto& item)
-    { return item.second != Feasibility::Inclined && item.second != Feasibility::Curved; });
-  return piece.All.Any(own);
-}
-
-/// The cut element of which most is lost or stayed.
-int FindMostAstray(const TrimBand& near)
-{
-  int most = -1;
-  double largest = 0.0;
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  const Band& band = result.Near->Mesh;
+  std::vector<int> own;
+  for (const auto& [cell, value] : result.Found.Feasibilities)
   {
-    const double beyond = near.Shares.Element[e];
-    const double astray = near.Trimmed.Kept[e] ? beyond : 1.0 - beyond;
-    const bool isCut = near.Mesh.ElementStatus[e] == ElementToTreat && !near.Mesh.IsInserted(e);
-    if (isCut && astray > largest)
+    const bool tells = value != Feasibility::Inclined && value != Feasibility::Curved;
+    const int e = tells ? band.FindElement(cell) : -1;
+    if (e >= 0)
     {
-      largest = astray;
-      most = e;
+      own.push_back(e);
     }
   }
-  return most;
+  std::vector<char> told(band.NumberOfElements(), 0);
+  for (const int e : piece.All.Gather(own))
+  {
+    told[e] = 1;
+  }
+  return told;
 }
 
 /// A strip or an island may be too little for elements of its own, though others are kept.
-void WarnOfVolumeAstray(const Piece& piece, const BandOptions& options, TrimResult& result)
+void WarnOfLostVolume(const Piece& piece, const BandOptions& options, TrimResult& result)
 {
-  const TrimBand& near = *result.Near;
-  const bool isSurface = options.Ladder.CorrectionType != Correction::Eliminate;
-  if (IsLossTold(piece, result) || !isSurface)
+  if (options.Ladder.CorrectionType == Correction::Eliminate)
   {
     return;
   }
-  const ElementsAstray astray = MeasureVolumeAstray(near);
-  const int most = FindMostAstray(near);
+  const TrimBand& near = *result.Near;
   const bool leaves = !near.NodesLeft.empty();
-  if (astray.MissesWhole(leaves ? MissWhereLeft : ElementsAstray::LargestMiss) && most >= 0)
+  const LostVolume lost = FindLostVolume(
+    near, FindLossTold(piece, result), leaves ? MissWhereLeft : ElementsAstray::LargestMiss);
+  if (lost.Most >= 0)
   {
-    result.Warnings.push_back("The volume of " + std::to_string(std::lround(astray.Volume)) +
+    result.Warnings.push_back("The volume of " + std::to_string(std::lround(lost.Elements)) +
       " cut elements is lost, or stays beyond the surface, " +
-      (leaves ? "where nodes were left off it or too little is cut"
-              : "as it is too little for elements of its own") +
+      (leaves && !lost.IsOfPlaces ? "where nodes were left off it or too little is cut"
+                                  : "as it is too little for elements of its own") +
       ": refine the mesh there (EliminatedFraction tells which). The element with most of it is "
       "at " +
-      nurbs::PlaceText(near.Mesh.Point[near.Mesh.Elements[most].Node[0]]) + ".");
+      nurbs::PlaceText(near.Mesh.Point[near.Mesh.Elements[lost.Most].Node[0]]) + ".");
   }
 }
 
@@ -273,6 +266,20 @@ bool WarnIfMissed(const Piece& piece, const std::string& unitsHint, TrimResult& 
   return true;
 }
 
+/// Parts that the surface does not meet are on one side of it, unless they lie beside its end.
+void WarnOfPartsBesideEnd(TrimResult& result)
+{
+  const auto& parts = result.Nodes.PartsBesideEnd;
+  if (!parts.empty())
+  {
+    result.Warnings.push_back(std::to_string(parts.size()) +
+      " parts of the grid lie beyond the end of the trimming surface, on both sides of where it "
+      "would go on, and are kept or eliminated whole: extend the surface through them, or trim "
+      "without them. The first is at " +
+      nurbs::PlaceText(ToVec3(parts.front())) + ".");
+  }
+}
+
 /// @return whether it was warned of.
 bool WarnIfNothingIsLeft(const Piece& piece, TrimResult& result)
 {
@@ -293,6 +300,10 @@ void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& opt
   const std::string& unitsHint, TrimResult& result)
 {
   const bool told = WarnIfMissed(piece, unitsHint, result) || WarnIfNothingIsLeft(piece, result);
+  if (!told)
+  {
+    WarnOfPartsBesideEnd(result);
+  }
   WarnOfFeasibilities(mesh, piece, result);
   if (result.Near)
   {
@@ -303,7 +314,7 @@ void AddWarnings(const HexMesh& mesh, const Piece& piece, const BandOptions& opt
     WarnOfNodesBeside(result);
     if (!told)
     {
-      WarnOfVolumeAstray(piece, options, result);
+      WarnOfLostVolume(piece, options, result);
     }
   }
 }

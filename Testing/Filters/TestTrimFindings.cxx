@@ -10,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
@@ -356,6 +357,14 @@ int NumberAfter(const std::string& words, const Outcome& outcome)
   return 0;
 }
 
+bool IsTold(const Outcome& outcome, const std::string& words)
+{
+  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
+    [&words](const std::string& warning) { return warning.find(words) != std::string::npos; });
+}
+
+const char* const StripPhrase = "The volume of 6 cut elements is lost";
+
 // Of the second sheet a strip is spared, of which no element is made.
 void TestStripLost()
 {
@@ -363,13 +372,74 @@ void TestStripLost()
   const Vec3 first(sheets.Grid->GetPoint(0));
   const Surface plane = PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100);
   const Outcome outcome = RunTrim(sheets, plane, {});
-  Expect(NumberAfter("The volume of ", outcome) == 6 && outcome.Warnings.size() == 1,
+  Expect(IsTold(outcome, StripPhrase) && outcome.Warnings.size() == 1,
     "strip lost: " +
       (outcome.Warnings.empty() ? std::string("nothing told") : outcome.Warnings.front()));
   TrimOptions rest;
   rest.InvertSide = true;
   const Outcome other = RunTrim(sheets, plane, rest);
   Expect(other.Warnings.empty(), "the other side of a strip: something is told");
+}
+
+// The same, where the cut goes on through ten more sheets, and where a hole in the first one is
+// told of: neither makes up for the strip.
+void TestStripLostAmongOthers()
+{
+  std::vector<Vec3> shifts{ Vec3::Zero(), Vec3(9, 0, 0) };
+  for (int i = 1; i <= 10; ++i)
+  {
+    shifts.emplace_back(5.0, 20.0 * i, 0.0);
+  }
+  const Mesh many = Sheets(8, 10, 2, 0.4, shifts);
+  const Vec3 first(many.Grid->GetPoint(0));
+  const Surface plane = PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 1000);
+  Expect(IsTold(RunTrim(many, plane, {}), StripPhrase), "strip lost beside a long cut");
+
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
+  Surface both;
+  vtkNew<vtkMultiBlockDataSet> faces;
+  faces->SetBlock(0, plane.Data);
+  faces->SetBlock(1, Hole(sheets, 4, 5, 0.45).Data);
+  both.Data = faces;
+  const Outcome outcome = RunTrim(sheets, both, {});
+  Expect(ExpectWarned("strip and hole", outcome)[NotOpened] == 8 && IsTold(outcome, StripPhrase),
+    "strip lost beside a hole that is not opened");
+}
+
+// A surface that ends in the gap between two sheets leaves open what becomes of the second one if
+// that has parts on both sides of where it would go on; if it has not, all is clear.
+void TestBesideEnd()
+{
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  const auto wall = [&first](double y, double xEnd)
+  {
+    SplineSurface spline;
+    spline.CountU = spline.CountV = 2;
+    spline.KnotsU = spline.KnotsV = { 0, 0, 1, 1 };
+    for (const double z : { -9.0, 9.0 })
+    {
+      for (const double x : { -9.0, xEnd })
+      {
+        const Vec3 corner = first + Vec3(x, y, z);
+        spline.Control.emplace_back(corner[0], corner[1], corner[2], 1);
+      }
+    }
+    Surface surface;
+    surface.Data = ToPolyData(spline);
+    return surface;
+  };
+  const std::string phrase = "1 parts of the grid lie beyond the end of the trimming surface";
+  for (const bool invert : { false, true })
+  {
+    TrimOptions options;
+    options.InvertSide = invert;
+    Expect(IsTold(RunTrim(sheets, wall(4.3, 8.5), options), phrase), "a part beside an end");
+    Expect(RunTrim(sheets, wall(4.3, 20), options).Warnings.empty(), "through both parts");
+  }
+  // The second one higher up, above the end of the surface.
+  const Mesh apart = TwoSheets(8, 10, 2, 0.4, Vec3(9, 5, 0));
+  Expect(RunTrim(apart, wall(4.3, 8.5), {}).Warnings.empty(), "a part beyond on one side");
 }
 
 /// Volume of what the plane, which is nearly along a sheet of one layer, has on its kept side, less
@@ -596,6 +666,8 @@ int main()
   TestAligned();
   TestSlots();
   TestStripLost();
+  TestStripLostAmongOthers();
+  TestBesideEnd();
   TestFlatLost();
   TestStretched();
   TestShortfalls();

@@ -18,8 +18,10 @@
 #include <vtkPolyData.h>
 #include <vtkTrimHexahedralGrid.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 using namespace judge;
 
@@ -438,6 +440,44 @@ void TestBlocksJoinedAtEdges()
       { "contour", 0.084, 0.08, 5.149, 0.641, 0.452, 3 } });
 }
 
+// Unit cubes at some places of a grid; nodes that no cube has are there, too.
+Mesh Cubes(const std::vector<std::array<Id, 3>>& places)
+{
+  constexpr Id n = 4; // nodes along each axis
+  RawMesh raw;
+  for (Id i = 0; i < n * n * n; ++i)
+  {
+    raw.Points.emplace_back(i % n, i / n % n, i / (n * n));
+  }
+  for (const auto& place : places)
+  {
+    const Id a = place[0] + n * (place[1] + n * place[2]);
+    const Id b = a + n * n;
+    raw.Add(8, { a, a + 1, a + 1 + n, a + n, b, b + 1, b + 1 + n, b + n });
+  }
+  MeshOptions plain;
+  plain.Data = false;
+  return Finish("cubes", raw, BoxOf(raw, 1), plain);
+}
+
+// Cubes that hang together by edges here and there: what is kept does by no other ones.
+void TestNoNewPinch()
+{
+  // The first three have an edge in common, and the third one loses most.
+  const Mesh cubes = Cubes(
+    { { 1, 0, 1 }, { 1, 1, 0 }, { 1, 1, 1 }, { 0, 0, 0 }, { 0, 0, 1 }, { 2, 0, 0 }, { 2, 1, 0 } });
+  const Outcome outcome =
+    RunTrim(cubes, PlaneThrough(Vec3(1.6, 0.7, 1.4), Vec3(0, 3, 2), 100), TrimOptions());
+  vtkDataArray* ids = outcome.Case.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+  bool kept[7] = {};
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    kept[static_cast<int>(ids->GetComponent(i, 0))] = true;
+  }
+  Expect(outcome.Clean() && !(kept[0] && kept[1] && !kept[2]),
+    "two cubes hang together by an edge that was not the only one");
+}
+
 // Where the border of what is kept turns or a ridge of it ends, its node does not slide along the
 // border of an element that goes, to where that has a corner.
 void TestKeptCorners()
@@ -728,6 +768,7 @@ int main()
   TestLongElements();
   TestIslands();
   TestBlocksJoinedAtEdges();
+  TestNoNewPinch();
   TestKeptCorners();
   TestFootOfStep();
   TestCornersAtBorder();

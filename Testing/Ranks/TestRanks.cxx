@@ -10,6 +10,8 @@
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -138,6 +140,33 @@ void TestPermuted()
   compare("block", block, Block(11, 10, 9, permuted), SurfaceOf("cone", block));
 }
 
+/// A hole that is not opened is told of by the ranks that have it, and a strip of another sheet
+/// that is lost by all of them.
+void TestLostVolume(int ranks)
+{
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  Placement at;
+  at.X = (4.0 - sheets.Box.Centre[0]) / sheets.Box.HalfX;
+  at.Y = (5.0 - sheets.Box.Centre[1]) / sheets.Box.HalfY;
+  at.Angle = 0;
+  at.Size = 0.45 / sheets.Box.HalfY;
+  at.Reversed = true;
+  vtkNew<vtkMultiBlockDataSet> faces;
+  faces->SetBlock(0, PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100).Data);
+  faces->SetBlock(1, MakeSurface("cylinder", sheets.Box, at).Data);
+  Surface both;
+  both.Data = faces;
+  if (RunTrim(sheets, both, TrimOptions()).Warnings.size() != 2)
+  {
+    Fail("strip and hole", "not both are told of");
+  }
+  for (const std::string& partition : PartitionNames())
+  {
+    Compare("strip and hole " + partition, sheets, both, TrimOptions(), partition, ranks);
+  }
+}
+
 std::vector<std::string> Chosen(const std::string& argument, const std::vector<std::string>& all)
 {
   return argument == "all" ? all : std::vector<std::string>{ argument };
@@ -179,6 +208,7 @@ int main(int argc, char* argv[])
     }
   }
   TestPermuted();
+  TestLostVolume(ranks);
   if (argument(2) == "block" && argument(3) == "aslant" && Layers == 0)
   {
     Fail("block aslant", "no layer was inserted");

@@ -161,27 +161,36 @@ Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& optio
   return mesh;
 }
 
-Mesh TwoSheets(int nx, int ny, int nz, double layer, const Vec3& shift)
+Mesh Sheets(int nx, int ny, int nz, double layer, const std::vector<Vec3>& shifts)
 {
-  RawMesh raw = Extrude(GridPlan(nx, ny, 1, 1), nz, nz * layer, Flat());
-  const RawMesh one = raw;
-  for (const Vec3& point : one.Points)
+  const RawMesh one = Extrude(GridPlan(nx, ny, 1, 1), nz, nz * layer, Flat());
+  RawMesh raw;
+  for (const Vec3& shift : shifts)
   {
-    raw.Points.push_back(point + shift);
-  }
-  for (Element element : one.Elements)
-  {
-    for (Id& node : element.Node)
+    const auto before = static_cast<Id>(raw.Points.size());
+    for (const Vec3& point : one.Points)
     {
-      node += static_cast<Id>(one.Points.size());
+      raw.Points.push_back(point + shift);
     }
-    raw.Elements.push_back(element);
+    for (Element element : one.Elements)
+    {
+      for (Id& node : element.Node)
+      {
+        node += before;
+      }
+      raw.Elements.push_back(element);
+    }
   }
   Frame frame = BoxOf(raw, 1);
   frame.LayerThickness = layer;
   MeshOptions plain;
   plain.Data = false;
-  return Finish("two sheets", raw, frame, plain);
+  return Finish("sheets", raw, frame, plain);
+}
+
+Mesh TwoSheets(int nx, int ny, int nz, double layer, const Vec3& shift)
+{
+  return Sheets(nx, ny, nz, layer, { Vec3::Zero(), shift });
 }
 
 Mesh Block(int nx, int ny, int nz, const MeshOptions& options)

@@ -69,8 +69,10 @@ void AddData(vtkUnstructuredGrid* grid, unsigned seed);
 
 Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& options = {});
 Mesh Block(int nx, int ny, int nz, const MeshOptions& options = {});
-/// Two sheets of nx x ny x nz elements of 1 x 1 x `layer`, without data or common nodes: the second
-/// one is the first one, shifted.
+/// Sheets of nx x ny x nz elements of 1 x 1 x `layer`, each shifted as it is said, without data or
+/// common nodes.
+Mesh Sheets(int nx, int ny, int nz, double layer, const std::vector<Vec3>& shifts);
+/// The first one is not shifted.
 Mesh TwoSheets(int nx, int ny, int nz, double layer, const Vec3& shift);
 /// Eight blocks of n^3 elements that have nodes in common at their edges alone, not on their faces.
 Mesh BlocksJoinedAtEdges(int n);
