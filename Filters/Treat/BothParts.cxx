@@ -11,6 +11,8 @@ namespace
 /// Rounds in which columns change sides; after them nodes are left off the surface.
 constexpr int RoundsOfFates = 4;
 constexpr int MostRounds = 24;
+/// Rounds in which nodes are left a step farther off each time; then they stay where they were.
+constexpr int RoundsOfSteps = 14;
 /// Columns with more than this share beyond the surface are not kept for the offcut's sake.
 constexpr double LargestShare = 0.85;
 
@@ -27,36 +29,43 @@ public:
   }
 
   /// False if there is nothing left to change.
-  bool Add(const BothParts& parts, bool mayTurn)
+  bool Add(const BothParts& parts, int round)
   {
-    const std::vector<char> before = this->TheDemands.KeepColumn;
+    const bool mayTurn = round < RoundsOfFates;
+    const int steps = round < RoundsOfSteps ? 1 : Demands::Steps;
+    const Demands before = this->TheDemands;
     bool changed = false;
     for (const int e : parts.Rest.Invalid)
     {
       const int column = this->TheColumns.Column[e];
       const double share = this->Shares.Column[column];
-      if (mayTurn && !parts.Kept.Kept[e] && !before[column] && share > 0.0 && share <= LargestShare)
+      if (mayTurn && !parts.Kept.Kept[e] && !before.KeepColumn[column] && share > 0.0 &&
+        share <= LargestShare)
       {
         this->TheDemands.KeepColumn[column] = 1;
         changed = true;
       }
       else
       {
-        changed |= this->Leave(e);
+        changed |= this->LeaveFarther(e, steps, before);
       }
     }
     return changed;
   }
 
 private:
-  bool Leave(int element)
+  /// Leaves the nodes of an element so many steps farther off the surface than before; false if
+  /// they have none to go.
+  bool LeaveFarther(int element, int steps, const Demands& before)
   {
     bool changed = false;
-    for (int i = 0; i < this->TheBand.Elements[element].Count; ++i)
+    for (const int node : this->TheBand.Elements[element])
     {
-      const int pillar = this->TheColumns.Pillar[this->TheBand.Elements[element].Node[i]];
-      changed |= this->TheDemands.LeavePillar[pillar] == 0;
-      this->TheDemands.LeavePillar[pillar] = 1;
+      const int pillar = this->TheColumns.Pillar[node];
+      const int left = before.LeavePillar[pillar];
+      this->TheDemands.LeavePillar[pillar] =
+        static_cast<char>(std::min(left + steps, Demands::Steps));
+      changed |= left < Demands::Steps;
     }
     return changed;
   }
@@ -110,7 +119,7 @@ BothParts ClimbForBothParts(
     }
     parts.Rest = FitOffcut(given, options, parts.Kept);
     // Nobody would climb for what is added last.
-    if (round + 1 == MostRounds || !demander.Add(parts, round < RoundsOfFates))
+    if (round + 1 == MostRounds || !demander.Add(parts, round))
     {
       break;
     }

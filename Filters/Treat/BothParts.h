@@ -4,7 +4,7 @@
  *
  * The kept part is what it would be without the offcut, unless the offcut has an element that
  * cannot be made valid: then the kept part takes that element's column, and where that is no way
- * either the nodes there are left off the surface.
+ * either the nodes there are left off the surface, no farther than it takes.
  */
 #ifndef BothParts_h
 #define BothParts_h

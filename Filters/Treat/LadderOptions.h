@@ -9,6 +9,7 @@
 #include "Pentahedra.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace trim
@@ -19,8 +20,17 @@ class FailedReturns;
 /// What has to be so for the sake of the offcut, whatever the ladder does; empty: nothing.
 struct Demands
 {
+  /// Steps back from the surface to where a pillar's nodes were.
+  static constexpr int Steps = 5;
+
   std::vector<char> KeepColumn;  ///< by column
-  std::vector<char> LeavePillar; ///< by pillar: its nodes stay where they are
+  std::vector<char> LeavePillar; ///< by pillar: how many steps short of the surface its nodes stay
+
+  /// How much of their way the nodes of a pillar go at the most.
+  double WayOf(std::size_t pillar) const
+  {
+    return 1.0 - static_cast<double>(this->LeavePillar[pillar]) / Steps;
+  }
 };
 
 /// What the ladder aims at where a lower floor is asked for, short of leaving nodes off.

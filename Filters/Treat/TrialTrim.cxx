@@ -46,7 +46,10 @@ Choices TrialTrim::WithDemands(Choices set) const
   {
     if (demands.LeavePillar[p])
     {
-      set.Corrections[p] = { CorrectionChoice::Leave, 0.0 };
+      auto& choice = set.Corrections[p];
+      const double way = demands.WayOf(p);
+      const bool leaves = choice.Correction == CorrectionChoice::Leave;
+      choice = { CorrectionChoice::Leave, leaves ? std::min(way, choice.Way) : way };
       set.Treatments[p] = TreatmentChoice::LeaveCorner;
     }
   }

@@ -16,8 +16,10 @@ namespace trim
 
 struct Shortcomings
 {
-  std::size_t Elements = 0; ///< invalid or below the floor
-  double Squares = 0.0;  ///< sum of those of the distances of nodes left off the surface, in edges
+  std::size_t Elements = 0; ///< invalid, or of the kept part below the floor
+  /// Sum of those of the distances of nodes left off the surface, in edges. The ladder leaves none
+  /// for elements of the offcut below the floor, which count here for as much as a few nodes.
+  double Squares = 0.0;
   double Farthest = 0.0; ///< of these distances
 
   bool operator<(const Shortcomings& other) const
