@@ -61,6 +61,7 @@ add_library(NURBSTrimStages STATIC
   Treat/LeastSquaresStep.cxx
   Treat/NodeGrid.cxx
   Treat/Offcut.cxx
+  Treat/OffcutGuard.cxx
   Treat/Pentahedra.cxx
   Treat/Relaxation.cxx
   Treat/RelaxedMesh.cxx

@@ -1,5 +1,7 @@
 #include "BothParts.h"
 
+#include "OffcutGuard.h"
+
 #include <algorithm>
 #include <memory>
 
@@ -76,6 +78,19 @@ private:
   Demands& TheDemands;
 };
 
+/// Nodes that were left for the offcut come nearer to the surface as far as both parts stand it.
+void ReturnForBoth(
+  const TrimCase& given, const LadderOptions& options, const Progress& progress, BothParts& parts)
+{
+  const BandQuality quality(given.TheBand, options.Treatment, options.QualityFloor);
+  OffcutGuard guard(given.TheBand, quality, parts.Kept, parts.Rest);
+  TrialTrim(given, options)
+    .ReturnDemanded(
+      parts.Made.End.Set, [&guard](int node) { return guard.Stands(node); },
+      [&progress] { return progress(-1.0); }, parts.Kept);
+  guard.Follow();
+}
+
 }
 
 Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const TrimmedBand& kept)
@@ -124,6 +139,7 @@ BothParts ClimbForBothParts(
       break;
     }
   }
+  ReturnForBoth(given, demanding, progress, parts);
   return parts;
 }
 

@@ -29,6 +29,8 @@ struct GuardedCase
   std::vector<char>& OnCut;             ///< in and out: nodes of the new boundary
   Moves& NodeMoves;                     ///< in and out
   FailedReturns* Failures = nullptr;    ///< in and out, of earlier climbs with the same band
+  /// Whether what else has a node stands it where it lies now; null: nothing else has any.
+  std::function<bool(int)> OthersStand{};
 };
 
 class GuardedMesh : public RelaxedMesh

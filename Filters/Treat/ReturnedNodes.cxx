@@ -89,6 +89,12 @@ private:
     return nodes.size() < rest.size();
   }
 
+  bool OthersStand(const std::vector<int>& nodes) const
+  {
+    return !this->Given.OthersStand ||
+      std::all_of(nodes.begin(), nodes.end(), this->Given.OthersStand);
+  }
+
   /// Where a node may come to the surface.
   std::vector<Place> PlacesFor(int node)
   {
@@ -119,7 +125,7 @@ private:
     {
       this->TheMoves.Position[node] = place.At;
       const double lowest = this->LowestOf(elements, before);
-      if (lowest > best && !this->IsCoincident(node))
+      if (lowest > best && !this->IsCoincident(node) && this->OthersStand({ node }))
       {
         best = lowest;
         found = place;
@@ -200,7 +206,8 @@ private:
         this->TheMoves.Applied[node] = Correction::Relax;
       }
     }
-    if (any && this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before))
+    if (any && this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before) &&
+      this->OthersStand(nodes))
     {
       return true;
     }
@@ -225,7 +232,8 @@ private:
         continue;
       }
       this->TheMoves.Position[node] = AsStored(this->TheBand, at);
-      if (this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node))
+      if (this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node) &&
+        this->OthersStand({ node }))
       {
         gone += step;
         reached = this->TheMoves.Position[node];

@@ -119,8 +119,10 @@ void TrialTrim::BringNearer(
   }
 }
 
-/// Nodes that should be on the surface and are not, without those that the offcut needs there.
-std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trimmed) const
+/// Nodes that should be on the surface and are not: those that the offcut needs there, or all
+/// others.
+std::vector<int> TrialTrim::FindLeft(
+  const Choices& set, const TrimmedBand& trimmed, bool forOffcut) const
 {
   const std::vector<int> users = CountUsers(this->TheBand, trimmed);
   const auto& demanded = this->Options.ForOffcut.LeavePillar;
@@ -130,12 +132,30 @@ std::vector<int> TrialTrim::FindLeft(const Choices& set, const TrimmedBand& trim
     const int pillar = this->TheColumns.Pillar[n];
     if (users[n] > 0 && trimmed.NodeMoves.Left[n] &&
       set.Corrections[pillar].Correction != CorrectionChoice::Inside &&
-      (demanded.empty() || !demanded[pillar]))
+      (!demanded.empty() && demanded[pillar] != 0) == forOffcut)
     {
       left.push_back(n);
     }
   }
   return left;
+}
+
+void TrialTrim::ReturnDemanded(const Choices& choices, const std::function<bool(int)>& stands,
+  const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+{
+  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  for (const auto effort : { ReturnEffort::Alone, ReturnEffort::Nearer })
+  {
+    const std::vector<int> left = this->FindLeft(set, trimmed, true);
+    if (left.empty())
+    {
+      return;
+    }
+    Shapes shapes = this->ShapesOf(set, trimmed, true);
+    GuardedCase guarded = this->Guard(shapes, this->GoalForLeft(), aborted, trimmed);
+    guarded.OthersStand = stands;
+    ReturnNodes(guarded, left, effort);
+  }
 }
 
 bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,

@@ -61,6 +61,11 @@ public:
   std::shared_ptr<TrimmedBand> ReturnLeftToFloor(
     const Choices& choices, const Progress& progress, const TrimmedBand& from) const;
 
+  /// Takes nodes that were left for the sake of the offcut to the surface, or nearer to it.
+  /// @param stands whether the offcut stands a node where it lies in `trimmed`.
+  void ReturnDemanded(const Choices& choices, const std::function<bool(int)>& stands,
+    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+
   /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
@@ -125,7 +130,8 @@ private:
   // TrialReturns.cxx
   void ReturnWithRoom(
     const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
-  std::vector<int> FindLeft(const Choices& set, const TrimmedBand& trimmed) const;
+  std::vector<int> FindLeft(
+    const Choices& set, const TrimmedBand& trimmed, bool forOffcut = false) const;
   bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
     ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,

@@ -237,7 +237,7 @@ void CheckFewLeft()
   for (const Case& c : { Case{ "block", "plane", 1.1, 0.75, false, false, 88, 1.2 },
          Case{ "cup", "roundrect", 0, 0, true, false, 12, 0.4 },
          Case{ "channel", "cylinder", 0, 0.26, true, false, 13, 0.7 },
-         Case{ "block", "plane", 1.1, 0.75, false, true, 50, 4.0 } })
+         Case{ "block", "plane", 1.1, 0.75, false, true, 135, 1.0 } })
   {
     const Mesh mesh = MakeMesh(c.Mesh);
     Placement at;
