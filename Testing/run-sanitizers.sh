@@ -3,8 +3,8 @@
 # run-sanitizers.sh address|thread [argument of ctest...]. Only what neither Python nor ParaView's
 # window has a part in: they would have to be started with the sanitizer's library.
 # address: all tests of kernel, reader, filter and fuzz; in a shorter form the random campaign, the
-# fuzzed files and the matrix on the plain sheet (Testing/CMakeLists.txt), and of the repeated runs
-# with several threads only those on large grids.
+# fuzzed files and the matrix (Testing/CMakeLists.txt), and of the repeated runs with several threads
+# only those on large grids.
 # thread: what shares work out among threads, on grids large enough for every loop to be shared.
 # Reports go to build-<name>/reports, one file a process, also those of forked readers, whose
 # output is silenced; what is VTK's or OpenCASCADE's own is suppressed, with reasons, in
