@@ -203,12 +203,15 @@ void ClassifyFarParts(const Piece& piece, const nurbs::TrimmingSurface& surface,
 {
   // Points that no cell uses are parts, too, and there may be many.
   std::vector<char> besideEnd(parts.size());
-  ForAll(static_cast<int>(parts.size()),
-    [&](int i)
+  ParallelFor(0, static_cast<Id>(parts.size()), 256,
+    [&](Id begin, Id end)
     {
-      const FarPart part = ClassifyFarPart(parts[i].second, surface);
-      ofRoot.Set(parts[i].first, part.Side);
-      besideEnd[i] = part.BesideEnd ? 1 : 0;
+      for (Id i = begin; i < end; ++i)
+      {
+        const FarPart part = ClassifyFarPart(parts[i].second, surface);
+        ofRoot.Set(parts[i].first, part.Side);
+        besideEnd[i] = part.BesideEnd ? 1 : 0;
+      }
     });
   std::vector<Place> own;
   for (std::size_t i = 0; i < parts.size(); ++i)

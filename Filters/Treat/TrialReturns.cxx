@@ -3,7 +3,7 @@
 /// dropped.
 #include "TrialTrim.h"
 
-#include "SortUnique.h"
+#include "NodesOfElements.h"
 
 #include <algorithm>
 
@@ -89,18 +89,10 @@ void TrialTrim::BringNearer(
   }
   const std::size_t invalid = this->Quality.FindInvalid(trimmed).size();
   const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
-  std::vector<int> round;
-  for (const int n : left)
-  {
-    for (const int e : this->TheBand.ElementsOfNode(n))
-    {
-      if (trimmed.Kept[e])
-      {
-        round.push_back(e);
-      }
-    }
-  }
-  SortUnique(round);
+  std::vector<int> round = ElementsAt(this->TheBand, left);
+  round.erase(
+    std::remove_if(round.begin(), round.end(), [&trimmed](int e) { return !trimmed.Kept[e]; }),
+    round.end());
   for (int pass = 0; pass < ApproachPasses && !aborted(); ++pass)
   {
     const Moves before = trimmed.NodeMoves;
@@ -151,18 +143,18 @@ void TrialTrim::ReturnDemanded(const Choices& choices, const std::function<bool(
     {
       return;
     }
-    Shapes shapes = this->ShapesOf(set, trimmed, true);
-    GuardedCase guarded = this->Guard(shapes, this->GoalForLeft(), aborted, trimmed);
-    guarded.OthersStand = stands;
-    ReturnNodes(guarded, left, effort);
+    this->ReturnNodesLeft(set, left, this->GoalForLeft(), effort, aborted, trimmed, stands);
   }
 }
 
 bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
-  ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed,
+  const std::function<bool(int)>& stands) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
-  return ReturnNodes(this->Guard(shapes, goal, aborted, trimmed), left, effort);
+  GuardedCase guarded = this->Guard(shapes, goal, aborted, trimmed);
+  guarded.OthersStand = stands;
+  return ReturnNodes(guarded, left, effort);
 }
 
 /// Pentahedra that kept their middle nodes as those were left may do without them.

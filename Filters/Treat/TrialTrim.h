@@ -97,8 +97,6 @@ private:
   std::vector<char> TakeRelaxed(
     const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
-  void BringNearer(
-    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   double GoalForLeft() const;
   /// What must not become more when nodes that were left return.
   struct Faults
@@ -128,12 +126,16 @@ private:
   static constexpr int MostDrops = 100;
 
   // TrialReturns.cxx
+  void BringNearer(
+    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
   void ReturnWithRoom(
     const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
   std::vector<int> FindLeft(
     const Choices& set, const TrimmedBand& trimmed, bool forOffcut = false) const;
+  /// @param stands see GuardedCase::OthersStand.
   bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
-    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed,
+    const std::function<bool(int)>& stands = {}) const;
   bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
     FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
   bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,

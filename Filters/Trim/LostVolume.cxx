@@ -2,6 +2,7 @@
 
 #include "DisjointSets.h"
 #include "ElementsAstray.h"
+#include "NodesOfElements.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -17,30 +18,6 @@ template <typename Test>
 bool HasNode(const BandElement& element, const Test& test)
 {
   return std::any_of(element.begin(), element.end(), test);
-}
-
-/// Those given and those that share a node with them.
-std::vector<char> WithNeighbours(const Band& band, const std::vector<char>& some)
-{
-  if (std::find(some.begin(), some.end(), 1) == some.end())
-  {
-    return some;
-  }
-  std::vector<char> nodes(band.NumberOfNodes(), 0);
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    if (some[e])
-    {
-      const auto& element = band.Elements[e];
-      std::for_each(element.begin(), element.end(), [&nodes](int n) { nodes[n] = 1; });
-    }
-  }
-  std::vector<char> grown(band.NumberOfElements());
-  for (int e = 0; e < band.NumberOfElements(); ++e)
-  {
-    grown[e] = HasNode(band.Elements[e], [&nodes](int n) { return nodes[n] != 0; });
-  }
-  return grown;
 }
 
 /// Elements that went or stayed although some of them, or all, lies on the other side, and that
@@ -140,9 +117,13 @@ LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
 
 }
 
-LostVolume FindLostVolume(const TrimBand& near, const std::vector<char>& told, double share)
+LostVolume FindLostVolume(const TrimBand& near, const std::vector<int>& told, double share)
 {
-  const std::vector<char> toldNearby = WithNeighbours(near.Mesh, told);
+  std::vector<char> toldNearby(near.Mesh.NumberOfElements(), 0);
+  for (const int e : ElementsAt(near.Mesh, NodesOf(near.Mesh, told)))
+  {
+    toldNearby[e] = 1;
+  }
   const ElementsAstray astray = MeasureVolumeAstray(near, toldNearby);
   if (!astray.MissesWhole(share))
   {

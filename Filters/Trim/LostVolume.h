@@ -24,11 +24,11 @@ struct LostVolume
  * Looks at the whole cut, and at each place that no border reaches: there a strip or an island is
  * lost (or stays), however long the cut is elsewhere.
  *
- * @param told by element of the band, whether a finding tells of its volume; nothing is said of
- * these and of those next to them.
+ * @param told elements of the band of whose volume a finding tells; nothing is said of these and of
+ * those that share a node with them.
  * @param share of the cut elements that the whole may miss.
  */
-LostVolume FindLostVolume(const TrimBand& near, const std::vector<char>& told, double share);
+LostVolume FindLostVolume(const TrimBand& near, const std::vector<int>& told, double share);
 
 }
 

@@ -196,9 +196,9 @@ void WarnOfCornersLost(TrimResult& result)
   }
 }
 
-/// Of each element of the band, whether a finding tells already of what is lost or stays there.
-/// Nodes left tell how far off the border is, not how much it takes or leaves. Collective.
-std::vector<char> FindLossTold(const Piece& piece, const TrimResult& result)
+/// Elements of the band at which a finding tells already of what is lost or stays. Nodes left tell
+/// how far off the border is, not how much it takes or leaves. Collective.
+std::vector<int> FindLossTold(const Piece& piece, const TrimResult& result)
 {
   const Band& band = result.Near->Mesh;
   std::vector<int> own;
@@ -211,12 +211,7 @@ std::vector<char> FindLossTold(const Piece& piece, const TrimResult& result)
       own.push_back(e);
     }
   }
-  std::vector<char> told(band.NumberOfElements(), 0);
-  for (const int e : piece.All.Gather(own))
-  {
-    told[e] = 1;
-  }
-  return told;
+  return piece.All.Gather(own);
 }
 
 /// A strip or an island may be too little for elements of its own, though others are kept.
