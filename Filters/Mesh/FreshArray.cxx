@@ -2,34 +2,12 @@
 
 #include "PagePool.h"
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
-#include <cstdint>
 #include <cstdlib>
 #include <mutex>
 #include <unordered_map>
 
 namespace trim
 {
-
-void PreferLargePages(void* memory, std::size_t bytes)
-{
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::uintptr_t page = std::uintptr_t(1) << 21;
-  const auto first = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-  if (end > first)
-  {
-    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
-  }
-#else
-  (void)memory;
-  (void)bytes;
-#endif
-}
-
 namespace
 {
 

@@ -15,9 +15,6 @@
 namespace trim
 {
 
-/// Asks for large pages where the memory is not yet in use; a hint.
-void PreferLargePages(void* memory, std::size_t bytes);
-
 /// Memory for an array, and what frees it.
 struct ArrayMemory
 {

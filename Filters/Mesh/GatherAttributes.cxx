@@ -15,14 +15,18 @@ namespace trim
 namespace
 {
 
-/// Whole tuples by memory copy: Debian's VTK copies value by value and is not optimised.
+/// Whole tuples by memory copy: Debian's VTK copies value by value and is not optimised. In memory
+/// of our own: where there is none Debian's VTK ends the process.
 void GatherRaw(vtkDataArray* source, const vtkIdType* ids, vtkIdType count, vtkDataArray* target)
 {
   const std::size_t size = static_cast<std::size_t>(source->GetNumberOfComponents()) *
     static_cast<std::size_t>(source->GetDataTypeSize());
+  const ArrayMemory own = AllocatePagesForArray(size * static_cast<std::size_t>(count));
+  target->SetVoidArray(own.Memory, count * source->GetNumberOfComponents(), 0,
+    vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
+  target->SetArrayFreeFunction(own.Free);
   const char* from = static_cast<const char*>(source->GetVoidPointer(0));
-  char* to = static_cast<char*>(target->GetVoidPointer(0));
-  PreferLargePages(to, size * static_cast<std::size_t>(count));
+  char* to = static_cast<char*>(own.Memory);
   ParallelFor(0, count, 50000,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -41,13 +45,13 @@ vtkSmartPointer<vtkAbstractArray> GatherTuples(
   target->SetNumberOfComponents(source->GetNumberOfComponents());
   target->CopyComponentNames(source);
   target->CopyInformation(source->GetInformation());
-  target->SetNumberOfTuples(count);
   auto* data = vtkDataArray::SafeDownCast(source);
-  if (data && data->HasStandardMemoryLayout() && data->GetDataType() != VTK_BIT)
+  if (count > 0 && data && data->HasStandardMemoryLayout() && data->GetDataType() != VTK_BIT)
   {
     GatherRaw(data, ids, count, vtkDataArray::SafeDownCast(target));
     return target;
   }
+  target->SetNumberOfTuples(count);
   // Not GetTuples: that of VTK 9.2's string arrays forgets all components but the first.
   for (vtkIdType i = 0; i < count; ++i)
   {
