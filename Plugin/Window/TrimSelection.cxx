@@ -14,9 +14,9 @@
 
 namespace
 {
-SelectedOutput InputOf(vtkSMSourceProxy* trim, const char* name)
+SelectedOutput InputOf(vtkSMSourceProxy* source, const char* name)
 {
-  const vtkSMPropertyHelper input(trim, name);
+  const vtkSMPropertyHelper input(source, name, /*quiet=*/true);
   return { vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()),
     static_cast<int>(input.GetOutputPort()) };
 }
@@ -38,6 +38,20 @@ SelectedOutput OutputOf(pqServerManagerModelItem* item)
 bool IsTrim(vtkSMProxy* proxy)
 {
   return proxy && std::strcmp(proxy->GetXMLName(), "TrimHexahedralGrid") == 0;
+}
+
+std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* trim)
+{
+  std::vector<vtkSMSourceProxy*> trims;
+  for (auto* source = InputOf(trim, "Input").Source; source;
+       source = InputOf(source, "Input").Source)
+  {
+    if (IsTrim(source))
+    {
+      trims.push_back(source);
+    }
+  }
+  return trims;
 }
 
 bool IsApplied(vtkSMProxy* proxy)
