@@ -7,13 +7,17 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
+#include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 
+#include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
+#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
@@ -148,6 +152,9 @@ TrimActions::TrimActions(QObject* parent)
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::UpdateEnabled);
   QObject::connect(
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::HideTrimsBefore);
+  QObject::connect(model,
+    QOverload<pqPipelineSource*>::of(&pqServerManagerModel::dataUpdated), this,
+    &TrimActions::ColorFirstElements);
   this->UpdateEnabled();
 
   // The menu takes the actions later: as soon as they are made or, at the start, with the window.
@@ -241,5 +248,34 @@ void TrimActions::HideTrimsBefore(pqServerManagerModelItem* changed)
   for (vtkSMSourceProxy* trim : TrimsBefore(source->getSourceProxy()))
   {
     Hide(controller, trim, view->getViewProxy());
+  }
+}
+
+void TrimActions::ColorFirstElements(pqPipelineSource* source)
+{
+  constexpr const char* statuses = "ElementStatus";
+  const char* const wants = "NURBSTrimWantsColor";
+  const QVariant before = source->property(wants);
+  if (!IsTrim(source->getProxy()) || (before.isValid() && !before.toBool()))
+  {
+    return;
+  }
+  const vtkPVDataInformation* data = source->getSourceProxy()->GetDataInformation(0);
+  const bool hasElements = data->GetArrayInformation(statuses, vtkDataObject::CELL) != nullptr;
+  source->setProperty(wants, !hasElements);
+  if (!hasElements || !before.isValid())
+  {
+    return;
+  }
+  for (pqDataRepresentation* shown : source->getOutputPort(0)->getRepresentations(nullptr))
+  {
+    vtkSMProxy* representation = shown->getProxy();
+    if (shown->getView() && vtkSMPVRepresentationProxy::SafeDownCast(representation) &&
+      !vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
+    {
+      vtkSMPVRepresentationProxy::SetScalarColoring(
+        representation, statuses, vtkDataObject::CELL);
+      CorrectionComparison::ShowLegend(representation, shown->getViewProxy());
+    }
   }
 }

@@ -8,6 +8,7 @@
 #include <QActionGroup>
 
 class QAction;
+class pqPipelineSource;
 class pqServerManagerModelItem;
 
 /**
@@ -38,6 +39,8 @@ private:
   /// When a trim is applied for the first time: ParaView hides the trimmed grid that is its input,
   /// but not the statuses, where these are shown in place of that.
   void HideTrimsBefore(pqServerManagerModelItem* changed);
+  /// The first view, as other trims have it, of one that failed at first or left nothing.
+  void ColorFirstElements(pqPipelineSource* source);
 
   QAction* Line;
   QAction* Statuses;

@@ -148,13 +148,24 @@ window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
 
 window.run("trim-in-window")
 
-# Of trims in sequence the last one is shown, also where the statuses of the one before were; or that
-# one, if its statuses are asked for.
+# A surface that misses the sheet leaves nothing; when something is left it is shown as always.
 window = Window(size=(1400, 900))
 window.open("sheet.vtu")
-window.open("plane.igs")
 window.apply()
-window.python("from Checks import plane_at\nplane_at(4.3)")
+window.python("from Checks import plane_at\n[plane_at(x) for x in (8.3, 4.3, -3)]")
+window.select("0:0/0:0")
+window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
+window.choose_inputs(TrimmingSurface="0:0/3:0")
+window.apply()
+window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
+window.set_check("InvertSide", True)
+window.apply()
+window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
+window.python("check_first_view()")
+window.event(MAIN + "/propertiesDock/propertiesPanel/Delete", "activate")
+
+# Of trims in sequence the last one is shown, also where the statuses of the one before were; or that
+# one, if its statuses are asked for.
 window.select("0:0/0:0")
 window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
 window.choose_inputs(TrimmingSurface="0:0/1:0")
