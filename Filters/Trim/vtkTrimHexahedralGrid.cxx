@@ -99,14 +99,14 @@ void WriteOutputs(const trim::TrimInputs& inputs, trim::TrimResult& result,
   {
     result.Warnings.push_back(renamed);
   }
-  trim::WriteTrimmedGrid(own, inputs.Mesh(), inputs.Blocks(), ranks, result, inputs.Surface(),
-    options, progress, outputs[0]);
+  const trim::WriteInput from{ own, inputs.Mesh(), inputs.Blocks(), ranks, result, options,
+    progress };
+  trim::WriteTrimmedGrid(from, inputs.Surface(), outputs[0]);
   trim::RestoreOriginalIds(inputs.Own(), outputs[0]);
   trim::WriteStatusGrid(own, result, outputs[1]);
   if (offcut)
   {
-    trim::WriteOffcutGrid(
-      own, inputs.Mesh(), inputs.Blocks(), ranks, result, options, progress, outputs[2]);
+    trim::WriteOffcutGrid(from, outputs[2]);
     trim::RestoreOriginalIds(inputs.Own(), outputs[2]);
   }
 }
