@@ -3,7 +3,7 @@ import os
 import subprocess
 import sys
 
-from paraview.simple import OutputPort, XMLUnstructuredGridReader
+from paraview.simple import OutputPort, SaveData, XMLUnstructuredGridReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from Checks import (ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, arrays_of, check, check_close,
@@ -19,6 +19,7 @@ def volume(grid):
 def check_parts(surface, pentahedra):
     plain = trim(sheet(), surface)
     check_equal(fetch(plain, 2).GetNumberOfCells(), 0, "elements of an offcut not asked for")
+    SaveData(os.path.join(OUTPUT_DIRECTORY, "nothing.vtu"), OutputPort(plain, 2), DataMode="Binary")
     both = trim(sheet(), surface, ProduceOffcut=1)
     kept, offcut = fetch(both), fetch(both, 2)
     same_grids(fetch(plain), kept, "trimmed grid without and with the offcut")
