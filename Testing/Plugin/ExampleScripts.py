@@ -7,8 +7,7 @@ import subprocess
 
 from paraview.simple import OpenDataFile, PassArrays, SaveData, Sphere
 
-from Checks import (ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet,
-                    summary)
+from Checks import ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet
 
 EXAMPLES = os.environ["NURBSTRIM_EXAMPLES"]
 DIRECTORY = os.path.join(OUTPUT_DIRECTORY, "examples")

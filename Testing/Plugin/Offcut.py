@@ -1,7 +1,6 @@
 """The third output: empty unless asked for; with it both parts are the whole; lancing."""
 import os
 import subprocess
-import sys
 
 from paraview.simple import OutputPort, SaveData, XMLUnstructuredGridReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -9,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from Checks import (ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, arrays_of, check, check_close,
                     check_equal, fetch, plane_at, same_grids, sheet, summary, trim, wave_at)
 
-EXAMPLES = os.path.join(os.path.dirname(os.environ["NURBSTRIM_DATA"]), "Plugin", "Example")
+EXAMPLES = os.environ["NURBSTRIM_EXAMPLES"]
 
 
 def volume(grid):
