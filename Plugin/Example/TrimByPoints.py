@@ -41,7 +41,8 @@ def cut(mesh_file, points_file, closed):
 
 def main():
     options = arguments()
-    if not options.result.endswith(".vtu") or not os.path.isdir(os.path.dirname(options.result) or "."):
+    directory = os.path.dirname(options.result) or "."
+    if not options.result.endswith(".vtu") or not os.path.isdir(directory):
         sys.exit("The result is a .vtu file in a directory that exists, not " + options.result)
     result = cut(options.mesh, options.points, not options.open)
     information = result.GetDataInformation()

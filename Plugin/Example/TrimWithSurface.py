@@ -33,7 +33,8 @@ def trim(options):
     for path in (options.mesh, options.surface):
         if not os.path.isfile(path):
             sys.exit("There is no file " + path)
-    if not options.result.endswith(".vtu") or not os.path.isdir(os.path.dirname(options.result) or "."):
+    directory = os.path.dirname(options.result) or "."
+    if not options.result.endswith(".vtu") or not os.path.isdir(directory):
         sys.exit("The result is a .vtu file in a directory that exists, not " + options.result)
     try:
         mesh = OpenDataFile(options.mesh)

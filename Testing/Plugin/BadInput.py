@@ -6,8 +6,8 @@ from paraview.simple import (AppendDatasets, NURBSSurfaceSource, OutputPort, Pro
                              SaveData, Sphere, Wavelet)
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
-from Checks import (OUTPUT_DIRECTORY, arrays_of, check, check_equal, fetch, plane_at, sheet, summary,
-                    trim)
+from Checks import (OUTPUT_DIRECTORY, arrays_of, check, check_equal, fetch, plane_at, sheet,
+                    summary, trim)
 
 window = vtkStringOutputWindow()
 vtkOutputWindow.SetInstance(window)

@@ -42,7 +42,8 @@ def check_surface(plane):
     check_equal(cells("far.vtu"), 12 * 24, "elements on the side that was kept")
     text = run("TrimWithSurface.py", path("sheet.vtu"), path("none.igs"), path("x.vtu"), status=1)
     check("There is no file" in text, "no word of the missing file:\n" + text)
-    run("TrimWithSurface.py", path("sheet.vtu"), plane, path("far.vtu"), "--keep", "-100", "6", "-.5")
+    run("TrimWithSurface.py", path("sheet.vtu"), plane, path("far.vtu"), "--keep", "-100", "6",
+        "-.5")
     check_equal(cells("far.vtu"), 8 * 24, "elements on the side of a point with signs")
     check_no_result("TrimWithSurface.py", path("sheet.vtu"), plane)
 
@@ -51,7 +52,7 @@ def check_no_result(script, *inputs):
     """Nothing is trimmed for a file that could not be written, or for an option that is none."""
     for result in (path("none", "x.vtu"), path("x.stl")):
         text = run(script, *inputs, result, status=1)
-        check("a directory that exists, not " + result in text, "no word of %s:\n%s" % (result, text))
+        check("directory that exists, not " + result in text, "no word of %s:\n%s" % (result, text))
     run(script, *inputs, path("x.vtu"), "--opne", status=2)
     check(not os.path.exists(path("x.vtu")), "a result in spite of a wrong option")
 
