@@ -142,8 +142,7 @@ void WriteOffcutGrid(const WriteInput& from, vtkUnstructuredGrid* output)
   }
   const BandShapes shapes = ShapesOfOffcut(result);
   Summary summary;
-  WritePart(
-    from, part, MovedNodesOfOffcut(result), shapes, nodesOf, renumbered, summary, output);
+  WritePart(from, part, MovedNodesOfOffcut(result), shapes, nodesOf, renumbered, summary, output);
   AddShortfalls(ShortfallsAt(result, part), part.Cells.size(), output->GetCellData());
   if (IsDivided(result))
   {

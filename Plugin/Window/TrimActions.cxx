@@ -152,9 +152,8 @@ TrimActions::TrimActions(QObject* parent)
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::UpdateEnabled);
   QObject::connect(
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::HideTrimsBefore);
-  QObject::connect(model,
-    QOverload<pqPipelineSource*>::of(&pqServerManagerModel::dataUpdated), this,
-    &TrimActions::ColorFirstElements);
+  QObject::connect(model, QOverload<pqPipelineSource*>::of(&pqServerManagerModel::dataUpdated),
+    this, &TrimActions::ColorFirstElements);
   this->UpdateEnabled();
 
   // The menu takes the actions later: as soon as they are made or, at the start, with the window.
@@ -273,8 +272,7 @@ void TrimActions::ColorFirstElements(pqPipelineSource* source)
     if (shown->getView() && vtkSMPVRepresentationProxy::SafeDownCast(representation) &&
       !vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
     {
-      vtkSMPVRepresentationProxy::SetScalarColoring(
-        representation, statuses, vtkDataObject::CELL);
+      vtkSMPVRepresentationProxy::SetScalarColoring(representation, statuses, vtkDataObject::CELL);
       CorrectionComparison::ShowLegend(representation, shown->getViewProxy());
     }
   }

@@ -42,13 +42,18 @@ bool IsTrim(vtkSMProxy* proxy)
 
 std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* trim)
 {
+  constexpr int offcut = 2; // of whatever is made of it nothing is in the trimmed grid
   std::vector<vtkSMSourceProxy*> trims;
-  for (auto* source = InputOf(trim, "Input").Source; source;
-       source = InputOf(source, "Input").Source)
+  for (SelectedOutput input = InputOf(trim, "Input"); input.Source;
+       input = InputOf(input.Source, "Input"))
   {
-    if (IsTrim(source))
+    if (IsTrim(input.Source))
     {
-      trims.push_back(source);
+      if (input.Port == offcut)
+      {
+        break;
+      }
+      trims.push_back(input.Source);
     }
   }
   return trims;
