@@ -88,6 +88,7 @@ add_library(NURBSTrimStages STATIC
   Write/Summary.cxx
   Write/TrimmedGrid.cxx
   Write/ValueWeights.cxx
+  Write/WritePart.cxx
   Trim/BandDecision.cxx
   Trim/BestLayer.cxx
   Trim/CutColumns.cxx

@@ -1,4 +1,4 @@
-# Sourced by run-example.sh, run-tests.sh and run-benchmarks.sh: installs what is missing and builds.
+# Sourced by the project's other scripts: installs what is missing and builds.
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$project/build"

@@ -1,6 +1,5 @@
 #include "CADLibrary.h"
 
-#include <vtksys/DynamicLoader.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <dlfcn.h>
@@ -24,19 +23,42 @@ std::string LibraryPath()
   return vtksys::SystemTools::GetFilenamePath(path) + "/" + NURBSTRIM_CAD_LIBRARY;
 }
 
+/// Whether the function that all libraries here call is the one of this library.
+bool Serves(const char* library, const char* function)
+{
+  void* const loaded = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+  const bool serves = loaded && dlsym(loaded, function) == dlsym(RTLD_DEFAULT, function);
+  loaded ? dlclose(loaded) : 0;
+  return serves;
+}
+
+/// OpenCASCADE looks for its own symbols among its own libraries first: to look among ParaView's
+/// before takes a quarter of a second. Not where memory comes from a preloaded allocator or a
+/// sanitizer, which would be passed over as well.
+int LoadingMode()
+{
+#ifdef RTLD_DEEPBIND
+  if (Serves("libc.so.6", "malloc") && Serves("libstdc++.so.6", "_Znwm"))
+  {
+    return RTLD_LAZY | RTLD_DEEPBIND;
+  }
+#endif
+  return RTLD_LAZY;
+}
+
 LoadedReaders Load()
 {
   LoadedReaders loaded;
-  const auto library = vtksys::DynamicLoader::OpenLibrary(LibraryPath());
+  void* const library = dlopen(LibraryPath().c_str(), LoadingMode());
   const auto get = reinterpret_cast<decltype(&NURBSTrimGetCADReaders)>(
-    library ? vtksys::DynamicLoader::GetSymbolAddress(library, "NURBSTrimGetCADReaders") : nullptr);
+    library ? dlsym(library, "NURBSTrimGetCADReaders") : nullptr);
   if (get)
   {
     loaded.Readers = get();
   }
   else
   {
-    const char* reason = vtksys::DynamicLoader::LastError();
+    const char* reason = dlerror();
     loaded.Error = reason ? reason : "it cannot be loaded";
   }
   return loaded;

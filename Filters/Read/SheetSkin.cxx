@@ -1,6 +1,7 @@
 #include "SheetSkin.h"
 
 #include "AxisSense.h"
+#include "ElementTopology.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -29,12 +30,6 @@ namespace
 /// Area vectors that cancel each other but for this share belong to inner nodes.
 constexpr double Cancelled = 1e-6;
 
-/// Corners of faces, all seen from outside or all from inside; -1: a triangle.
-constexpr int HexahedronFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
-  { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
-constexpr int WedgeFaces[5][4] = { { 0, 2, 1, -1 }, { 3, 4, 5, -1 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 },
-  { 2, 0, 3, 5 } };
-
 struct NodeSums
 {
   std::vector<Vec3> Points, Areas;
@@ -42,34 +37,36 @@ struct NodeSums
 };
 
 /// A fourth of a face's area vector: half the cross product of the diagonals makes the whole.
-Vec3 FaceArea(const vtkIdType* ids, const int (&face)[4], const NodeSums& sums)
+Vec3 FaceArea(const vtkIdType* ids, const trim::FaceNodes& face, const NodeSums& sums)
 {
-  const Vec3& a = sums.Points[ids[face[0]]];
-  const Vec3& b = sums.Points[ids[face[1]]];
-  const Vec3& c = sums.Points[ids[face[2]]];
-  const Vec3& d = face[3] < 0 ? a : sums.Points[ids[face[3]]];
+  const Vec3& a = sums.Points[ids[face.Node[0]]];
+  const Vec3& b = sums.Points[ids[face.Node[1]]];
+  const Vec3& c = sums.Points[ids[face.Node[2]]];
+  const Vec3& d = face.Count == 3 ? a : sums.Points[ids[face.Node[3]]];
   return 0.125 * (c - a).cross(d - b);
 }
 
-template <int Faces>
-void AddElement(const vtkIdType* ids, int corners, const int (&faces)[Faces][4], NodeSums& sums)
+void AddElement(const vtkIdType* ids, int corners, NodeSums& sums)
 {
+  const trim::ElementTopology& topology = trim::TopologyOf(corners);
   Vec3 centre = Vec3::Zero();
   for (int i = 0; i < corners; ++i)
   {
     centre += sums.Points[ids[i]] / corners;
   }
   // Wedges come in either order of their nodes: is the first face seen from outside?
-  const Vec3 outwards = sums.Points[ids[faces[0][0]]] - centre;
-  const double sign = FaceArea(ids, faces[0], sums).dot(outwards) < 0.0 ? -1.0 : 1.0;
-  for (const auto& face : faces)
+  const trim::FaceNodes& first = topology.Faces[0];
+  const Vec3 outwards = sums.Points[ids[first.Node[0]]] - centre;
+  const double sign = FaceArea(ids, first, sums).dot(outwards) < 0.0 ? -1.0 : 1.0;
+  for (int f = 0; f < topology.NumberOfFaces; ++f)
   {
+    const trim::FaceNodes& face = topology.Faces[f];
     const Vec3 area = sign * FaceArea(ids, face, sums);
     const double size = area.norm();
-    for (int i = 0; i < 4 - (face[3] < 0); ++i)
+    for (int i = 0; i < face.Count; ++i)
     {
-      sums.Areas[ids[face[i]]] += area;
-      sums.Sizes[ids[face[i]]] += size;
+      sums.Areas[ids[face.Node[i]]] += area;
+      sums.Sizes[ids[face.Node[i]]] += size;
     }
   }
 }
@@ -107,13 +104,9 @@ vtkIdType AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
       {
         return cell;
       }
-      if (corners == 8)
+      if (corners > 0)
       {
-        AddElement(ids, corners, HexahedronFaces, sums);
-      }
-      else if (corners == 6)
-      {
-        AddElement(ids, corners, WedgeFaces, sums);
+        AddElement(ids, corners, sums);
       }
     }
     return count;

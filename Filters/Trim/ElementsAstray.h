@@ -6,6 +6,7 @@
 #ifndef ElementsAstray_h
 #define ElementsAstray_h
 
+#include "Shortcomings.h"
 #include "TrimBand.h"
 #include "TrimmingSurface.h"
 
@@ -38,8 +39,7 @@ struct ElementsAstray
       (this->Lost > 0 && this->Volume > 0.5 * static_cast<double>(this->Lost));
   }
   bool Any() const { return this->Squares > 0.0 || this->MissesWhole(); }
-  /// The volume of an element counts as a node left by two edges.
-  double Sum() const { return this->Squares + 4.0 * this->Volume; }
+  double Sum() const { return this->Squares + SquaresOfElement * this->Volume; }
 
   /// Elements that a single corner of the model may take with it.
   static constexpr double FewCorners = 2.0;

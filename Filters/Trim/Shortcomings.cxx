@@ -6,21 +6,13 @@
 
 namespace trim
 {
-namespace
-{
-
-/// An element that is valid but short of what it should be counts as a node left by two edges.
-constexpr double ElementShort = 4.0;
-
-}
-
 Shortcomings MeasureLeft(const TrimBand& near)
 {
   const Band& band = WithoutLayer(near.Mesh);
   Shortcomings sum;
   sum.Elements =
     near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() + near.Rest.Invalid.size();
-  sum.Squares = ElementShort * static_cast<double>(near.Rest.BelowFloor.size());
+  sum.Squares = SquaresOfElement * static_cast<double>(near.Rest.BelowFloor.size());
   for (const auto& [left, distance] : near.NodesLeft)
   {
     if (near.Mesh.IsInsertedNode(left))
@@ -44,7 +36,7 @@ Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& opti
 {
   const BandQuality aimed(near.Mesh, options.Treatment, options.AimedQuality(), Measure::Worth);
   Shortcomings sum = MeasureLeft(near);
-  sum.Squares += ElementShort * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
+  sum.Squares += SquaresOfElement * static_cast<double>(aimed.FindBelowFloor(near.Trimmed).size());
   return sum;
 }
 

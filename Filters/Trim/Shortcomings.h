@@ -14,6 +14,9 @@
 namespace trim
 {
 
+/// Among squares of distances in edges, a whole element counts as a node left by two of them.
+constexpr double SquaresOfElement = 4.0;
+
 struct Shortcomings
 {
   std::size_t Elements = 0; ///< invalid, or of the kept part below the floor
@@ -30,7 +33,7 @@ struct Shortcomings
 
 Shortcomings MeasureLeft(const TrimBand& near);
 
-/// The same, where an element short of what is aimed at counts as a node left by two edges.
+/// The same, and SquaresOfElement for each element that is valid but short of what is aimed at.
 Shortcomings MeasureShortcomings(const TrimBand& near, const LadderOptions& options);
 
 }

@@ -14,12 +14,16 @@
 #include "TrimPipeline.h"
 #include "TrimmedGrid.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -45,11 +49,19 @@ Outputs OutputsOf(vtkInformationVector* outputVector)
   return outputs;
 }
 
+/// Without these arrays a grid is empty, too, but ParaView's writers of XML files crash on it.
+void AddEmptyArrays(vtkUnstructuredGrid* output)
+{
+  output->SetPoints(vtkNew<vtkPoints>());
+  output->SetCells(vtkNew<vtkUnsignedCharArray>(), vtkNew<vtkCellArray>());
+}
+
 void Clear(const Outputs& outputs)
 {
   for (vtkUnstructuredGrid* output : outputs)
   {
     output->Initialize();
+    AddEmptyArrays(output);
   }
 }
 
@@ -99,14 +111,14 @@ void WriteOutputs(const trim::TrimInputs& inputs, trim::TrimResult& result,
   {
     result.Warnings.push_back(renamed);
   }
-  trim::WriteTrimmedGrid(own, inputs.Mesh(), inputs.Blocks(), ranks, result, inputs.Surface(),
-    options, progress, outputs[0]);
+  const trim::WriteInput from{ own, inputs.Mesh(), inputs.Blocks(), ranks, result, options,
+    progress };
+  trim::WriteTrimmedGrid(from, inputs.Surface(), outputs[0]);
   trim::RestoreOriginalIds(inputs.Own(), outputs[0]);
   trim::WriteStatusGrid(own, result, outputs[1]);
   if (offcut)
   {
-    trim::WriteOffcutGrid(
-      own, inputs.Mesh(), inputs.Blocks(), ranks, result, options, progress, outputs[2]);
+    trim::WriteOffcutGrid(from, outputs[2]);
     trim::RestoreOriginalIds(inputs.Own(), outputs[2]);
   }
 }
@@ -262,6 +274,7 @@ int vtkTrimHexahedralGrid::Trim(
   {
     // VTK has passed on the field data of the input already.
     trim::Summary::RemoveFrom(output->GetFieldData());
+    AddEmptyArrays(output);
   }
   const trim::TrimOptions options = this->Options();
   std::string error = FindOptionDefect(this->CorrectionType, this->Optimization, options);

@@ -50,7 +50,7 @@
  * On several ranks each gives its piece of the grid, and what it has of the surface. The result, as
  * a mesh, is that of the whole grid on one rank; only the numbering differs. Nodes that pieces
  * share are known by their global ids, or without these by their places, bit for bit. Ghost cells
- * are left out of both outputs. Nodes are renumbered within the piece and vtkOriginal...Ids are
+ * are left out of the outputs. Nodes are renumbered within the piece and vtkOriginal...Ids are
  * those of the piece; the summary is that of the whole grid, on every rank.
  *
  * @warning Wedges of ports 0 and 2 have their nodes 0-1-2 oriented so that their normal points to
@@ -58,7 +58,7 @@
  * solver codes expect; vtkCellSizeFilter reports a negative volume. Those of the input that have
  * the other order are turned.
  *
- * @sa vtkCADSurfaceReader vtkNURBSSurfaceSource
+ * @sa vtkCADSurfaceReader vtkTrimLineSource vtkNURBSSurfaceSource
  */
 #ifndef vtkTrimHexahedralGrid_h
 #define vtkTrimHexahedralGrid_h

@@ -1,9 +1,6 @@
 #include "OffcutGrid.h"
 
 #include "FindingArrays.h"
-#include "GridPart.h"
-#include "MapValues.h"
-#include "PartQuality.h"
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -126,42 +123,32 @@ void AddFieldData(const Summary& summary, vtkUnstructuredGrid* output)
 
 }
 
-void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
-  const Ranks& ranks, const TrimResult& result, const WriteOptions& options,
-  const Progress& progress, vtkUnstructuredGrid* output)
+void WriteOffcutGrid(const WriteInput& from, vtkUnstructuredGrid* output)
 {
+  const HexMesh& mesh = from.Mesh;
+  const TrimResult& result = from.Result;
   GridPart part = CollectCells(mesh, result);
   const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
   { return NodesOf(mesh, result, part.Cells[i], part.InBand[i], nodes); };
-  NumberPoints(mesh, blocks, result, NodeEliminate, part, nodesOf);
+  NumberPoints(mesh, from.Blocks, result, NodeEliminate, part, nodesOf);
   std::optional<Renumbering> renumbered;
-  if (options.RenumberNodes && !part.Cells.empty())
+  if (from.Options.RenumberNodes && !part.Cells.empty())
   {
-    renumbered = RenumberPart(mesh, progress, part, nodesOf);
+    renumbered = RenumberPart(mesh, from.Tell, part, nodesOf);
   }
-  if (ranks.Any(progress(0.97)))
+  if (from.All.Any(from.Tell(0.97)))
   {
     return;
   }
-  const MovedNodes moved = MovedNodesOfOffcut(result);
-  Summary summary;
-  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, part, nodesOf, renumbered, output));
-  WritePoints(input, mesh, part, moved, output);
   const BandShapes shapes = ShapesOfOffcut(result);
-  if (options.MapValues)
-  {
-    MapValues(input, ranks, part, moved, shapes, output);
-  }
-  AddStatusesAndFindings(result, part, moved, output);
+  Summary summary;
+  WritePart(from, part, MovedNodesOfOffcut(result), shapes, nodesOf, renumbered, summary, output);
   AddShortfalls(ShortfallsAt(result, part), part.Cells.size(), output->GetCellData());
   if (IsDivided(result))
   {
     ForgetGlobalIds(output->GetCellData());
   }
-  AddScaledJacobians(mesh, part, shapes, options.QualityOfAllElements, output);
-  summary.Volume = VolumeOfPart(blocks, part, shapes, ranks);
-  SummariseTouched(shapes, summary);
-  output->GetFieldData()->ShallowCopy(input->GetFieldData());
+  MeasurePart(from, part, shapes, summary, output);
   AddFieldData(summary, output);
 }
 

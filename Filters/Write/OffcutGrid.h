@@ -5,7 +5,7 @@
 #ifndef OffcutGrid_h
 #define OffcutGrid_h
 
-#include "TrimmedGrid.h"
+#include "WritePart.h"
 
 namespace trim
 {
@@ -15,9 +15,7 @@ namespace trim
  * with the same arrays as the trimmed grid (but Rescue) and, as field data, what the summary says
  * of touched elements, volume and numbering. Collective.
  */
-void WriteOffcutGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
-  const Ranks& ranks, const TrimResult& result, const WriteOptions& options,
-  const Progress& progress, vtkUnstructuredGrid* output);
+void WriteOffcutGrid(const WriteInput& from, vtkUnstructuredGrid* output);
 
 }
 

@@ -2,9 +2,6 @@
 
 #include "ArrayRanges.h"
 #include "FindingArrays.h"
-#include "GridPart.h"
-#include "MapValues.h"
-#include "PartQuality.h"
 #include "Rescue.h"
 #include "Status.h"
 #include "StatusArrays.h"
@@ -222,10 +219,11 @@ std::vector<std::pair<Id, Shortfall>> ShortfallsAt(const TrimResult& result, con
 
 }
 
-void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const MeshBlocks& blocks,
-  const Ranks& ranks, const TrimResult& result, const nurbs::TrimmingSurface& surface,
-  const WriteOptions& options, const Progress& progress, vtkUnstructuredGrid* output)
+void WriteTrimmedGrid(
+  const WriteInput& from, const nurbs::TrimmingSurface& surface, vtkUnstructuredGrid* output)
 {
+  const HexMesh& mesh = from.Mesh;
+  const TrimResult& result = from.Result;
   GridPart kept;
   CollectCells(mesh, result, kept);
   const auto nodesOf = [&](Id i, std::array<Id, 8>& nodes)
@@ -234,27 +232,21 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
     return element < 0 ? mesh.OrientedCell(kept.Cells[i], nodes)
                        : NodesAtCut(mesh, result, kept.Cells[i], element, nodes);
   };
-  NumberPoints(mesh, blocks, result, NodeKeep, kept, nodesOf);
+  NumberPoints(mesh, from.Blocks, result, NodeKeep, kept, nodesOf);
   std::optional<Renumbering> renumbered;
-  if (options.RenumberNodes && !progress(0.65))
+  if (from.Options.RenumberNodes && !from.Tell(0.65))
   {
-    renumbered = RenumberPart(mesh, progress, kept, nodesOf);
+    renumbered = RenumberPart(mesh, from.Tell, kept, nodesOf);
   }
-  if (ranks.Any(progress(0.85)))
+  if (from.All.Any(from.Tell(0.85)))
   {
     return;
   }
   const MovedNodes moved = MovedNodesOfKept(result);
-  Summary summary;
-  summary.NodeBandwidth = ranks.Largest(WriteElements(mesh, kept, nodesOf, renumbered, output));
-  WritePoints(input, mesh, kept, moved, output);
   const BandShapes shapes = ShapesOfKept(result);
-  if (options.MapValues)
-  {
-    MapValues(input, ranks, kept, moved, shapes, output);
-  }
-  AddStatusesAndFindings(result, kept, moved, output);
-  if (options.InsertLayer)
+  Summary summary;
+  WritePart(from, kept, moved, shapes, nodesOf, renumbered, summary, output);
+  if (from.Options.InsertLayer)
   {
     AddInserted(result, kept, output);
   }
@@ -262,13 +254,10 @@ void WriteTrimmedGrid(vtkUnstructuredGrid* input, const HexMesh& mesh, const Mes
   AddRescues(result, kept.Cells.size(), placeOf, output->GetCellData());
   AddShortfalls(ShortfallsAt(result, [&placeOf](int e) { return placeOf[e]; }), kept.Cells.size(),
     output->GetCellData());
-  AddScaledJacobians(mesh, kept, shapes, options.QualityOfAllElements, output);
-  summary.Volume = VolumeOfPart(blocks, kept, shapes, ranks);
-  SummariseTouched(shapes, summary);
-  Summarise(ranks, result, kept, moved, surface, summary);
-  output->GetFieldData()->ShallowCopy(input->GetFieldData());
+  MeasurePart(from, kept, shapes, summary, output);
+  Summarise(from.All, result, kept, moved, surface, summary);
   summary.AddTo(output->GetFieldData());
-  progress(0.95);
+  from.Tell(0.95);
 }
 
 void WriteStatusGrid(

@@ -57,4 +57,6 @@ def main(output_directory):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2 or not os.path.isdir(sys.argv[-1]):
+        sys.exit(__doc__)
     main(*sys.argv[1:])

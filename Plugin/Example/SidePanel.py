@@ -70,4 +70,6 @@ def main(data_directory, output_directory):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3 or not os.path.isdir(sys.argv[-1]):
+        sys.exit(__doc__)
     main(*sys.argv[1:])

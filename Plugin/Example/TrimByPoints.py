@@ -8,9 +8,21 @@ is cut out; with --open it runs from border to border, and what lies to its righ
 swept along the normal that the mesh has there, through all of it. The exit status is 1, and standard
 error says why, if that fails.
 """
+import argparse
+import os
 import sys
 
 from paraview.simple import OpenDataFile, SaveData, TrimHexahedralGrid, TrimLineSource
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="Trims a mesh along a line through points.")
+    parser.add_argument("mesh", help="hexahedra, in any format that ParaView reads")
+    parser.add_argument("points", help="a CSV file of points, or an IGES or STEP file of curves")
+    parser.add_argument("result", help="the .vtu file to write")
+    parser.add_argument("--open", action="store_true",
+                        help="the line runs from border to border; what lies to its right goes")
+    return parser.parse_args()
 
 
 def cut(mesh_file, points_file, closed):
@@ -27,18 +39,20 @@ def cut(mesh_file, points_file, closed):
     return result
 
 
-def main(mesh_file, points_file, result_file, option="--closed"):
-    result = cut(mesh_file, points_file, option != "--open")
+def main():
+    options = arguments()
+    directory = os.path.dirname(options.result) or "."
+    if not options.result.endswith(".vtu") or not os.path.isdir(directory):
+        sys.exit("The result is a .vtu file in a directory that exists, not " + options.result)
+    result = cut(options.mesh, options.points, not options.open)
     information = result.GetDataInformation()
     if information.GetNumberOfCells() == 0:
-        sys.exit("Nothing is left of " + mesh_file)
+        sys.exit("Nothing is left of " + options.mesh)
     volume = result.FieldData["Volume"].GetRange(0)[0]
     print("%d elements left, volume %.9g" % (information.GetNumberOfCells(), volume))
     # Not the default mode: Debian 12's ParaView cannot read back its own appended raw data.
-    SaveData(result_file, proxy=result, DataMode="Binary")
+    SaveData(options.result, proxy=result, DataMode="Binary")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (4, 5):
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main()

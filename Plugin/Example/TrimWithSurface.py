@@ -9,6 +9,7 @@ if a file cannot be read or the trim fails.
 """
 import argparse
 import os
+import re
 import sys
 
 from paraview.simple import CADSurfaceReader, OpenDataFile, SaveData, TrimHexahedralGrid
@@ -24,13 +25,17 @@ def arguments():
                         help="a point on the side that stays (default: the surface's normal says)")
     parser.add_argument("--unit", default="Millimetre", help="unit of the mesh",
                         choices=["Millimetre", "Centimetre", "Metre", "Inch", "Foot", "Micrometre"])
-    return parser.parse_args()
+    # pvpython makes --100 of a -100, and warns of it.
+    return parser.parse_args([re.sub(r"^--(?=[.\d])", "-", word) for word in sys.argv[1:]])
 
 
 def trim(options):
     for path in (options.mesh, options.surface):
         if not os.path.isfile(path):
             sys.exit("There is no file " + path)
+    directory = os.path.dirname(options.result) or "."
+    if not options.result.endswith(".vtu") or not os.path.isdir(directory):
+        sys.exit("The result is a .vtu file in a directory that exists, not " + options.result)
     try:
         mesh = OpenDataFile(options.mesh)
     except RuntimeError as error:

@@ -7,13 +7,17 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
+#include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 
+#include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
+#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
@@ -22,6 +26,10 @@
 #include <QIcon>
 #include <QMenu>
 #include <QTimer>
+#include <QVariant>
+
+#include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -84,6 +92,36 @@ QString MissingForComparison(const TrimSelection& selection)
     (!selection.Trim || IsApplied(selection.Trim));
   return applied ? QString() : NotApplied;
 }
+
+/// What is left by this trim, and its statuses.
+void Hide(vtkSMParaViewPipelineControllerWithRendering* controller, vtkSMSourceProxy* trim,
+  vtkSMViewProxy* view)
+{
+  for (int port : { 0, 1 })
+  {
+    if (controller->GetVisibility(trim, port, view))
+    {
+      controller->Hide(trim, port, view);
+    }
+  }
+}
+
+/// The trims before this one and those after it.
+std::vector<vtkSMSourceProxy*> TrimsInSequence(vtkSMSourceProxy* trim)
+{
+  std::vector<vtkSMSourceProxy*> trims = TrimsBefore(trim);
+  const auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
+  {
+    vtkSMSourceProxy* const other = source->getSourceProxy();
+    const auto before = IsTrim(other) ? TrimsBefore(other) : std::vector<vtkSMSourceProxy*>();
+    if (std::find(before.begin(), before.end(), trim) != before.end())
+    {
+      trims.push_back(other);
+    }
+  }
+  return trims;
+}
 }
 
 TrimActions::TrimActions(QObject* parent)
@@ -112,6 +150,10 @@ TrimActions::TrimActions(QObject* parent)
   const auto* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::UpdateEnabled);
+  QObject::connect(
+    model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::HideTrimsBefore);
+  QObject::connect(model, QOverload<pqPipelineSource*>::of(&pqServerManagerModel::dataUpdated),
+    this, &TrimActions::ColorFirstElements);
   this->UpdateEnabled();
 
   // The menu takes the actions later: as soon as they are made or, at the start, with the window.
@@ -167,6 +209,10 @@ void TrimActions::ToggleStatuses()
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
   const int shown = controller->GetVisibility(trim, 1, view) ? 0 : 1;
   controller->Hide(trim, 1 - shown, view);
+  for (vtkSMSourceProxy* other : TrimsInSequence(trim))
+  {
+    Hide(controller, other, view);
+  }
   vtkSMProxy* representation = controller->Show(trim, shown, view);
   CorrectionComparison::ShowLegend(representation, view);
   pqActiveObjects::instance().activeView()->render();
@@ -174,8 +220,60 @@ void TrimActions::ToggleStatuses()
 
 void TrimActions::CompareCorrectionTypes()
 {
+  this->Comparing = true;
   CorrectionComparison::Show(FindTrimSelection());
+  this->Comparing = false;
   // With the views their link would go, on which ParaView clears the stack, even while it works on
   // it: as after its own Add Camera Link there is nothing to undo.
   CLEAR_UNDO_STACK();
+}
+
+void TrimActions::HideTrimsBefore(pqServerManagerModelItem* changed)
+{
+  auto* source = qobject_cast<pqPipelineSource*>(changed);
+  if (!source || !IsTrim(source->getProxy()))
+  {
+    return;
+  }
+  const char* const isNew = "NURBSTrimIsNew";
+  const bool wasNew = source->property(isNew).toBool();
+  source->setProperty(isNew, source->modifiedState() == pqProxy::UNINITIALIZED);
+  const pqView* view = pqActiveObjects::instance().activeView();
+  if (!wasNew || source->modifiedState() != pqProxy::UNMODIFIED || this->Comparing || !view)
+  {
+    return;
+  }
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  for (vtkSMSourceProxy* trim : TrimsBefore(source->getSourceProxy()))
+  {
+    Hide(controller, trim, view->getViewProxy());
+  }
+}
+
+void TrimActions::ColorFirstElements(pqPipelineSource* source)
+{
+  constexpr const char* statuses = "ElementStatus";
+  const char* const wants = "NURBSTrimWantsColor";
+  const QVariant before = source->property(wants);
+  if (!IsTrim(source->getProxy()) || (before.isValid() && !before.toBool()))
+  {
+    return;
+  }
+  const vtkPVDataInformation* data = source->getSourceProxy()->GetDataInformation(0);
+  const bool hasElements = data->GetArrayInformation(statuses, vtkDataObject::CELL) != nullptr;
+  source->setProperty(wants, !hasElements);
+  if (!hasElements || !before.isValid())
+  {
+    return;
+  }
+  for (pqDataRepresentation* shown : source->getOutputPort(0)->getRepresentations(nullptr))
+  {
+    vtkSMProxy* representation = shown->getProxy();
+    if (shown->getView() && vtkSMPVRepresentationProxy::SafeDownCast(representation) &&
+      !vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
+    {
+      vtkSMPVRepresentationProxy::SetScalarColoring(representation, statuses, vtkDataObject::CELL);
+      CorrectionComparison::ShowLegend(representation, shown->getViewProxy());
+    }
+  }
 }

@@ -14,9 +14,9 @@
 
 namespace
 {
-SelectedOutput InputOf(vtkSMSourceProxy* trim, const char* name)
+SelectedOutput InputOf(vtkSMSourceProxy* source, const char* name)
 {
-  const vtkSMPropertyHelper input(trim, name);
+  const vtkSMPropertyHelper input(source, name, /*quiet=*/true);
   return { vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()),
     static_cast<int>(input.GetOutputPort()) };
 }
@@ -38,6 +38,25 @@ SelectedOutput OutputOf(pqServerManagerModelItem* item)
 bool IsTrim(vtkSMProxy* proxy)
 {
   return proxy && std::strcmp(proxy->GetXMLName(), "TrimHexahedralGrid") == 0;
+}
+
+std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* trim)
+{
+  constexpr int offcut = 2; // of whatever is made of it nothing is in the trimmed grid
+  std::vector<vtkSMSourceProxy*> trims;
+  for (SelectedOutput input = InputOf(trim, "Input"); input.Source;
+       input = InputOf(input.Source, "Input"))
+  {
+    if (IsTrim(input.Source))
+    {
+      if (input.Port == offcut)
+      {
+        break;
+      }
+      trims.push_back(input.Source);
+    }
+  }
+  return trims;
 }
 
 bool IsApplied(vtkSMProxy* proxy)

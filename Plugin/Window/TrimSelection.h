@@ -5,6 +5,8 @@
 #ifndef TrimSelection_h
 #define TrimSelection_h
 
+#include <vector>
+
 class vtkSMProxy;
 class vtkSMSourceProxy;
 
@@ -34,6 +36,9 @@ TrimSelection FindTrimSelection();
 
 /// Is this a Trim Hexahedral Grid?
 bool IsTrim(vtkSMProxy* proxy);
+
+/// The trims whose result is the mesh of this one, directly or by way of other filters.
+std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* trim);
 
 /// Has the proxy the values that its panel shows?
 bool IsApplied(vtkSMProxy* proxy);

@@ -10,7 +10,6 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTrimHexahedralGrid.h>
@@ -149,19 +148,6 @@ void ExpectOnly(const std::string& name, const Mesh& mesh, const Surface& surfac
   }
 }
 
-/// Round the place, in elements of size 1 of a sheet from (0, 0) on; what is inside goes.
-Surface Hole(const Mesh& mesh, double x, double y, double radius, double lean = 0)
-{
-  Placement at;
-  at.X = (x - mesh.Box.Centre[0]) / mesh.Box.HalfX;
-  at.Y = (y - mesh.Box.Centre[1]) / mesh.Box.HalfY;
-  at.Angle = 0;
-  at.Lean = lean;
-  at.Size = radius / mesh.Box.HalfY;
-  at.Reversed = true;
-  return MakeSurface("cylinder", mesh.Box, at);
-}
-
 Vec3 LeaningNormal(double angle, double lean)
 {
   return Vec3(std::cos(angle) * std::cos(lean), std::sin(angle) * std::cos(lean), std::sin(lean));
@@ -195,10 +181,10 @@ void TestOrdinary()
   options.CorrectionType = 2;
   for (const double shift : { 0.0, 0.002, -0.002, 0.5 })
   {
-    ExpectNothing("hole of radius 30", sheet, Hole(sheet, 40.5, 40 + shift, 30), options);
-    ExpectNothing("hole of radius 10", sheet, Hole(sheet, 40.5, 40.01 + shift, 10), options);
+    ExpectNothing("hole of radius 30", sheet, RoundHole(sheet, 40.5, 40 + shift, 30), options);
+    ExpectNothing("hole of radius 10", sheet, RoundHole(sheet, 40.5, 40.01 + shift, 10), options);
   }
-  ExpectNothing("leaning hole", sheet, Hole(sheet, 40.2, 39.9, 30, 15 * Degree), options);
+  ExpectNothing("leaning hole", sheet, RoundHole(sheet, 40.2, 39.9, 30, 15 * Degree), options);
 }
 
 void TestInclined()
@@ -216,22 +202,23 @@ void TestInclined()
 void TestSmallHoles()
 {
   const Mesh sheet = Sheet(30, 30, 2, Vec3(1, 1, 0.4));
-  ExpectOnly("hole of radius 1.7", sheet, Hole(sheet, 15.2, 15.3, 1.7), Curved, 2 * 4);
-  ExpectOnly("hole of radius 1.3", sheet, Hole(sheet, 15.2, 15.3, 1.3), Narrow, 2 * 4);
-  ExpectNothing("hole of radius 2.2", sheet, Hole(sheet, 15.2, 15.3, 2.2), TrimOptions());
+  ExpectOnly("hole of radius 1.7", sheet, RoundHole(sheet, 15.2, 15.3, 1.7), Curved, 2 * 4);
+  ExpectOnly("hole of radius 1.3", sheet, RoundHole(sheet, 15.2, 15.3, 1.3), Narrow, 2 * 4);
+  ExpectNothing("hole of radius 2.2", sheet, RoundHole(sheet, 15.2, 15.3, 2.2), TrimOptions());
   // Round a node, with less than half of each element.
-  ExpectOnly("hole round a node", sheet, Hole(sheet, 15, 15, 0.45), NotOpened, 2 * 4);
+  ExpectOnly("hole round a node", sheet, RoundHole(sheet, 15, 15, 0.45), NotOpened, 2 * 4);
   // Nothing moves for a hole that is not there.
-  const Outcome shut = RunTrim(sheet, Hole(sheet, 15, 15, 0.45), TrimOptions());
+  const Outcome shut = RunTrim(sheet, RoundHole(sheet, 15, 15, 0.45), TrimOptions());
   Expect(shut.Case.Trimmed->GetFieldData()->GetArray("MovedNodes")->GetComponent(0, 0) == 0,
     "hole round a node: nodes moved");
   TrimOptions stepped;
   stepped.CorrectionType = 1;
-  ExpectOnly("hole round a node, type I", sheet, Hole(sheet, 15, 15, 0.45), NotOpened, 8, stepped);
+  ExpectOnly(
+    "hole round a node, type I", sheet, RoundHole(sheet, 15, 15, 0.45), NotOpened, 8, stepped);
   // Within one element: no node sees it.
-  ExpectOnly("hole within an element", sheet, Hole(sheet, 15.5, 15.45, 0.3), NotOpened, 2);
+  ExpectOnly("hole within an element", sheet, RoundHole(sheet, 15.5, 15.45, 0.3), NotOpened, 2);
   // Across an edge, between its nodes.
-  ExpectOnly("hole across an edge", sheet, Hole(sheet, 15.1, 15.5, 0.3), NotOpened, 4);
+  ExpectOnly("hole across an edge", sheet, RoundHole(sheet, 15.1, 15.5, 0.3), NotOpened, 4);
 }
 
 // A polyline through a sheet, as a drawn contour is: one surface of degree 1; what it holds goes.
@@ -396,12 +383,7 @@ void TestStripLostAmongOthers()
   Expect(IsTold(RunTrim(many, plane, {}), StripPhrase), "strip lost beside a long cut");
 
   const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
-  Surface both;
-  vtkNew<vtkMultiBlockDataSet> faces;
-  faces->SetBlock(0, plane.Data);
-  faces->SetBlock(1, Hole(sheets, 4, 5, 0.45).Data);
-  both.Data = faces;
-  const Outcome outcome = RunTrim(sheets, both, {});
+  const Outcome outcome = RunTrim(sheets, StripAndHole(sheets), {});
   Expect(ExpectWarned("strip and hole", outcome)[NotOpened] == 8 && IsTold(outcome, StripPhrase),
     "strip lost beside a hole that is not opened");
 }
@@ -492,7 +474,7 @@ void TestStretched()
 {
   // Radius 6 in elements of 1 x 4: a hole of three elements across in one direction.
   const Mesh sheet = Sheet(60, 20, 1, Vec3(1, 4, 0.4));
-  auto found = ExpectWarned("stretched", RunTrim(sheet, Hole(sheet, 30.2, 41, 6.5), {}));
+  auto found = ExpectWarned("stretched", RunTrim(sheet, RoundHole(sheet, 30.2, 41, 6.5), {}));
   Expect(found[Curved] > 0 && found[Curved] < 20, "stretched: where it bends along the long edges");
 }
 
@@ -501,7 +483,7 @@ void TestShortfalls()
   const Mesh sheet = Sheet(30, 30, 2, Vec3(1, 1, 0.4));
   TrimOptions options;
   options.MinimumScaledJacobian = 0.99;
-  const Outcome outcome = RunTrim(sheet, Hole(sheet, 15.2, 15.3, 5.3), options);
+  const Outcome outcome = RunTrim(sheet, RoundHole(sheet, 15.2, 15.3, 5.3), options);
   ExpectWarned("floor of 0.99", outcome);
   vtkUnstructuredGrid* output = outcome.Case.Trimmed;
   vtkDataArray* shortfall = output->GetCellData()->GetArray("Shortfall");

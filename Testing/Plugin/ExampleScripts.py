@@ -7,8 +7,7 @@ import subprocess
 
 from paraview.simple import OpenDataFile, PassArrays, SaveData, Sphere
 
-from Checks import (ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet,
-                    summary)
+from Checks import ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet
 
 EXAMPLES = os.environ["NURBSTRIM_EXAMPLES"]
 DIRECTORY = os.path.join(OUTPUT_DIRECTORY, "examples")
@@ -43,6 +42,19 @@ def check_surface(plane):
     check_equal(cells("far.vtu"), 12 * 24, "elements on the side that was kept")
     text = run("TrimWithSurface.py", path("sheet.vtu"), path("none.igs"), path("x.vtu"), status=1)
     check("There is no file" in text, "no word of the missing file:\n" + text)
+    run("TrimWithSurface.py", path("sheet.vtu"), plane, path("far.vtu"), "--keep", "-100", "6",
+        "-.5")
+    check_equal(cells("far.vtu"), 8 * 24, "elements on the side of a point with signs")
+    check_no_result("TrimWithSurface.py", path("sheet.vtu"), plane)
+
+
+def check_no_result(script, *inputs):
+    """Nothing is trimmed for a file that could not be written, or for an option that is none."""
+    for result in (path("none", "x.vtu"), path("x.stl")):
+        text = run(script, *inputs, result, status=1)
+        check("directory that exists, not " + result in text, "no word of %s:\n%s" % (result, text))
+    run(script, *inputs, path("x.vtu"), "--opne", status=2)
+    check(not os.path.exists(path("x.vtu")), "a result in spite of a wrong option")
 
 
 def check_points():
@@ -65,6 +77,7 @@ def check_points():
     with open(path("few.csv"), "w") as file:
         file.write("1,2,3\n")
     run("TrimByPoints.py", path("sheet.vtu"), path("few.csv"), path("x.vtu"), status=1)
+    check_no_result("TrimByPoints.py", path("sheet.vtu"), path("cut.csv"))
 
 
 def batch_table():

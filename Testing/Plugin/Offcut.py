@@ -1,15 +1,14 @@
 """The third output: empty unless asked for; with it both parts are the whole; lancing."""
 import os
 import subprocess
-import sys
 
-from paraview.simple import OutputPort, XMLUnstructuredGridReader
+from paraview.simple import OutputPort, SaveData, XMLUnstructuredGridReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from Checks import (ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, arrays_of, check, check_close,
                     check_equal, fetch, plane_at, same_grids, sheet, summary, trim, wave_at)
 
-EXAMPLES = os.path.join(os.path.dirname(os.environ["NURBSTRIM_DATA"]), "Plugin", "Example")
+EXAMPLES = os.environ["NURBSTRIM_EXAMPLES"]
 
 
 def volume(grid):
@@ -19,6 +18,7 @@ def volume(grid):
 def check_parts(surface, pentahedra):
     plain = trim(sheet(), surface)
     check_equal(fetch(plain, 2).GetNumberOfCells(), 0, "elements of an offcut not asked for")
+    SaveData(os.path.join(OUTPUT_DIRECTORY, "nothing.vtu"), OutputPort(plain, 2), DataMode="Binary")
     both = trim(sheet(), surface, ProduceOffcut=1)
     kept, offcut = fetch(both), fetch(both, 2)
     same_grids(fetch(plain), kept, "trimmed grid without and with the offcut")

@@ -2,7 +2,7 @@
 is whole again."""
 import nurbstrim.NURBSTrimFilter  # noqa: before GetClientSideObject, for the wrapped class
 
-from Checks import check, check_equal, fetch, sheet, summary, trim, wave_at
+from Checks import check, check_equal, sheet, summary, trim, wave_at
 
 whole = trim(sheet(), wave_at(10.3))
 expected = repr(summary(whole))

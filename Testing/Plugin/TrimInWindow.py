@@ -147,3 +147,37 @@ window.expect(SUMMARY, "modelItemData", "11.4,119.88738")
 window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
 
 window.run("trim-in-window")
+
+# A surface that misses the sheet leaves nothing; when something is left it is shown as always.
+window = Window(size=(1400, 900))
+window.open("sheet.vtu")
+window.apply()
+window.python("from Checks import plane_at\n[plane_at(x) for x in (8.3, 4.3, -3)]")
+window.select("0:0/0:0")
+window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
+window.choose_inputs(TrimmingSurface="0:0/3:0")
+window.apply()
+window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
+window.set_check("InvertSide", True)
+window.apply()
+window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
+window.python("check_first_view()")
+window.event(MAIN + "/propertiesDock/propertiesPanel/Delete", "activate")
+
+# Of trims in sequence the last one is shown, also where the statuses of the one before were; or that
+# one, if its statuses are asked for.
+window.select("0:0/0:0")
+window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
+window.choose_inputs(TrimmingSurface="0:0/1:0")
+window.apply()
+window.action("ShowStatuses")
+window.menu("menuFilters", "NURBSTrim", "TrimHexahedralGrid")
+window.choose_inputs(TrimmingSurface="0:0/2:0")
+window.apply()
+window.python("check_equal(shown_elements(), 4 * 24, 'elements in the view')")
+for name, left, before in (("TrimHexahedralGrid2", 4, 8), ("TrimHexahedralGrid1", 8, 20)):
+    window.python("SetActiveSource(FindSource(%r))" % name)
+    for rows in (before, left):
+        window.action("ShowStatuses")
+        window.python("check_equal(shown_elements(), %d * 24, 'elements in the view')" % rows)
+window.run("trims-in-sequence")

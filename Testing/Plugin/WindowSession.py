@@ -1,7 +1,6 @@
 """What a GUI test's Python steps have at hand inside the window's own process."""
 import os
 import struct
-import sys
 import traceback
 
 import numpy

@@ -4,7 +4,7 @@ import os
 from nurbstrim import vtkCADSurfaceReader, vtkNURBSSurfaceSource, vtkTrimHexahedralGrid
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 
-from Checks import DATA_DIRECTORY, check, check_equal
+from Checks import DATA_DIRECTORY, check_equal
 
 cells = vtkCellTypeSource()
 cells.SetCellType(12)

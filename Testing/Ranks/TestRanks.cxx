@@ -10,8 +10,6 @@
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -145,18 +143,7 @@ void TestPermuted()
 void TestLostVolume(int ranks)
 {
   const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
-  const Vec3 first(sheets.Grid->GetPoint(0));
-  Placement at;
-  at.X = (4.0 - sheets.Box.Centre[0]) / sheets.Box.HalfX;
-  at.Y = (5.0 - sheets.Box.Centre[1]) / sheets.Box.HalfY;
-  at.Angle = 0;
-  at.Size = 0.45 / sheets.Box.HalfY;
-  at.Reversed = true;
-  vtkNew<vtkMultiBlockDataSet> faces;
-  faces->SetBlock(0, PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100).Data);
-  faces->SetBlock(1, MakeSurface("cylinder", sheets.Box, at).Data);
-  Surface both;
-  both.Data = faces;
+  const Surface both = StripAndHole(sheets);
   if (RunTrim(sheets, both, TrimOptions()).Warnings.size() != 2)
   {
     Fail("strip and hole", "not both are told of");

@@ -5,6 +5,7 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 #include <cmath>
@@ -486,6 +487,30 @@ Surface PlaneThrough(const Vec3& point, const Vec3& normal, double halfSize)
   surface.Data = ToPolyData(Extrude(Segment(Vec2(0, -r), Vec2(0, r)), local, -r, r));
   SetPlane(surface, local);
   return surface;
+}
+
+Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double lean)
+{
+  Placement at;
+  at.X = (x - sheet.Box.Centre[0]) / sheet.Box.HalfX;
+  at.Y = (y - sheet.Box.Centre[1]) / sheet.Box.HalfY;
+  at.Angle = 0;
+  at.Lean = lean;
+  at.Size = radius / sheet.Box.HalfY;
+  at.Reversed = true;
+  return MakeSurface("cylinder", sheet.Box, at);
+}
+
+Surface StripAndHole(const Mesh& sheets)
+{
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  vtkNew<vtkMultiBlockDataSet> faces;
+  faces->SetBlock(0, PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100).Data);
+  faces->SetBlock(1, RoundHole(sheets, 4, 5, 0.45).Data);
+  Surface both;
+  both.Name = "strip and hole";
+  both.Data = faces;
+  return both;
 }
 
 SplineSurface ReadSpline(vtkPolyData* data)

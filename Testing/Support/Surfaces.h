@@ -64,6 +64,14 @@ Surface EndingTrimLoop(const Frame& frame, const Placement& placement);
 /// A plane of given point and normal, in model coordinates.
 Surface PlaneThrough(const Vec3& point, const Vec3& normal, double halfSize);
 
+/// A round hole about (x, y), in elements of size 1 of a sheet from (0, 0) on; what is inside goes.
+Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double lean = 0);
+
+/// Of sheets side by side along x, the second one from x = 9 on: spares a strip of that one, too
+/// narrow for elements, and makes a hole in the first one, too small to be opened. Without an
+/// oracle.
+Surface StripAndHole(const Mesh& sheets);
+
 /// The spline behind a poly data made here: rows of the contract read back.
 SplineSurface ReadSpline(vtkPolyData* data);
 
