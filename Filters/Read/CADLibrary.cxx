@@ -4,6 +4,9 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace nurbs
 {
 namespace
@@ -23,22 +26,26 @@ std::string LibraryPath()
   return vtksys::SystemTools::GetFilenamePath(path) + "/" + NURBSTRIM_CAD_LIBRARY;
 }
 
-/// Whether the function that all libraries here call is the one of this library.
-bool Serves(const char* library, const char* function)
+/// Whether what all libraries here use by these names is what this library has.
+bool Serves(const char* library, std::initializer_list<const char*> names)
 {
   void* const loaded = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
-  const bool serves = loaded && dlsym(loaded, function) == dlsym(RTLD_DEFAULT, function);
+  const bool serves = loaded &&
+    std::all_of(names.begin(), names.end(),
+      [loaded](const char* name) { return dlsym(loaded, name) == dlsym(RTLD_DEFAULT, name); });
   loaded ? dlclose(loaded) : 0;
   return serves;
 }
 
 /// OpenCASCADE looks for its own symbols among its own libraries first: to look among ParaView's
 /// before takes a quarter of a second. Not where memory comes from a preloaded allocator or a
-/// sanitizer, which would be passed over as well.
+/// sanitizer, nor where the program has the standard streams, as pvserver has: these would be
+/// passed over as well, for streams that nobody has opened.
 int LoadingMode()
 {
 #ifdef RTLD_DEEPBIND
-  if (Serves("libc.so.6", "malloc") && Serves("libstdc++.so.6", "_Znwm"))
+  if (Serves("libc.so.6", { "malloc", "free" }) &&
+    Serves("libstdc++.so.6", { "_Znwm", "_ZSt3cin", "_ZSt4cout", "_ZSt4cerr", "_ZSt4clog" }))
   {
     return RTLD_LAZY | RTLD_DEEPBIND;
   }
