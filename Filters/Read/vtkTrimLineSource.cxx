@@ -421,4 +421,5 @@ void vtkTrimLineSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }

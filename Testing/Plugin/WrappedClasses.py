@@ -1,10 +1,11 @@
 """The classes themselves in Python, without proxies."""
 import os
 
-from nurbstrim import vtkCADSurfaceReader, vtkNURBSSurfaceSource, vtkTrimHexahedralGrid
+from nurbstrim import (vtkCADSurfaceReader, vtkNURBSSurfaceSource, vtkTrimHexahedralGrid,
+                       vtkTrimLineSource)
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 
-from Checks import DATA_DIRECTORY, check_equal
+from Checks import DATA_DIRECTORY, check, check_equal
 
 cells = vtkCellTypeSource()
 cells.SetCellType(12)
@@ -40,3 +41,22 @@ for name, value in [("CorrectionType", 3), ("Optimization", 1), ("InvertSide", T
 check_equal(vtkCADSurfaceReader.CanReadFile(os.path.join(DATA_DIRECTORY, "WheelArch.igs")), 1,
             "CanReadFile of an IGES file")
 check_equal(vtkCADSurfaceReader.CanReadFile(__file__), 0, "CanReadFile of a script")
+
+place = [0.0] * 4
+surface.GetControlPoint(1, place)
+check_equal(place, [8.3, 15, -2, 1], "a control point")
+check_equal([surface.GetKnotU(i) + surface.GetKnotV(i) for i in range(4)], [0, 0, 2, 2], "knots")
+line = vtkTrimLineSource()
+line.SetNumberOfPoints(2)
+line.SetPoint(1, 1, 2, 3)
+place = [0.0] * 3
+line.GetPoint(1, place)
+check_equal(place, [1, 2, 3], "a point of a trim line")
+
+# What an object says of itself has all that can be set, but for the members of lists.
+for thing in (trim, surface, line, vtkCADSurfaceReader()):
+    for name in vars(type(thing)):
+        hidden = name.endswith(("MinValue", "MaxValue", "Type", "Base"))
+        if name.startswith("Get") and not hidden and name not in (
+                "GetControlPoint", "GetKnotU", "GetKnotV", "GetPoint"):
+            check(name[3:] + ": " in str(thing), name[3:] + " of " + type(thing).__name__)
