@@ -102,6 +102,7 @@ add_library(NURBSTrimStages STATIC
   Trim/LayerTrim.cxx
   Trim/LostVolume.cxx
   Trim/OpenSeams.cxx
+  Trim/PartedStrips.cxx
   Trim/Shortcomings.cxx
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx

@@ -14,9 +14,12 @@ using nurbs::FootKind;
 
 /// How far within elements the surface has to end to end inside the grid, in diagonals of one.
 constexpr double InsideMargin = 1e-4;
+/// The same where it goes through the midst of one: more than rounding.
+constexpr double BareMargin = 1e-9;
 
 /// Whether all that is round a place belongs to some of a few elements.
-bool IsWithin(const HexMesh& mesh, const std::vector<Id>& cells, const Vec3& place)
+/// @param margin how far round it, in diagonals of an element.
+bool IsWithin(const HexMesh& mesh, const std::vector<Id>& cells, const Vec3& place, double margin)
 {
   ElementPoints points;
   const auto holds = [&](Id cell, const Vec3& at)
@@ -30,7 +33,7 @@ bool IsWithin(const HexMesh& mesh, const std::vector<Id>& cells, const Vec3& pla
     const auto outside = Outside(count, parameters);
     return *std::max_element(outside.begin(), outside.end()) <= 0.0;
   };
-  const double step = InsideMargin * CellBox(mesh, cells.front()).diagonal().norm();
+  const double step = margin * CellBox(mesh, cells.front()).diagonal().norm();
   for (int corner = 0; corner < 8; ++corner)
   {
     const Vec3 way(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
@@ -41,6 +44,33 @@ bool IsWithin(const HexMesh& mesh, const std::vector<Id>& cells, const Vec3& pla
     }
   }
   return true;
+}
+
+/// Where the surface ends in or beside a cell: within the cells round it, or barely within them if
+/// it goes through their midst.
+std::optional<Vec3> FindEndWithin(
+  const HexMesh& mesh, Id cell, const std::vector<Id>& round, const nurbs::TrimmingSurface& surface)
+{
+  ElementPoints points;
+  const int count = PointsOfCell(mesh, cell, points);
+  std::optional<Vec3> barely;
+  bool goesThrough = false;
+  for (int i = 0; i < 27; ++i)
+  {
+    const Vec3 at = ClampToElement(count, 0.5 * Vec3(i % 3, i / 3 % 3, i / 9));
+    const auto foot = surface.ClosestPoint(MapToSpace(points, count, at));
+    const bool within = IsWithin(mesh, round, foot.Point, InsideMargin);
+    if (foot.Kind == FootKind::Border && within)
+    {
+      return foot.Point;
+    }
+    goesThrough = goesThrough || within;
+    if (foot.Kind == FootKind::Border && !barely && IsWithin(mesh, round, foot.Point, BareMargin))
+    {
+      barely = foot.Point;
+    }
+  }
+  return goesThrough ? barely : std::nullopt;
 }
 
 /// Candidate cells that have a node in common with each of them.
@@ -103,17 +133,9 @@ std::optional<Vec3> FindEndInside(
     {
       continue;
     }
-    ElementPoints points;
-    PointsOfCell(mesh, c, points);
-    const std::vector<Id> round = neighbours.Round(c);
-    for (int i = 0; i < 27; ++i)
+    if (const auto end = FindEndWithin(mesh, c, neighbours.Round(c), surface))
     {
-      const Vec3 at = ClampToElement(count, 0.5 * Vec3(i % 3, i / 3 % 3, i / 9));
-      const auto foot = surface.ClosestPoint(MapToSpace(points, count, at));
-      if (foot.Kind == FootKind::Border && IsWithin(mesh, round, foot.Point))
-      {
-        return foot.Point;
-      }
+      return end;
     }
   }
   return {};

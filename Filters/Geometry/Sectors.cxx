@@ -187,6 +187,7 @@ void SectorFinder::AddLoopSector(const Contact& contact)
   const BezierPatch& curve = model.Patches[contact.Patch];
   Sector sector;
   sector.Face = curve.Face;
+  sector.Nearest = contact.Foot.Point;
   sector.Away = std::sqrt(contact.Foot.Squared);
   sector.Parameters = Vec2(curve.U(contact.Foot.S, 0), curve.V(contact.Foot.S, 0));
   if (this->IsKnown(sector, this->Sectors.size()))
@@ -281,6 +282,7 @@ void SectorFinder::AddPatchSector(const Contact& contact, std::size_t loopSector
   const double t = on[2] ? 0 : (on[3] ? 1 : contact.Foot.T);
   Sector sector;
   sector.Face = patch.Face;
+  sector.Nearest = contact.Foot.Point;
   sector.Away = std::sqrt(contact.Foot.Squared);
   sector.Parameters = Vec2(patch.U(s, t), patch.V(s, t));
   // Where a loop runs it says what of the face is here.
@@ -365,6 +367,7 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
   };
   Sector sector;
   sector.Face = patch.Face;
+  sector.Nearest = contact.Foot.Point;
   sector.Away = std::sqrt(contact.Foot.Squared);
   Vec3 last = direction(0);
   for (int k = 0; k < Samples; ++k)

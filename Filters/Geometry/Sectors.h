@@ -25,6 +25,7 @@ struct Sector
 {
   int Face = -1;
   Vec2 Parameters = Vec2::Zero();
+  Vec3 Nearest = Vec3::Zero();  ///< of the piece to the point
   double Away = 0;              ///< of the piece from the point, up to the gap tolerance
   Vec3 Weighted = Vec3::Zero(); ///< integral of the unit normal over the angle (no face sign)
   int RayCount = 0;             ///< 0 in the interior, else 2; 1 where the loops end the other

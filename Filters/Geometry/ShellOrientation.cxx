@@ -1,9 +1,11 @@
 #include "ShellOrientation.h"
 
 #include "BezierEvaluation.h"
+#include "ModelEvaluation.h"
 #include "Sectors.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -67,6 +69,54 @@ bool ShareEdge(
     (closely || InsideOf(a, rayA).dot(InsideOf(b, rayB)) < 0.9);
 }
 
+/// Cosine of the angle under which a place counts as ahead, not beside.
+constexpr double Ahead = 0.87;
+
+/// Whether a border ray is of the border that x lies on: of a face narrower than the gap the ends
+/// of that border, and so the borders across it, come within the gap as well.
+bool RunsThrough(const SurfaceModel& model, int face, const BorderRay& ray, const Vec3& x)
+{
+  const Vec3 way = x - FacePoint(model, face, ray.From);
+  return way.norm() <= 4 * model.Resolution || way.dot(ray.Direction) > Ahead * way.norm();
+}
+
+/// Gives the vote of a border ray through x, with the faces that lie nearest beside it: behind a
+/// narrow one there may be others within the gap, and others at the ends of a short one.
+/// @return false if there is none.
+bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, const Vec3& x,
+  const Sector& sector, const BorderRay& ray, bool closely, Votes& votes)
+{
+  const auto forPartners = [&](const auto& visit)
+  {
+    for (const Sector& other : sectors)
+    {
+      const double ahead = std::abs((other.Nearest - x).dot(ray.Direction));
+      const bool beside = ahead <= Ahead * other.Away + 4 * model.Resolution;
+      for (int j = 0; j < other.RayCount && beside && other.Face != sector.Face; ++j)
+      {
+        if (ShareEdge(sector, ray, other, other.Rays[j], closely))
+        {
+          visit(other, other.Rays[j]);
+        }
+      }
+    }
+  };
+  double nearest = std::numeric_limits<double>::infinity();
+  forPartners(
+    [&](const Sector& other, const BorderRay&) { nearest = std::min(nearest, other.Away); });
+  forPartners(
+    [&](const Sector& other, const BorderRay& partner)
+    {
+      if (other.Away <= 2 * nearest + 4 * model.Resolution)
+      {
+        // Along one direction the inside is left of one face and right of the other.
+        votes[std::minmax(sector.Face, other.Face)] +=
+          ray.InsideIsLeft != partner.InsideIsLeft ? 1 : -1;
+      }
+    });
+  return nearest < std::numeric_limits<double>::infinity();
+}
+
 /// False if no other face shares an edge with the face there.
 bool VoteWithin(const SurfaceModel& model, const Vec3& x, double gap, int face, Votes& votes)
 {
@@ -74,25 +124,12 @@ bool VoteWithin(const SurfaceModel& model, const Vec3& x, double gap, int face, 
   const std::vector<Sector> sectors = FindSectors(model, x, gap);
   for (const Sector& sector : sectors)
   {
-    for (const Sector& other : sectors)
+    for (int i = 0; i < sector.RayCount && sector.Face == face; ++i)
     {
-      if (sector.Face != face || other.Face == face)
-      {
-        continue;
-      }
-      for (int i = 0; i < sector.RayCount; ++i)
-      {
-        for (int j = 0; j < other.RayCount; ++j)
-        {
-          if (ShareEdge(sector, sector.Rays[i], other, other.Rays[j], gap <= model.Gap))
-          {
-            // Along one direction the inside is left of one face and right of the other.
-            votes[std::minmax(face, other.Face)] +=
-              sector.Rays[i].InsideIsLeft != other.Rays[j].InsideIsLeft ? 1 : -1;
-            voted = true;
-          }
-        }
-      }
+      const BorderRay& ray = sector.Rays[i];
+      voted = (RunsThrough(model, face, ray, x) &&
+                VoteAlong(model, sectors, x, sector, ray, gap <= model.Gap, votes)) ||
+        voted;
     }
   }
   return voted;

@@ -20,11 +20,13 @@ enum class Feasibility : unsigned char
   Fine = 0,
   /// The surface bends with a radius below two element sizes, or has an edge that no node is on.
   Curved = 1,
-  Inclined = 2,     ///< the surface and the skin meet under less than 45 degrees
-  Narrow = 3,       ///< a hole or slot narrower than three elements
-  CrossedTwice = 4, ///< the surface crosses an edge or face of the element more than once
-  NotOpened = 5,    ///< a cut-out that is too small to be opened: the element stays whole
-  OpenSeam = 6      ///< a face of the element lies on another without common nodes
+  Inclined = 2, ///< the surface and the skin meet under less than 45 degrees
+  Narrow = 3,   ///< a hole or slot narrower than three elements
+  /// The surface crosses an edge or face of the element more than once, or leaves too narrow a
+  /// strip there (see PartedStrips.h).
+  CrossedTwice = 4,
+  NotOpened = 5, ///< a cut-out that is too small to be opened: the element stays whole
+  OpenSeam = 6   ///< a face of the element lies on another without common nodes
 };
 
 /// The values of the cell array Shortfall: the gravest for each kept element; of the first two the

@@ -5,6 +5,7 @@
 #include "ElementProbe.h"
 #include "ElementTopology.h"
 #include "OpenSeams.h"
+#include "PartedStrips.h"
 #include "Runs.h"
 #include "Status.h"
 
@@ -50,7 +51,12 @@ public:
   std::vector<std::pair<Id, Feasibility>> Run()
   {
     const auto& cells = this->Result.Nodes.CandidateCells;
-    this->FindCellsAtSeams();
+    if (this->Result.Near)
+    {
+      const TrimBand& near = *this->Result.Near;
+      this->CellsAtSeams = CellsOf(near.Mesh, FindOpenSeams(near));
+      this->CellsOfStrips = CellsOf(WithoutLayer(near.Mesh), FindPartedStrips(near));
+    }
     std::vector<Feasibility> values(cells.size(), Feasibility::Fine);
     ForAll(
       static_cast<int>(cells.size()), [&](int i) { values[i] = this->Check(cells[i]); }, 64);
@@ -71,6 +77,10 @@ private:
     if (std::binary_search(this->CellsAtSeams.begin(), this->CellsAtSeams.end(), cell))
     {
       return Feasibility::OpenSeam;
+    }
+    if (std::binary_search(this->CellsOfStrips.begin(), this->CellsOfStrips.end(), cell))
+    {
+      return Feasibility::CrossedTwice;
     }
     ElementProbe probe;
     if (!MakeProbe(this->Mesh, this->Result, cell, probe))
@@ -272,15 +282,14 @@ private:
     return !wentBehind && !near.Structure.IsOnBorder(near.Mesh, node);
   }
 
-  void FindCellsAtSeams()
+  /// By ascending cell.
+  static std::vector<Id> CellsOf(const Band& band, const std::vector<int>& elements)
   {
-    const std::vector<int> seams =
-      this->Result.Near ? FindOpenSeams(*this->Result.Near) : std::vector<int>();
-    for (const int e : seams)
-    {
-      this->CellsAtSeams.push_back(this->Result.Near->Mesh.Elements[e].Global);
-    }
-    std::sort(this->CellsAtSeams.begin(), this->CellsAtSeams.end());
+    std::vector<Id> cells(elements.size());
+    std::transform(elements.begin(), elements.end(), cells.begin(),
+      [&band](int e) { return band.Elements[e].Global; });
+    std::sort(cells.begin(), cells.end());
+    return cells;
   }
 
   /// Whether the surface crosses a face twice, for all its nodes tell.
@@ -318,8 +327,8 @@ private:
   const HexMesh& Mesh;
   const nurbs::TrimmingSurface& Surface;
   const TrimResult& Result;
-  std::vector<MeshEdge> CrossedTwice; ///< ascending
-  std::vector<Id> CellsAtSeams;       ///< ascending
+  std::vector<MeshEdge> CrossedTwice;          ///< ascending
+  std::vector<Id> CellsAtSeams, CellsOfStrips; ///< ascending
 };
 
 }

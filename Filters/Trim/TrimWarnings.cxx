@@ -37,8 +37,10 @@ constexpr Text<Feasibility> FeasibilityTexts[] = {
     " elements hold a cut-out, or a part of one, that is smaller than an element and is not "
     "opened: refine the mesh there." },
   { Feasibility::CrossedTwice,
-    " elements have an edge or face that the surface crosses more than once: what lies between the "
-    "crossings is lost. Refine the mesh there or straighten the surface." },
+    " elements have an edge or face that the surface crosses more than once, or are of a strip "
+    "between two cuts that is too narrow for elements of its own: what lies between is lost. "
+    "Refine "
+    "the mesh there or straighten the surface." },
   { Feasibility::Narrow,
     " elements lie at a hole or slot narrower than three elements, which comes out coarse: refine "
     "the mesh there." },

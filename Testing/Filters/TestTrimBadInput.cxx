@@ -477,6 +477,40 @@ void TestEndsInAnElement(const Mesh& mesh)
   }
 }
 
+// Through the only layer, from right above the lower skin to right below the upper one: no edge of
+// an element meets it, and it ends inside all the same. From skin to skin it parts the sheet.
+void TestEndsBelowTheSkins()
+{
+  const Mesh sheet = Sheet(12, 8, 1, Vec3(1, 1, 1));
+  for (const double x : { 4.0, 4.37 })
+  {
+    for (const double gap : { 1e-4, 1e-6, 0.0 })
+    {
+      const double z = sheet.Box.Centre[2], half = sheet.Box.HalfZ - gap;
+      SplineSurface face =
+        ReadSpline(vtkPolyData::SafeDownCast(PlaneThrough(Vec3(x, 4, z), Vec3::UnitX(), 100).Data));
+      for (auto& point : face.Control)
+      {
+        point.z() = point.z() < z ? z - half : z + half;
+      }
+      const std::string name = "ends below the skins by " + std::to_string(gap);
+      if (gap > 0.0)
+      {
+        Judge(name, sheet.Grid, ToPolyData(face), { "ends inside the grid, at (" });
+        continue;
+      }
+      Surface plane;
+      plane.Data = ToPolyData(face);
+      const Outcome outcome = RunTrim(sheet, plane, TrimOptions());
+      if (!outcome.Errors.empty() || outcome.Case.Trimmed->GetNumberOfCells() != 4 * 8)
+      {
+        std::printf("FAIL %s: not parted\n", name.c_str());
+        ++Wrong;
+      }
+    }
+  }
+}
+
 // No error: a surface beside the grid keeps or eliminates it whole, by the side it lies on.
 void TestMissed(const Mesh& mesh)
 {
@@ -543,6 +577,7 @@ int main()
   TestEndBesideTheGrid(mesh);
   TestHoleInFace(mesh);
   TestEndsInAnElement(mesh);
+  TestEndsBelowTheSkins();
   TestEnds(mesh);
   TestMissed(mesh);
   TestNothingLeft(mesh);

@@ -12,6 +12,7 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkStaticCellLocator.h>
 #include <vtkTrimHexahedralGrid.h>
 
 #include <algorithm>
@@ -388,6 +389,66 @@ void TestStripLostAmongOthers()
     "strip lost beside a hole that is not opened");
 }
 
+/// A hole each on both sides of a place, with a strip of the given width between them.
+Surface TwoHoles(const Mesh& mesh, const Vec3& place, double angle, double radius, double width)
+{
+  const Vec3 way = (radius + 0.5 * width) * Vec3(std::cos(angle), std::sin(angle), 0);
+  Surface both;
+  vtkNew<vtkMultiBlockDataSet> faces;
+  faces->SetBlock(0, Hole(mesh, place.x() + way.x(), place.y() + way.y(), radius).Data);
+  faces->SetBlock(1, Hole(mesh, place.x() - way.x(), place.y() - way.y(), radius).Data);
+  both.Data = faces;
+  return both;
+}
+
+/// Whether a grid holds all of a straight line.
+bool HoldsLine(vtkUnstructuredGrid* grid, const Vec3& from, const Vec3& to)
+{
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(grid);
+  locator->BuildLocator();
+  constexpr int Count = 40;
+  for (int i = 0; i <= Count; ++i)
+  {
+    Vec3 p = from + (to - from) * (static_cast<double>(i) / Count);
+    if (locator->FindCell(p.data()) < 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Two holes that become one, as the strip between them goes, are told of; others are not.
+void TestStripParted()
+{
+  const Mesh sheet = Sheet(40, 30, 2, Vec3(1, 1, 0.5));
+  int parted = 0;
+  for (int k = 0; k < 120; ++k)
+  {
+    const double angle = 0.7 * k, radius = 2.0 + 0.03 * k, width = 0.7 + 0.3 * (k % 3);
+    const Vec3 place(19.5 + 0.37 * (k % 7), 14.6 + 0.29 * (k % 5), 0.1);
+    const Outcome outcome = RunTrim(sheet, TwoHoles(sheet, place, angle, radius, width), {});
+    const std::string name = "strip " + std::to_string(k) + " of " + std::to_string(width);
+    const bool told = ExpectWarned(name, outcome).count(CrossedTwice) > 0;
+    const Vec3 along(-std::sin(angle), std::cos(angle), 0);
+    if (!HoldsLine(outcome.Case.Trimmed, place - 1.5 * along, place + 1.5 * along))
+    {
+      ++parted;
+      Expect(told, name + " is parted: nothing is told");
+    }
+  }
+  Expect(parted > 5 && parted < 60, "strips parted: " + std::to_string(parted));
+  // Broader ones stay.
+  for (int k = 0; k < 40; ++k)
+  {
+    const Vec3 place(19.5 + 0.37 * (k % 7), 14.6 + 0.29 * (k % 5), 0.1);
+    const Outcome outcome = RunTrim(sheet, TwoHoles(sheet, place, 0.7 * k, 4.5, 1.7), {});
+    Expect(ExpectWarned("broad strip", outcome).count(CrossedTwice) == 0,
+      "broad strip " + std::to_string(k) + ": something is told");
+  }
+}
+
 // A surface that ends in the gap between two sheets leaves open what becomes of the second one if
 // that has parts on both sides of where it would go on; if it has not, all is clear.
 void TestBesideEnd()
@@ -649,6 +710,7 @@ int main()
   TestSlots();
   TestStripLost();
   TestStripLostAmongOthers();
+  TestStripParted();
   TestBesideEnd();
   TestFlatLost();
   TestStretched();

@@ -295,6 +295,61 @@ void TestOrientationOfStrips()
   }
 }
 
+/// An upright face between two places in the plane; by its own border, or by a loop in a larger
+/// one.
+NurbsSurface UprightFace(const Vec2& from, const Vec2& to, double half, bool byLoop)
+{
+  const Vec3 along(to.x() - from.x(), to.y() - from.y(), 0), up(0, 0, 2 * half);
+  const Vec3 corner(from.x(), from.y(), -half);
+  if (!byLoop)
+  {
+    return samples::Plane(corner, along, up);
+  }
+  NurbsSurface face = samples::Plane(corner - along - up, 3 * along, 3 * up);
+  const double a = 1.0 / 3.0, b = 2.0 / 3.0;
+  face.TrimLoops = { { Vec2(a, a), Vec2(b, a), Vec2(b, b), Vec2(a, b) } };
+  return face;
+}
+
+/// Two long walls with a tiny fillet of several faces at the edge between them: these are narrower
+/// than the gaps that count as closed, and the wall behind them is within such a gap as well.
+void TestOrientationOfTinyFillets()
+{
+  constexpr double Half = 10.0;
+  for (int k = 0; k < check::Trials(400); ++k)
+  {
+    const double length = std::pow(10.0, Uniform(1.5, 3)), opening = Uniform(0.2, 2.5);
+    const double radius = length * std::pow(10.0, Uniform(-6, -3));
+    const int count = 1 + static_cast<int>(Random() % 4);
+    // The walls lean by half the opening from x, round a fillet at the origin.
+    const double turn = 0.5 * (M_PI - opening);
+    const auto onFillet = [&](double angle)
+    { return Vec2(-radius * std::cos(angle), radius * std::sin(angle)); };
+    const Vec2 wall(length * std::cos(0.5 * opening), length * std::sin(0.5 * opening));
+    std::vector<Vec2> line = { onFillet(-turn) + Vec2(wall.x(), -wall.y()) };
+    for (int i = 0; i <= count; ++i)
+    {
+      line.push_back(onFillet(turn * (2.0 * i / count - 1.0)));
+    }
+    line.push_back(onFillet(turn) + wall);
+    std::vector<NurbsSurface> faces;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+      faces.push_back(UprightFace(line[i], line[i + 1], Half, k % 3 == 0));
+    }
+    const double size = 2 * length;
+    const TrimmingSurface surface(Shuffled(faces), 1e-5 * size, 4e-4 * size);
+    const Vec2 inwards(0.1 * wall.y(), -0.1 * wall.x());
+    const Vec2 place = 0.3 * wall + inwards, mirrored(place.x(), -place.y());
+    const Foot one = surface.ClosestPoint(Vec3(place.x(), place.y(), 0.1));
+    const Foot two = surface.ClosestPoint(Vec3(mirrored.x(), mirrored.y(), 0.1));
+    check::That((one.SignedDistance > 0) == (two.SignedDistance > 0),
+      "one side between two walls of length " + std::to_string(length) + " under " +
+        std::to_string(opening) + " with " + std::to_string(count) + " faces of a fillet of " +
+        std::to_string(radius) + (k % 3 == 0 ? " by loops" : ""));
+  }
+}
+
 void TestBoxes()
 {
   for (const samples::Named& sample : samples::All())
@@ -474,6 +529,7 @@ int main()
   TestFreeBorders();
   TestOrientation();
   TestOrientationOfStrips();
+  TestOrientationOfTinyFillets();
   TestBoxes();
   TestBoxesBesideLeaningTube();
   TestNormalCones();
