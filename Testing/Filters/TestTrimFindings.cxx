@@ -10,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStaticCellLocator.h>
@@ -395,8 +396,8 @@ Surface TwoHoles(const Mesh& mesh, const Vec3& place, double angle, double radiu
   const Vec3 way = (radius + 0.5 * width) * Vec3(std::cos(angle), std::sin(angle), 0);
   Surface both;
   vtkNew<vtkMultiBlockDataSet> faces;
-  faces->SetBlock(0, Hole(mesh, place.x() + way.x(), place.y() + way.y(), radius).Data);
-  faces->SetBlock(1, Hole(mesh, place.x() - way.x(), place.y() - way.y(), radius).Data);
+  faces->SetBlock(0, RoundHole(mesh, place.x() + way.x(), place.y() + way.y(), radius).Data);
+  faces->SetBlock(1, RoundHole(mesh, place.x() - way.x(), place.y() - way.y(), radius).Data);
   both.Data = faces;
   return both;
 }
