@@ -107,7 +107,7 @@ bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, co
   forPartners(
     [&](const Sector& other, const BorderRay& partner)
     {
-      if (other.Away <= 2 * nearest + 4 * model.Resolution)
+      if (other.Away <= nearest + 4 * model.Resolution)
       {
         // Along one direction the inside is left of one face and right of the other.
         votes[std::minmax(sector.Face, other.Face)] +=
