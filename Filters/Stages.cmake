@@ -91,6 +91,7 @@ add_library(NURBSTrimStages STATIC
   Write/WritePart.cxx
   Trim/BandDecision.cxx
   Trim/BestLayer.cxx
+  Trim/BorderChords.cxx
   Trim/CutColumns.cxx
   Trim/EdgesCrossedTwice.cxx
   Trim/ElementProbe.cxx

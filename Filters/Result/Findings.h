@@ -18,7 +18,8 @@ namespace trim
 enum class Feasibility : unsigned char
 {
   Fine = 0,
-  /// The surface bends with a radius below two element sizes, or has an edge that no node is on.
+  /// The surface bends with a radius below two element sizes, or between nodes that had to go far
+  /// apart (see BorderChords.h), or has an edge that no node is on.
   Curved = 1,
   Inclined = 2, ///< the surface and the skin meet under less than 45 degrees
   Narrow = 3,   ///< a hole or slot narrower than three elements

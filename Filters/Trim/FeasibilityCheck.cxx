@@ -1,5 +1,6 @@
 #include "FeasibilityCheck.h"
 
+#include "BorderChords.h"
 #include "Curvature.h"
 #include "EdgesCrossedTwice.h"
 #include "ElementProbe.h"
@@ -7,10 +8,12 @@
 #include "OpenSeams.h"
 #include "PartedStrips.h"
 #include "Runs.h"
+#include "SortUnique.h"
 #include "Status.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace trim
 {
@@ -68,17 +71,45 @@ public:
         found.emplace_back(cells[i], values[i]);
       }
     }
+    this->AddChords(found);
     return found;
   }
 
 private:
+  static bool IsIn(const std::vector<Id>& cells, Id cell)
+  {
+    return std::binary_search(cells.begin(), cells.end(), cell);
+  }
+
+  /// Adds cells with long chords, cut or not, of which nothing else is told.
+  /// @param[in,out] found by ascending cell.
+  void AddChords(std::vector<std::pair<Id, Feasibility>>& found) const
+  {
+    if (!this->Result.Near)
+    {
+      return;
+    }
+    const TrimBand& near = *this->Result.Near;
+    const auto known = static_cast<std::ptrdiff_t>(found.size());
+    for (const Id cell : CellsOf(near.Mesh, FindLongChords(near, this->Surface)))
+    {
+      const auto at = std::lower_bound(found.begin(), found.begin() + known, cell,
+        [](const auto& told, Id other) { return told.first < other; });
+      if (cell >= 0 && (at == found.begin() + known || at->first != cell))
+      {
+        found.emplace_back(cell, Feasibility::Curved);
+      }
+    }
+    std::inplace_merge(found.begin(), found.begin() + known, found.end());
+  }
+
   Feasibility Check(Id cell) const
   {
-    if (std::binary_search(this->CellsAtSeams.begin(), this->CellsAtSeams.end(), cell))
+    if (IsIn(this->CellsAtSeams, cell))
     {
       return Feasibility::OpenSeam;
     }
-    if (std::binary_search(this->CellsOfStrips.begin(), this->CellsOfStrips.end(), cell))
+    if (IsIn(this->CellsOfStrips, cell))
     {
       return Feasibility::CrossedTwice;
     }
@@ -282,13 +313,13 @@ private:
     return !wentBehind && !near.Structure.IsOnBorder(near.Mesh, node);
   }
 
-  /// By ascending cell.
+  /// Those that the elements are, or on whose faces they were inserted; ascending.
   static std::vector<Id> CellsOf(const Band& band, const std::vector<int>& elements)
   {
     std::vector<Id> cells(elements.size());
-    std::transform(elements.begin(), elements.end(), cells.begin(),
-      [&band](int e) { return band.Elements[e].Global; });
-    std::sort(cells.begin(), cells.end());
+    std::transform(
+      elements.begin(), elements.end(), cells.begin(), [&band](int e) { return CellOf(band, e); });
+    SortUnique(cells);
     return cells;
   }
 

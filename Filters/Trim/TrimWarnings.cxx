@@ -39,8 +39,7 @@ constexpr Text<Feasibility> FeasibilityTexts[] = {
   { Feasibility::CrossedTwice,
     " elements have an edge or face that the surface crosses more than once, or are of a strip "
     "between two cuts that is too narrow for elements of its own: what lies between is lost. "
-    "Refine "
-    "the mesh there or straighten the surface." },
+    "Refine the mesh there or straighten the surface." },
   { Feasibility::Narrow,
     " elements lie at a hole or slot narrower than three elements, which comes out coarse: refine "
     "the mesh there." },
@@ -48,8 +47,9 @@ constexpr Text<Feasibility> FeasibilityTexts[] = {
     " elements are cut under less than 45 degrees between surface and skin: turn the surface "
     "towards the thickness direction, or look at the elements there." },
   { Feasibility::Curved,
-    " elements are cut where the surface has an edge or bends with a radius below two element "
-    "sizes, which the border cuts off: refine the mesh there or round the surface off." },
+    " elements are cut where the surface has an edge, bends with a radius below two element sizes, "
+    "or bends between nodes that had to go far apart, which the border cuts off: refine the mesh "
+    "there or round the surface off." },
 };
 
 constexpr Text<Shortfall> ShortfallTexts[] = {

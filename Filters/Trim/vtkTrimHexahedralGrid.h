@@ -25,9 +25,9 @@
  *   needed, 1 relaxation, 2 other treatment, 3 other correction, 4 other fate, 5 nodes left off the
  *   surface;
  * - Feasibility (unsigned char, cells): where the surface breaks an assumption of the method, 0
- *   nowhere, 1 sharp bend, or an edge without a node, 2 inclined to the skin, 3 narrow hole,
- *   4 edge, face or narrow strip crossed twice, 5 cut-out not opened, 6 a face on another without
- *   common nodes (see Findings.h);
+ *   nowhere, 1 bend that the border cuts off, or an edge without a node, 2 inclined to the skin,
+ *   3 narrow hole, 4 edge, face or narrow strip crossed twice, 5 cut-out not opened, 6 a face on
+ *   another without common nodes (see Findings.h);
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
  *   surface, 3 invalid, 4 invalid as it came;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;

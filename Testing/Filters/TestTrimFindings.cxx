@@ -7,6 +7,7 @@
 #include "RunTrim.h"
 #include "SplineData.h"
 
+#include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -450,6 +451,53 @@ void TestStripParted()
   }
 }
 
+/// How far the longest edges of a grid of unit elements bridge a round hole, at most.
+double SagOfLongEdges(vtkUnstructuredGrid* grid, const Vec3& centre, double radius)
+{
+  const auto toAxis = [&](const Vec3& p)
+  { return std::hypot(p.x() - centre.x(), p.y() - centre.y()); };
+  double sag = 0.0;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    vtkCell* const cell = grid->GetCell(c);
+    for (int i = 0; i < cell->GetNumberOfEdges(); ++i)
+    {
+      vtkPoints* const ends = cell->GetEdge(i)->GetPoints();
+      const Vec3 a(ends->GetPoint(0)), b(ends->GetPoint(1));
+      const bool onHole =
+        std::abs(toAxis(a) - radius) < 1e-6 && std::abs(toAxis(b) - radius) < 1e-6;
+      if (onHole && (b - a).norm() > 1.5)
+      {
+        sag = std::max(sag, radius - toAxis(0.5 * (a + b)));
+      }
+    }
+  }
+  return sag;
+}
+
+// Where a hole grazes the border nodes go far apart, and edges between them bridge it: told of
+// where they are a fifth of an element off the surface.
+void TestLongChords()
+{
+  const Mesh block = Sheet(14, 10, 4, Vec3(1, 1, 1));
+  int bridged = 0;
+  for (int k = 0; k < 60; ++k)
+  {
+    const double radius = 3.3 + 0.05 * k, x = 5.0 + 0.17 * (k % 30), depth = 0.1 * (k % 7) - 0.2;
+    const Vec3 centre(x, 10 - radius + depth, 2);
+    TrimOptions options;
+    options.CorrectionType = 2 + k % 2;
+    const Outcome outcome =
+      RunTrim(block, RoundHole(block, centre.x(), centre.y(), radius), options);
+    const bool bridges = SagOfLongEdges(outcome.Case.Trimmed, centre, radius) > 0.2;
+    const std::string name = "hole " + std::to_string(k) + " that grazes the border";
+    Expect((ExpectWarned(name, outcome).count(Curved) > 0) == bridges,
+      name + (bridges ? ": nothing is told of a long edge" : ": a long edge is told of"));
+    bridged += bridges;
+  }
+  Expect(bridged > 5 && bridged < 40, "holes bridged: " + std::to_string(bridged));
+}
+
 // A surface that ends in the gap between two sheets leaves open what becomes of the second one if
 // that has parts on both sides of where it would go on; if it has not, all is clear.
 void TestBesideEnd()
@@ -712,6 +760,7 @@ int main()
   TestStripLost();
   TestStripLostAmongOthers();
   TestStripParted();
+  TestLongChords();
   TestBesideEnd();
   TestFlatLost();
   TestStretched();

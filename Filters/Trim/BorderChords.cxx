@@ -1,0 +1,118 @@
+#include "BorderChords.h"
+
+#include "MovingNodes.h"
+#include "Status.h"
+
+#include <algorithm>
+
+namespace trim
+{
+namespace
+{
+
+/// A facet is looked at where it has an edge so many times as long as the longest one that its
+/// element came with: others are as long as a border of the mesh has them.
+constexpr double Stretched = 1.5;
+/// How far the surface may be from the middle of such an edge, in the longest edge before.
+constexpr double LargestSag = 0.2;
+
+class ChordSearch
+{
+public:
+  ChordSearch(const TrimBand& near, const nurbs::TrimmingSurface& surface)
+    : Mesh(near.Mesh)
+    , Trimmed(near.Trimmed)
+    , Surface(surface)
+  {
+  }
+
+  bool HasLongChord(int e) const
+  {
+    const ReplacedElement* const wedge = FindWedge(this->Trimmed.Treated, e);
+    if (wedge)
+    {
+      const auto& node = wedge->Node;
+      // The facet where the edge was dropped.
+      if (this->IsLongChord(e, std::array<int, 4>{ node[0], node[2], node[5], node[3] }))
+      {
+        return true;
+      }
+    }
+    const BandElement& element = this->Mesh.Elements[e];
+    for (int slot = 0; slot < TopologyOf(element.Count).NumberOfFaces; ++slot)
+    {
+      const BandFace& face = this->Mesh.Faces[element.Face[slot]];
+      const bool whole = !wedge ||
+        std::none_of(wedge->Dropped.begin(), wedge->Dropped.end(),
+          [&face](int n) { return std::find(face.begin(), face.end(), n) != face.end(); });
+      // Of the model's border what lay beyond the surface.
+      const bool ofBorder = face.Exterior || IsCutFace(face, this->Trimmed.Kept);
+      if (whole && ofBorder && this->IsLongChord(e, face))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  template <typename Facet>
+  bool IsLongChord(int e, const Facet& facet) const
+  {
+    const Moves& moves = this->Trimmed.NodeMoves;
+    if (!std::all_of(facet.begin(), facet.end(), [this](int n) { return this->IsOnSurface(n); }))
+    {
+      return false; // a node that was left is told of as such
+    }
+    const double before = this->LongestEdgeBefore(e);
+    int last = *(facet.end() - 1);
+    for (const int node : facet)
+    {
+      const Vec3 &a = moves.Position[last], &b = moves.Position[node];
+      last = node;
+      if ((b - a).norm() > Stretched * before &&
+        std::abs(this->Surface.ClosestPoint(0.5 * (a + b)).SignedDistance) > LargestSag * before)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool IsOnSurface(int node) const
+  {
+    return this->Mesh.NodeStatus[node] == NodeOnSurface ||
+      (this->Trimmed.Moving[node] && !this->Trimmed.NodeMoves.Left[node]);
+  }
+
+  double LongestEdgeBefore(int e) const
+  {
+    const ElementPoints points = PointsOf(this->Mesh, e);
+    const auto& topology = TopologyOf(this->Mesh.Elements[e].Count);
+    double longest = 0.0;
+    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    {
+      longest = std::max(
+        longest, (points[topology.Edges[i].First] - points[topology.Edges[i].Second]).norm());
+    }
+    return longest;
+  }
+
+  const Band& Mesh;
+  const TrimmedBand& Trimmed;
+  const nurbs::TrimmingSurface& Surface;
+};
+
+}
+
+std::vector<int> FindLongChords(const TrimBand& near, const nurbs::TrimmingSurface& surface)
+{
+  const ChordSearch search(near, surface);
+  std::vector<int> found = FindTouchedElements(near.Mesh, near.Trimmed);
+  found.erase(std::remove_if(
+                found.begin(), found.end(), [&search](int e) { return !search.HasLongChord(e); }),
+    found.end());
+  return found;
+}
+
+}
