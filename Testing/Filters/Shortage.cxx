@@ -21,20 +21,41 @@ bool IsRefused(std::size_t bytes)
 }
 }
 
+// All forms of them, as a sanitizer has its own of each.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept
+{
+  return IsRefused(bytes) ? nullptr : std::malloc(bytes > 0 ? bytes : 1);
+}
 void* operator new(std::size_t bytes)
 {
-  void* const memory = IsRefused(bytes) ? nullptr : std::malloc(bytes > 0 ? bytes : 1);
+  void* const memory = operator new(bytes, std::nothrow);
   if (!memory)
   {
     throw std::bad_alloc();
   }
   return memory;
 }
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept
+{
+  return operator new(bytes, std::nothrow);
+}
+void* operator new[](std::size_t bytes)
+{
+  return operator new(bytes);
+}
 void operator delete(void* memory) noexcept
 {
   std::free(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept
+{
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }
