@@ -59,13 +59,14 @@ std::optional<Vec3> FindEndWithin(
   {
     const Vec3 at = ClampToElement(count, 0.5 * Vec3(i % 3, i / 3 % 3, i / 9));
     const auto foot = surface.ClosestPoint(MapToSpace(points, count, at));
-    const bool within = IsWithin(mesh, round, foot.Point, InsideMargin);
-    if (foot.Kind == FootKind::Border && within)
+    const bool ends = foot.Kind == FootKind::Border;
+    const bool within = (ends || !goesThrough) && IsWithin(mesh, round, foot.Point, InsideMargin);
+    if (ends && within)
     {
       return foot.Point;
     }
     goesThrough = goesThrough || within;
-    if (foot.Kind == FootKind::Border && !barely && IsWithin(mesh, round, foot.Point, BareMargin))
+    if (ends && !barely && IsWithin(mesh, round, foot.Point, BareMargin))
     {
       barely = foot.Point;
     }

@@ -33,7 +33,10 @@ bool Serves(const char* library, std::initializer_list<const char*> names)
   const bool serves = loaded &&
     std::all_of(names.begin(), names.end(),
       [loaded](const char* name) { return dlsym(loaded, name) == dlsym(RTLD_DEFAULT, name); });
-  loaded ? dlclose(loaded) : 0;
+  if (loaded)
+  {
+    dlclose(loaded);
+  }
   return serves;
 }
 

@@ -13,6 +13,7 @@
 
 #include "Moves.h"
 
+#include <array>
 #include <vector>
 
 namespace trim
@@ -41,6 +42,12 @@ struct ReplacedElement
   std::array<int, 8> Node; ///< of each triangle: next to the dropped one, opposite, before it
   std::array<int, 2> Dropped{ -1, -1 }; ///< beside the first and the second triangle
 };
+
+/// The nodes of the facet that a wedge has where it dropped an edge, in turn.
+inline std::array<int, 4> OpenedFacet(const ReplacedElement& wedge)
+{
+  return { wedge.Node[0], wedge.Node[2], wedge.Node[5], wedge.Node[3] };
+}
 
 struct Pentahedra
 {

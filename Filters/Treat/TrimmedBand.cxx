@@ -12,9 +12,9 @@ std::vector<char> FindBoundaryNodes(const Band& band, const TrimmedBand& trimmed
   std::vector<char> ofBoundary = FindCutNodes(band, trimmed.Kept);
   for (const auto& wedge : trimmed.Treated.Wedges)
   {
-    for (const int corner : { 0, 2, 3, 5 })
+    for (const int node : OpenedFacet(wedge))
     {
-      ofBoundary[wedge.Node[corner]] = 1;
+      ofBoundary[node] = 1;
     }
   }
   return ofBoundary;

@@ -29,14 +29,9 @@ public:
   bool HasLongChord(int e) const
   {
     const ReplacedElement* const wedge = FindWedge(this->Trimmed.Treated, e);
-    if (wedge)
+    if (wedge && this->IsLongChord(e, OpenedFacet(*wedge)))
     {
-      const auto& node = wedge->Node;
-      // The facet where the edge was dropped.
-      if (this->IsLongChord(e, std::array<int, 4>{ node[0], node[2], node[5], node[3] }))
-      {
-        return true;
-      }
+      return true;
     }
     const BandElement& element = this->Mesh.Elements[e];
     for (int slot = 0; slot < TopologyOf(element.Count).NumberOfFaces; ++slot)
@@ -44,7 +39,7 @@ public:
       const BandFace& face = this->Mesh.Faces[element.Face[slot]];
       const bool whole = !wedge ||
         std::none_of(wedge->Dropped.begin(), wedge->Dropped.end(),
-          [&face](int n) { return std::find(face.begin(), face.end(), n) != face.end(); });
+          [&face](int n) { return CornerOf(face, n) < face.Count; });
       // Of the model's border what lay beyond the surface.
       const bool ofBorder = face.Exterior || IsCutFace(face, this->Trimmed.Kept);
       if (whole && ofBorder && this->IsLongChord(e, face))

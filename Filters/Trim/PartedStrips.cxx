@@ -57,12 +57,7 @@ public:
       const bool isEdge = part >= this->FirstEdge && part < this->FirstFace;
       if (isEdge && sums[this->Sets.Find(part)] < 0)
       {
-        this->AnyAt(part - this->FirstEdge,
-          [&elements](int e)
-          {
-            elements.push_back(e);
-            return false;
-          });
+        this->ForElementsAt(part - this->FirstEdge, [&elements](int e) { elements.push_back(e); });
       }
     }
     SortUnique(elements);
@@ -70,19 +65,25 @@ public:
   }
 
 private:
-  /// Whether one of the elements at an edge passes a test.
-  template <typename Test>
-  bool AnyAt(int edge, const Test& test) const
+  template <typename Visit>
+  void ForElementsAt(int edge, const Visit& visit) const
   {
     const auto& ends = this->Mesh.Edges[edge];
-    const auto at = this->Mesh.ElementsOfNode(ends.First);
-    return std::any_of(at.begin(), at.end(),
-      [&](int e)
+    for (const int e : this->Mesh.ElementsOfNode(ends.First))
+    {
+      const BandElement& element = this->Mesh.Elements[e];
+      if (std::find(element.begin(), element.end(), ends.Second) != element.end())
       {
-        const BandElement& element = this->Mesh.Elements[e];
-        const bool has = std::find(element.begin(), element.end(), ends.Second) != element.end();
-        return has && test(e);
-      });
+        visit(e);
+      }
+    }
+  }
+
+  bool IsKeptEdge(int edge) const
+  {
+    bool kept = false;
+    this->ForElementsAt(edge, [&](int e) { kept = kept || this->Kept[e]; });
+    return kept;
   }
 
   template <typename Nodes>
@@ -135,7 +136,7 @@ private:
     {
       const std::array<int, 2> ends = { this->Mesh.Edges[edge].First,
         this->Mesh.Edges[edge].Second };
-      if (this->MayBeLost(ends) && !this->AnyAt(edge, [this](int e) { return this->Kept[e] != 0; }))
+      if (this->MayBeLost(ends) && !this->IsKeptEdge(edge))
       {
         this->AddLost(this->FirstEdge + edge, -1);
         this->UniteIfLost(this->FirstEdge + edge, ends[0]);
