@@ -217,13 +217,17 @@ NodeMove NodeMover::EndAtCorner(int node) const
   return move;
 }
 
-NodeMove NodeMover::ComeToCorner(int node, const Vec3& from) const
+bool NodeMover::IsInSheet(int node) const
 {
   const auto elements = this->TheBand.ElementsOfNode(node);
-  const bool inSheet = !this->TheColumns.IsChosenByCut(node) &&
+  return !this->TheColumns.IsChosenByCut(node) &&
     std::all_of(
       elements.begin(), elements.end(), [this](int e) { return this->TheColumns.HasThickness(e); });
-  NodeMove move = inSheet ? this->EndAtCorner(node) : NodeMove();
+}
+
+NodeMove NodeMover::ComeToCorner(int node, const Vec3& from) const
+{
+  NodeMove move = this->IsInSheet(node) ? this->EndAtCorner(node) : NodeMove();
   move.Found = move.Found &&
     this->Surface.ClosestPoint(move.Target).Distance < this->Surface.ClosestPoint(from).Distance;
   return move;

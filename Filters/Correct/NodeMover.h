@@ -83,6 +83,9 @@ public:
     return this->TheColumns.Pillar[a] != this->TheColumns.Pillar[b];
   }
 
+  /// Whether all elements at a node are of sheets, in columns that the cut has not chosen.
+  bool IsInSheet(int node) const;
+
   /// Of an element of eight nodes, as it came.
   const EdgeSquares& EdgesBefore(int element) const
   {

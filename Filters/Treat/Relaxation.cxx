@@ -25,6 +25,9 @@ constexpr int SpreadAttempts = 10;
 /// On a curved surface or skin a step may turn out better than it looks by this much.
 constexpr double Foresight = 0.02;
 
+/// The square of the length of an edge that is as good as none.
+constexpr double NoLength = 1e-100;
+
 constexpr std::size_t LeastForThreads = 500;
 
 class Relaxer : private RelaxedMesh
@@ -345,33 +348,51 @@ private:
   }
 
   /// How much farther than a node others have gone in the mean.
-  /// @param forEach forEach(visit) calls visit(other) for each of them.
+  /// @param forEach forEach(visit) calls visit(other, weight) for each of them.
   template <typename ForEach>
   Vec3 WayToMean(int node, const ForEach& forEach) const
   {
     const auto wayOf = [this](int n) -> Vec3
     { return this->TheMoves.Position[n] - this->TheBand.Point[n]; };
     Vec3 sum = Vec3::Zero();
-    int count = 0;
+    double weights = 0.0;
     forEach(
-      [&](int other)
+      [&](int other, double weight)
       {
-        sum += wayOf(other);
-        ++count;
+        sum += weight * wayOf(other);
+        weights += weight;
       });
-    return count > 0 ? Vec3(sum / count - wayOf(node)) : Vec3::Zero();
+    return weights > 0.0 ? Vec3(sum / weights - wayOf(node)) : Vec3::Zero();
   }
 
   Vec3 WayOf(int node, const Band::Range& neighbours) const
   {
     return this->WayToMean(node,
-      [&neighbours](const auto& visit)
-      { std::for_each(neighbours.begin(), neighbours.end(), visit); });
+      [&](const auto& visit)
+      {
+        for (const int other : neighbours)
+        {
+          visit(other, this->Stiffness(node, other));
+        }
+      });
   }
   Vec3 WayOfNeighbours(int node) const
   {
-    return this->WayToMean(
-      node, [this, node](const auto& visit) { this->ForNeighbours(node, visit); });
+    return this->WayToMean(node,
+      [this, node](const auto& visit)
+      { this->ForNeighbours(node, [&visit](int other) { visit(other, 1.0); }); });
+  }
+
+  /// How closely a node follows another one. An inserted layer is thin: its nodes have to go where
+  /// those on the cut go, or it turns over.
+  double Stiffness(int node, int other) const
+  {
+    if (!this->TheBand.BeforeLayer)
+    {
+      return 1.0;
+    }
+    const Vec3 edge = this->TheBand.Point[other] - this->TheBand.Point[node];
+    return 1.0 / std::max(edge.squaredNorm(), NoLength);
   }
 
   /// Nodes of one pillar, where they are, and the elements at them.

@@ -1,5 +1,6 @@
 #include "ReturnedNodes.h"
 
+#include "AddUnique.h"
 #include "JointRelaxation.h"
 
 #include <algorithm>
@@ -111,7 +112,52 @@ private:
     {
       add(this->Mover.SlideAlong(node, edge));
     }
+    if (places.empty() && !this->Mover.IsInSheet(node))
+    {
+      add(this->BetweenNeighbours(node));
+    }
     return places;
+  }
+
+  /// Where the way to the surface leaves a block a node may still come to lie between those beside
+  /// it on the cut; for one on the skin, those on the skin.
+  NodeMove BetweenNeighbours(int node) const
+  {
+    std::vector<int> beside;
+    const auto offer = [&](int other)
+    {
+      if (this->OnCut[other] && !this->TheMoves.Left[other])
+      {
+        AddUnique(beside, other);
+      }
+    };
+    bool onSkin = false;
+    for (const int f : this->TheBand.FacesOfNode(node))
+    {
+      const BandFace& face = this->TheBand.Faces[f];
+      if (face.Exterior)
+      {
+        onSkin = true;
+        const auto ends = NeighboursOf(face, node);
+        std::for_each(ends.begin(), ends.end(), offer);
+      }
+    }
+    for (const int edge : onSkin ? Band::Range() : this->TheBand.EdgesOfNode(node))
+    {
+      offer(this->TheBand.OtherEnd(edge, node));
+    }
+    if (beside.size() < 2 || (onSkin && beside.size() > 2))
+    {
+      return {};
+    }
+    Vec3 middle = Vec3::Zero();
+    for (const int other : beside)
+    {
+      middle += this->TheMoves.Position[other] / static_cast<double>(beside.size());
+    }
+    const Vec3 along =
+      this->TheMoves.Position[beside.back()] - this->TheMoves.Position[beside.front()];
+    return this->Mover.Between(node, middle, along.normalized());
   }
 
   bool Return(int node)
