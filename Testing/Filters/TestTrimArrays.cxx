@@ -14,6 +14,7 @@
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
 #include <vtkStringArray.h>
+#include <vtkTrimHexahedralGrid.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cstdio>
@@ -126,6 +127,24 @@ void TestNameClashes(Mesh mesh, const Surface& surface)
   Expect(IsFilled(grid->GetPointData(), "Displacement", 3.5), "names: the input has changed");
 }
 
+// A new name that is taken too is made longer; field data may be all that clashes.
+void TestOtherClashes(Mesh mesh, const Surface& surface)
+{
+  vtkUnstructuredGrid* grid = mesh.Grid;
+  AddFilled<vtkFloatArray>(grid->GetFieldData(), "Volume", 1, 12);
+  const Outcome alone = RunTrim(mesh, surface, TrimOptions());
+  Expect(IsFilled(alone.Case.Trimmed->GetFieldData(), "InputVolume", 12) &&
+      IsFilled(alone.Case.Whole->GetFieldData(), "InputVolume", 12) && alone.Warnings.size() == 1,
+    "names: of the field data alone");
+  AddFilled<vtkFloatArray>(grid->GetPointData(), "Displacement", grid->GetNumberOfPoints(), 3.5);
+  AddFilled<vtkFloatArray>(
+    grid->GetPointData(), "InputDisplacement", grid->GetNumberOfPoints(), 4.5);
+  const Outcome both = RunTrim(mesh, surface, TrimOptions());
+  Expect(IsFilled(both.Case.Trimmed->GetPointData(), "InputInputDisplacement", 3.5) &&
+      IsFilled(both.Case.Trimmed->GetPointData(), "InputDisplacement", 4.5),
+    "names: of two arrays one is lost");
+}
+
 // What an earlier trim has written is no clash, and nothing of it stays that the next one does not
 // write.
 void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
@@ -145,14 +164,18 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
   Expect(!outcome.Case.Trimmed->GetPointData()->HasArray("InputDisplacement"),
     "names: an earlier trim's displacement stays");
 
-  // A solver has written its own in between.
-  next.Grid->GetPointData()->RemoveArray("Displacement");
-  AddFilled<vtkDoubleArray>(
-    next.Grid->GetPointData(), "Displacement", next.Grid->GetNumberOfPoints(), 7);
-  const Outcome solved = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
-  Expect(IsFilled(solved.Case.Trimmed->GetPointData(), "InputDisplacement", 7) &&
-      solved.Warnings.size() == 1,
-    "names: a solver's displacement is lost after an earlier trim");
+  // A solver has written its own in between, of another type or of other components.
+  for (const bool isDouble : { true, false })
+  {
+    vtkPointData* data = next.Grid->GetPointData();
+    data->RemoveArray("Displacement");
+    isDouble ? AddFilled<vtkDoubleArray>(data, "Displacement", next.Grid->GetNumberOfPoints(), 7)
+             : AddFilled<vtkFloatArray>(data, "Displacement", next.Grid->GetNumberOfPoints(), 7);
+    const Outcome solved = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
+    Expect(IsFilled(solved.Case.Trimmed->GetPointData(), "InputDisplacement", 7) &&
+        solved.Warnings.size() == 1,
+      "names: a solver's displacement is lost after an earlier trim");
+  }
 }
 
 // Points and data that come as an array for each component are taken as they are.
@@ -189,6 +212,51 @@ void TestOtherLayout(const std::string& name)
   }
   const std::string difference = FirstDifference(expected.Case.Trimmed, outcome.Case.Trimmed);
   Expect(difference.empty(), name + ": points by component: " + difference);
+}
+
+// What a filter remembers of its inputs it forgets when they change, though they are the same
+// objects, and what it said of them.
+void TestChangedInPlace(Mesh mesh)
+{
+  const Surface surface = MakeSurface("plane", mesh.Box, Placement());
+  vtkUnstructuredGrid* const grid = mesh.Grid;
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, grid);
+  filter->SetInputDataObject(1, surface.Data);
+  const auto check = [&](const std::string& what)
+  {
+    const Listener listener;
+    filter->Update();
+    const std::vector<std::string> warnings = listener.Warnings();
+    const Outcome expected = RunTrim(mesh, surface, TrimOptions());
+    auto* const trimmed = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    const std::string difference = FirstDifference(expected.Case.Trimmed, trimmed);
+    Expect(expected.Clean() && trimmed->GetNumberOfCells() > 0 && difference.empty(),
+      "changed in place: " + what + ": " + difference);
+    Expect(warnings.size() == expected.Warnings.size(),
+      "changed in place: " + what + ": " + std::to_string(warnings.size()) + " warnings, not " +
+        std::to_string(expected.Warnings.size()));
+  };
+  check("as it was made");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(i, p);
+    grid->GetPoints()->SetPoint(i, p[0] + 2.3, p[1], p[2]);
+  }
+  grid->GetPoints()->Modified();
+  check("points moved");
+  AddFilled<vtkFloatArray>(grid->GetCellData(), "More", grid->GetNumberOfCells() + 3, 1);
+  check("a longer array");
+  grid->GetCellData()->RemoveArray("More");
+  check("the longer array is gone");
+  vtkDataArray* const control = surface.Data->GetFieldData()->GetArray("NURBSControlPoints");
+  for (vtkIdType i = 0; i < control->GetNumberOfTuples(); ++i)
+  {
+    control->SetComponent(i, 0, control->GetComponent(i, 0) + 1.7);
+  }
+  control->Modified();
+  check("surface moved");
 }
 
 // Tuples follow their elements whatever the numbering: with and without renumbering.
@@ -274,6 +342,8 @@ int main()
   TestUnusual(mesh, MakeSurface("scurve", mesh.Box, Placement()));
   TestSurplus(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNameClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
+  TestOtherClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
+  TestChangedInPlace(MakeMesh("sheet2"));
   TestNamesOfEarlierTrim(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
