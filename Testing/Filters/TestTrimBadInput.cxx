@@ -308,6 +308,14 @@ void TestPointsAndArrays(const Mesh& mesh)
     grid->GetPoints()->SetPoint(i, 1, 2, 3);
   }
   Judge("all nodes at one place", grid, plane, { "one place", "1 2 3" });
+  grid = CopyOf(mesh);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(i, p);
+    grid->GetPoints()->SetPoint(i, 9e14 + 0.2 * p[0], 0.2 * p[1], p[2]);
+  }
+  Judge("so far away that places are one", grid, plane, { "one place", "nearer to the origin" });
 }
 
 // Options out of their ranges, and a mesh in several blocks.
