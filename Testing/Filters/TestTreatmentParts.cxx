@@ -3,12 +3,15 @@
  * @brief What the ladder relies on, by itself: a decision that is taken again, a climb that does
  * not pay, the bound of the scaled Jacobian, the step of least squares, the worth of an element,
  * the way to a sharp edge, the way behind several planes, nodes that lie near each other, tasks in
- * turn, threads that stay, what movers remember.
+ * turn, threads that stay, what movers remember, edges that slip through gaps, the gravest of
+ * several shortfalls.
  */
 #include "Decision.h"
 #include "DirectionBehind.h"
+#include "EdgeCrossing.h"
 #include "ElementWorth.h"
 #include "Expect.h"
+#include "FindingArrays.h"
 #include "Jacobian.h"
 #include "LeastSquaresStep.h"
 #include "MoverMemory.h"
@@ -23,7 +26,10 @@
 
 #include <Eigen/LU>
 
+#include <vtkCellData.h>
+#include <vtkNew.h>
 #include <vtkSMPTools.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <atomic>
@@ -689,6 +695,33 @@ void CheckSlidingMatters()
   Expect(block.SlidingMatters(*memory), "the border beyond the surface may hold");
 }
 
+/// An edge slips through a gap between faces that counts as closed, and through no other.
+void CheckGap()
+{
+  const auto wall = [](double y)
+  { return samples::Plane(Vec3(0, y, -5), Vec3(0, 4, 0), Vec3(0, 0, 10)); };
+  const nurbs::TrimmingSurface surface({ wall(0.0), wall(4.02) }, 1e-4, 0.1);
+  const Vec3 beyond(0.5, 4.01, 0), kept(-0.5, 4.01, 0);
+  const auto share = CrossEdge(surface, beyond, kept, 0.1);
+  Expect(share && std::abs(*share - 0.5) < 0.05, "an edge through a gap that counts as closed");
+  Expect(!CrossEdge(surface, beyond, kept, 1e-3), "an edge through a wider gap");
+}
+
+/// Of several shortfalls at one place the gravest counts, in whatever order they come.
+void CheckShortfalls()
+{
+  vtkNew<vtkCellData> data;
+  AddShortfalls({ { 3, Shortfall::LeftOff }, { 3, Shortfall::Invalid }, { -1, Shortfall::Invalid },
+                  { 3, Shortfall::BelowFloor }, { 5, Shortfall::BelowFloor } },
+    7, data);
+  auto* const array = vtkUnsignedCharArray::SafeDownCast(data->GetArray("Shortfall"));
+  Expect(array && array->GetNumberOfTuples() == 7 &&
+      array->GetValue(3) == static_cast<unsigned char>(Shortfall::Invalid) &&
+      array->GetValue(5) == static_cast<unsigned char>(Shortfall::BelowFloor) &&
+      array->GetValue(0) == 0 && array->GetValue(6) == 0,
+    "the gravest shortfall of each cell");
+}
+
 }
 
 int main()
@@ -707,6 +740,8 @@ int main()
   CheckCrease();
   CheckRemembered();
   CheckSlidingMatters();
+  CheckGap();
+  CheckShortfalls();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

@@ -534,6 +534,46 @@ void TestBesideEnd()
   Expect(RunTrim(apart, wall(4.3, 8.5), {}).Warnings.empty(), "a part beyond on one side");
 }
 
+// Of a part that sees more of the surface than its end the nodes that do decide: the wall bends
+// down in the gap between the sheets, and the lower nodes of the second one see it from behind.
+void TestBehindEnd()
+{
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, -3, 0));
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  SplineSurface wall;
+  wall.CountU = 3;
+  wall.CountV = 2;
+  wall.KnotsU = UniformKnots(3, 1);
+  wall.KnotsV = { 0, 0, 1, 1 };
+  for (const double z : { -9.0, 9.0 })
+  {
+    for (const Vec2& p : { Vec2(-9, 4.3), Vec2(8.5, 4.3), Vec2(8.8, 1) })
+    {
+      const Vec3 corner = first + Vec3(p[0], p[1], z);
+      wall.Control.emplace_back(corner[0], corner[1], corner[2], 1);
+    }
+  }
+  Surface surface;
+  surface.Data = ToPolyData(wall);
+  const vtkIdType half = sheets.Grid->GetNumberOfCells() / 2;
+  for (const bool invert : { false, true })
+  {
+    TrimOptions options;
+    options.InvertSide = invert;
+    const Outcome outcome = RunTrim(sheets, surface, options);
+    vtkDataArray* const ids = outcome.Case.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+    vtkIdType ofSecond = 0;
+    bool hasUpper = false;
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      ofSecond += ids->GetComponent(i, 0) >= half;
+      hasUpper |= ids->GetComponent(i, 0) == half - 1;
+    }
+    Expect(outcome.Clean() && outcome.Warnings.empty() && ofSecond == (hasUpper ? half : 0),
+      "behind an end: " + std::to_string(ofSecond) + " elements of the second sheet stay");
+  }
+}
+
 /// Volume of what the plane, which is nearly along a sheet of one layer, has on its kept side, less
 /// that of what is kept, in elements.
 double MeasureLoss(
@@ -762,6 +802,7 @@ int main()
   TestStripParted();
   TestLongChords();
   TestBesideEnd();
+  TestBehindEnd();
   TestFlatLost();
   TestStretched();
   TestShortfalls();
