@@ -10,6 +10,7 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
@@ -17,7 +18,10 @@
 #include <vtkTrimHexahedralGrid.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 using namespace judge;
 
@@ -66,12 +70,14 @@ void TestUnusual(Mesh mesh, const Surface& surface)
 }
 
 template <typename Array>
-void AddFilled(vtkFieldData* data, const char* name, vtkIdType count, double value)
+void AddFilled(
+  vtkFieldData* data, const char* name, vtkIdType count, double value, int components = 1)
 {
   vtkNew<Array> array;
   array->SetName(name);
+  array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(count);
-  array->FillComponent(0, value);
+  array->Fill(value);
   data->AddArray(array);
 }
 
@@ -136,6 +142,8 @@ void TestOtherClashes(Mesh mesh, const Surface& surface)
   Expect(IsFilled(alone.Case.Trimmed->GetFieldData(), "InputVolume", 12) &&
       IsFilled(alone.Case.Whole->GetFieldData(), "InputVolume", 12) && alone.Warnings.size() == 1,
     "names: of the field data alone");
+  // One of an earlier trim does not make it one.
+  AddFilled<vtkUnsignedCharArray>(grid->GetPointData(), "NodeStatus", grid->GetNumberOfPoints(), 2);
   AddFilled<vtkFloatArray>(grid->GetPointData(), "Displacement", grid->GetNumberOfPoints(), 3.5);
   AddFilled<vtkFloatArray>(
     grid->GetPointData(), "InputDisplacement", grid->GetNumberOfPoints(), 4.5);
@@ -143,6 +151,77 @@ void TestOtherClashes(Mesh mesh, const Surface& surface)
   Expect(IsFilled(both.Case.Trimmed->GetPointData(), "InputInputDisplacement", 3.5) &&
       IsFilled(both.Case.Trimmed->GetPointData(), "InputDisplacement", 4.5),
     "names: of two arrays one is lost");
+  Expect(IsFilled(both.Case.Trimmed->GetPointData(), "InputNodeStatus", 2),
+    "names: a status of the user's own is lost");
+}
+
+// What the input is coloured by it stays coloured by; else it is by the statuses of the elements.
+void TestActiveScalars(const Mesh& mesh, const Surface& surface)
+{
+  for (const char* asked : { "Thickness", "ElementStatus" })
+  {
+    Mesh coloured = mesh;
+    coloured.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    coloured.Grid->ShallowCopy(mesh.Grid);
+    vtkCellData* const data = coloured.Grid->GetCellData();
+    AddFilled<vtkFloatArray>(data, "Thickness", coloured.Grid->GetNumberOfCells(), 0.8);
+    coloured.Grid->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::SCALARS);
+    data->SetActiveAttribute(-1, vtkDataSetAttributes::SCALARS);
+    data->SetActiveScalars(asked);
+    TrimOptions options;
+    options.ProduceOffcut = true;
+    const Outcome outcome = RunTrim(coloured, surface, options);
+    for (vtkUnstructuredGrid* output :
+      { outcome.Case.Trimmed.Get(), outcome.Case.Whole.Get(), outcome.Offcut.Get() })
+    {
+      vtkDataArray* const scalars = output->GetCellData()->GetScalars();
+      Expect(
+        scalars && std::string(scalars->GetName()) == asked, std::string("scalars: not ") + asked);
+    }
+  }
+}
+
+// The quality is that of all elements if that is asked for, and else that of those at the cut.
+void TestQualityOfAll(const Mesh& mesh, const Surface& surface)
+{
+  std::array<vtkSmartPointer<vtkDataArray>, 2> qualities;
+  for (const bool all : { false, true })
+  {
+    vtkNew<vtkTrimHexahedralGrid> filter;
+    filter->SetInputDataObject(0, mesh.Grid);
+    filter->SetInputDataObject(1, surface.Data);
+    filter->SetQualityOfAllElements(all);
+    filter->Update();
+    auto* const trimmed = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    qualities[all] = trimmed->GetCellData()->GetArray("ScaledJacobian");
+  }
+  vtkIdType without = 0, missing = 0, differ = 0;
+  for (vtkIdType c = 0; c < qualities[0]->GetNumberOfTuples(); ++c)
+  {
+    const double some = qualities[0]->GetComponent(c, 0), every = qualities[1]->GetComponent(c, 0);
+    without += std::isnan(some);
+    missing += std::isnan(every);
+    differ += !std::isnan(some) && some != every;
+  }
+  Expect(without > 0 && missing == 0 && differ == 0,
+    "quality of all: " + std::to_string(missing) + " elements without");
+}
+
+// The outputs are of the later of the inputs' times.
+void TestTime(const Mesh& mesh, const Surface& surface)
+{
+  const auto key = vtkDataObject::DATA_TIME_STEP();
+  for (const auto& [ofGrid, ofSurface] : { std::pair(1.5, 4.0), { 4.0, 1.5 } })
+  {
+    mesh.Grid->GetInformation()->Set(key, ofGrid);
+    surface.Data->GetInformation()->Set(key, ofSurface);
+    const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
+    for (vtkUnstructuredGrid* output : { outcome.Case.Trimmed.Get(), outcome.Case.Whole.Get() })
+    {
+      vtkInformation* const information = output->GetInformation();
+      Expect(information->Has(key) && information->Get(key) == 4.0, "time: not the later one");
+    }
+  }
 }
 
 // What an earlier trim has written is no clash, and nothing of it stays that the next one does not
@@ -164,13 +243,25 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
   Expect(!outcome.Case.Trimmed->GetPointData()->HasArray("InputDisplacement"),
     "names: an earlier trim's displacement stays");
 
+  // Filters between the two may have dropped the field data.
+  vtkNew<vtkUnstructuredGrid> filtered;
+  filtered->ShallowCopy(next.Grid);
+  filtered->GetFieldData()->Initialize();
+  Mesh bare = next;
+  bare.Grid = filtered;
+  const Outcome ofBare = RunTrim(bare, MakeSurface("plane", mesh.Box, at), options);
+  Expect(
+    ofBare.Warnings.empty() && !ofBare.Case.Trimmed->GetPointData()->HasArray("InputDisplacement"),
+    "names: an earlier trim without field data is none");
+
   // A solver has written its own in between, of another type or of other components.
-  for (const bool isDouble : { true, false })
+  for (const auto& [isDouble, components] : { std::pair(true, 3), { true, 1 }, { false, 1 } })
   {
     vtkPointData* data = next.Grid->GetPointData();
+    const vtkIdType count = next.Grid->GetNumberOfPoints();
     data->RemoveArray("Displacement");
-    isDouble ? AddFilled<vtkDoubleArray>(data, "Displacement", next.Grid->GetNumberOfPoints(), 7)
-             : AddFilled<vtkFloatArray>(data, "Displacement", next.Grid->GetNumberOfPoints(), 7);
+    isDouble ? AddFilled<vtkDoubleArray>(data, "Displacement", count, 7, components)
+             : AddFilled<vtkFloatArray>(data, "Displacement", count, 7, components);
     const Outcome solved = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
     Expect(IsFilled(solved.Case.Trimmed->GetPointData(), "InputDisplacement", 7) &&
         solved.Warnings.size() == 1,
@@ -344,6 +435,9 @@ int main()
   TestNameClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestOtherClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestChangedInPlace(MakeMesh("sheet2"));
+  TestActiveScalars(mesh, MakeSurface("scurve", mesh.Box, Placement()));
+  TestQualityOfAll(mesh, MakeSurface("scurve", mesh.Box, Placement()));
+  TestTime(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNamesOfEarlierTrim(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;

@@ -387,6 +387,20 @@ void TestHidden()
     Expect(named > 9 && found->GetComponent(named - leftOut, 0) == value,
       "hidden cells: another cell is named that is " + phrase);
   };
+  // Flags of points alone leave out nothing, and are in no output either.
+  vtkNew<vtkUnsignedCharArray> ofPoints;
+  ofPoints->SetName(vtkDataSetAttributes::GhostArrayName());
+  ofPoints->SetNumberOfTuples(flagged->GetNumberOfPoints());
+  ofPoints->FillComponent(0, vtkDataSetAttributes::DUPLICATEPOINT);
+  Mesh shared = MakeMesh("sheet2");
+  shared.Grid->GetPointData()->AddArray(ofPoints);
+  const Outcome whole = RunTrim(shared, plane, TrimOptions());
+  Expect(whole.Clean() && whole.Warnings.empty() &&
+      whole.Case.Whole->GetNumberOfCells() == shared.Grid->GetNumberOfCells() &&
+      !whole.Case.Trimmed->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()) &&
+      !whole.Case.Whole->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()),
+    "hidden cells: flags of points");
+
   const Surface hole = RoundHole(mesh, 15.2, 10.3, 1.3);
   expectNamed("narrower than three", RunTrim(mesh, hole, TrimOptions()), "Feasibility", 3);
   for (vtkIdType i = 0; i < flagged->GetNumberOfPoints(); ++i)
