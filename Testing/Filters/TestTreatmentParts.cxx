@@ -14,6 +14,7 @@
 #include "FindingArrays.h"
 #include "Jacobian.h"
 #include "LeastSquaresStep.h"
+#include "Manifold.h"
 #include "MoverMemory.h"
 #include "NodeGrid.h"
 #include "NodeMover.h"
@@ -148,7 +149,7 @@ void CheckDecisionAgain()
   std::mt19937 random(1);
   std::vector<Fate> fate(block.Mesh.NumberOfElements(), Fate::ByVolume);
   const std::vector<char> first = again.Take(fate);
-  int changed = 0, mended = 0;
+  int changed = 0, mended = 0, pinched = 0;
   for (int trial = 0; trial < 200; ++trial)
   {
     for (int e = 0; e < block.Mesh.NumberOfElements(); ++e)
@@ -167,9 +168,14 @@ void CheckDecisionAgain()
     {
       mended += (fate[e] == Fate::Keep && !kept[e]) || (fate[e] == Fate::Eliminate && kept[e]);
     }
+    for (int n = 0; n < block.Mesh.NumberOfNodes(); ++n)
+    {
+      pinched += !IsManifoldAt(block.Mesh, kept, n);
+    }
   }
   Expect(changed == 200, "every trial changes what is kept");
   Expect(mended > 200, "and fates are mended: " + std::to_string(mended));
+  Expect(pinched == 0, "what is kept hangs by " + std::to_string(pinched) + " nodes or edges");
   fate.assign(fate.size(), Fate::ByVolume);
   Expect(again.Take(fate) == first, "the first fates give the first decision again");
 }

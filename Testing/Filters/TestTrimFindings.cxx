@@ -137,11 +137,19 @@ void ExpectNothing(
   }
 }
 
+bool IsTold(const Outcome& outcome, const std::string& words)
+{
+  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
+    [&words](const std::string& warning) { return warning.find(words) != std::string::npos; });
+}
+
 // Only the given value, in at least so many elements.
 void ExpectOnly(const std::string& name, const Mesh& mesh, const Surface& surface, int value,
   int atLeast, const TrimOptions& options = {})
 {
-  auto found = ExpectWarned(name, RunTrim(mesh, surface, options));
+  const Outcome outcome = RunTrim(mesh, surface, options);
+  auto found = ExpectWarned(name, outcome);
+  Expect(!IsTold(outcome, "misses the grid"), name + ": the surface is said to miss the grid");
   Expect(found[value] >= atLeast,
     name + ": in " + std::to_string(found[value]) + " elements, not " + std::to_string(atLeast));
   found.erase(value);
@@ -345,12 +353,6 @@ int NumberAfter(const std::string& words, const Outcome& outcome)
     }
   }
   return 0;
-}
-
-bool IsTold(const Outcome& outcome, const std::string& words)
-{
-  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
-    [&words](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
 const char* const StripPhrase = "The volume of 6 cut elements is lost";
@@ -671,6 +673,30 @@ void TestMirrored()
   Expect(CountWarned(outcome, "elements of the offcut were inside out") > 20, "mirrored: offcut");
 }
 
+// Elements without a volume have no share beyond the surface, and nothing else that is no number.
+void TestFlat()
+{
+  Mesh mesh = MakeMesh("sheet2");
+  vtkPoints* points = mesh.Grid->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1], 0);
+  }
+  const Outcome outcome = RunTrim(mesh, MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
+  vtkCellData* const cells = outcome.Case.Whole->GetCellData();
+  vtkIdType stay = 0;
+  for (vtkIdType c = 0; c < mesh.Grid->GetNumberOfCells(); ++c)
+  {
+    stay += cells->GetArray("ElementStatus")->GetComponent(c, 0) != 1;
+    Expect(!std::isnan(cells->GetArray("EliminatedFraction")->GetComponent(c, 0)), "flat: a share");
+  }
+  Expect(outcome.Clean() && outcome.Case.Trimmed->GetNumberOfCells() == stay,
+    "flat: " + std::to_string(outcome.Case.Trimmed->GetNumberOfCells()) + " elements stay, not " +
+      std::to_string(stay));
+}
+
 // A cone past the corners of a hole of the model: nodes with no place to go.
 void TestLeft()
 {
@@ -682,6 +708,15 @@ void TestLeft()
   const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
   ExpectWarned("left", outcome);
   Expect(CountWarned(outcome, LeftPhrase) > 0, "left: no node is");
+  // What to ask for less of is named if it was asked for.
+  TrimOptions withoutFloor;
+  withoutFloor.MinimumScaledJacobian = 0;
+  const Mesh block = Block(6, 6, 6);
+  const Outcome valid =
+    RunTrim(block, PlaneThrough(block.Box.Centre, Vec3(1, 0.9, 0.8), 30), withoutFloor);
+  const char* const floor = "MinimumScaledJacobian";
+  Expect(CountWarned(valid, LeftPhrase) > 0 && IsTold(outcome, floor) && !IsTold(valid, floor),
+    "left: a floor is named where there is none");
   vtkUnstructuredGrid* grid = outcome.Case.Trimmed;
   vtkDataArray* left = grid->GetPointData()->GetArray("DistanceLeft");
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
@@ -807,6 +842,7 @@ int main()
   TestStretched();
   TestShortfalls();
   TestMirrored();
+  TestFlat();
   TestLeft();
   TestCornerLost();
   TestCoarseTolerance();
