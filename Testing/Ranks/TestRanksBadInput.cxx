@@ -228,28 +228,38 @@ void TestScatteredSurfaces()
   }
 }
 
-/// What ends in a part of the mesh that one rank has alone is an error of all.
-void TestEndInOnePart()
+/// Two sheets, one for each rank, and a wall across the first one that ends at an x.
+struct SheetsAndWall
+{
+  Grids Pieces;
+  Surfaces Walls;
+};
+
+SheetsAndWall WithWallTo(double end)
 {
   const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
-  const auto pieces = Divide(sheets, WithWholeIds(sheets.Grid), "slabs", 2);
   const Vec3 first(sheets.Grid->GetPoint(0));
   SplineSurface wall;
   wall.CountU = wall.CountV = 2;
   wall.KnotsU = wall.KnotsV = { 0, 0, 1, 1 };
   for (const double z : { -9.0, 9.0 })
   {
-    for (const double x : { -9.0, 13.2 })
+    for (const double x : { -9.0, end })
     {
       const Vec3 corner = first + Vec3(x, 4.3, z);
       wall.Control.emplace_back(corner[0], corner[1], corner[2], 1);
     }
   }
-  const Surfaces walls{ ToPolyData(wall), ToPolyData(wall) };
-  const PiecesOutcome outcome = TrimPieces(pieces, walls, TrimOptions());
-  Check(outcome.Errors.size() == 1 && IsEmpty(outcome.Trimmed) &&
-      outcome.Errors[0].find("ends inside the grid") != std::string::npos,
-    "a surface that ends in one rank's part: not one error");
+  return { Divide(sheets, WithWholeIds(sheets.Grid), "slabs", 2),
+    { ToPolyData(wall), ToPolyData(wall) } };
+}
+
+/// What ends in a part of the mesh that one rank has alone is an error of all.
+void TestEndInOnePart()
+{
+  const SheetsAndWall given = WithWallTo(13.2);
+  ExpectError(
+    "a surface that ends in one rank's part", given.Pieces, given.Walls, "ends inside the grid");
 }
 
 /// One warning that begins with these words, or holds them.
@@ -281,6 +291,10 @@ void TestRemarks()
   Check(pieces[2]->GetPointData()->GetGlobalIds() != nullptr, "no ids to take away");
   pieces[2]->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   ExpectWarning("no global ids on rank 2", pieces, Planes(), "others have none");
+
+  const SheetsAndWall given = WithWallTo(8.5);
+  ExpectWarning("a part beside the end on rank 1", given.Pieces, given.Walls,
+    "): 1 parts of the grid lie beyond the end");
 
   // Copies of what other ranks have are nothing to tell of.
   const PiecesOutcome copies =
@@ -419,6 +433,27 @@ void TestPartialArrays()
   }
 }
 
+/// What was far off on one rank is forgotten by the others when it is mended.
+void TestMended()
+{
+  const auto pieces = Pieces();
+  double place[3];
+  pieces[1]->GetPoint(0, place);
+  pieces[1]->GetPoints()->SetPoint(0, 1e200, 0.0, 0.0);
+  const PiecesOutcome outcome = TrimPieces(pieces, Planes(), TrimOptions(), {},
+    [&](int rank, vtkTrimHexahedralGrid* filter)
+    {
+      filter->Modified();
+      if (rank == 1)
+      {
+        pieces[1]->GetPoints()->SetPoint(0, place);
+        pieces[1]->GetPoints()->Modified();
+      }
+    });
+  Check(outcome.Errors.size() == 1 && !IsEmpty(outcome.Trimmed),
+    "mended: " + std::to_string(outcome.Errors.size()) + " errors, not the first one alone");
+}
+
 /// Kept from run to run, and made anew on all ranks when one rank's piece or surface changes.
 void TestRerun(int port)
 {
@@ -457,6 +492,7 @@ int main()
   TestAborts();
   TestRerun(0);
   TestRerun(1);
+  TestMended();
   TestRemarks();
   TestEndInOnePart();
   TestPartialArrays();
