@@ -667,6 +667,12 @@ void TestMirrored()
   ExpectWarned("mirrored", outcome);
   const auto number = [&](const char* name)
   { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  const Outcome upright =
+    RunTrim(MakeMesh("sheet2"), MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
+  const double volume =
+    upright.Case.Trimmed->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
+  Expect(std::abs(number("Volume") - volume) < 0.01 * volume,
+    "mirrored: a volume of " + std::to_string(number("Volume")));
   Expect(number("TouchedElements") > 20 && number("CertifiedElements") == 0 &&
       CountWarned(outcome, ShortfallPhrases[4]) == number("TouchedElements"),
     "mirrored: touched elements");
