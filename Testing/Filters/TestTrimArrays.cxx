@@ -348,6 +348,13 @@ void TestChangedInPlace(Mesh mesh)
   }
   control->Modified();
   check("surface moved");
+  // As a source leaves it that failed: not trimmed along what it was before.
+  surface.Data->Initialize();
+  const Listener listener;
+  filter->Update();
+  Expect(listener.Errors().size() == 1 &&
+      filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL) == 0,
+    "changed in place: a surface that is empty now");
 }
 
 // Tuples follow their elements whatever the numbering: with and without renumbering.

@@ -364,17 +364,26 @@ void TestSeveralOpen()
   }
 }
 
-/// Beside a closed line the part is where that is: the other side of an open one goes.
+/// Beside a closed line the part is where that is: the other side of an open one goes. The lines
+/// come in the order of the file.
 void TestOpenAndClosed()
 {
   for (bool reversed : { false, true })
   {
     IgesText iges;
+    if (reversed)
+    {
+      AddCircle(iges, 4, 0, 1);
+    }
     iges.Add(110, reversed ? "0.,9.,0.,0.,-9.,0." : "0.,-9.,0.,0.,9.,0.");
-    AddCircle(iges, 4, 0, 1);
+    if (!reversed)
+    {
+      AddCircle(iges, 4, 0, 1);
+    }
     const LineResult result = ReadGood(Written(iges, "cut-and-hole.igs"), 2);
-    CHECK(UnitNormal(result.Surfaces[0], 9.0, 0.0).x() < -0.99, "cut, reversed " << reversed);
-    CHECK(LeastInwards(result.Surfaces[1], Vec3(4, 0, 0)) > 0.999, "hole, reversed " << reversed);
+    const NurbsSurface &cut = result.Surfaces[reversed], &hole = result.Surfaces[!reversed];
+    CHECK(UnitNormal(cut, 9.0, 0.0).x() < -0.99, "cut, reversed " << reversed);
+    CHECK(LeastInwards(hole, Vec3(4, 0, 0)) > 0.999, "hole, reversed " << reversed);
   }
 }
 
