@@ -440,7 +440,25 @@ void TestInserted()
           whole->GetComponent(static_cast<vtkIdType>(origin->GetComponent(c, 0)), 0),
         name + "another Rescue on port 0");
     }
+    vtkDataArray* distance = grid->GetPointData()->GetArray("SignedDistance");
+    vtkDataArray* before = outcome.Case.Whole->GetPointData()->GetArray("SignedDistance");
+    origin = grid->GetPointData()->GetArray("vtkOriginalPointIds");
+    for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+    {
+      const double mine = distance->GetComponent(p, 0);
+      const double input =
+        before->GetComponent(static_cast<vtkIdType>(origin->GetComponent(p, 0)), 0);
+      Expect(mine == input || (std::isnan(mine) && std::isnan(input)), name + "another distance");
+    }
   }
+  // Where none is needed none is inserted, and ids stay ids.
+  TrimOptions options;
+  options.InsertLayer = true;
+  const Outcome straight =
+    RunTrim(mesh, PlaneThrough(mesh.Box.Centre + Vec3(0.3, 0, 0), Vec3::UnitX(), 60), options);
+  Expect(straight.Case.Trimmed->GetCellData()->GetGlobalIds() &&
+      straight.Case.Trimmed->GetPointData()->GetGlobalIds(),
+    "nothing to insert: global ids are none");
 }
 
 // What is below the floor is told of, also where a node was left off the surface.
