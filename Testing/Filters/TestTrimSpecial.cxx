@@ -359,12 +359,12 @@ void TestKeepPointBehindSeveral()
   options.KeepPoint = middle;
   const Outcome within = RunTrim(mesh, spheres, options);
   options.KeepPoint = middle + shift;
-  const Outcome above2 = RunTrim(mesh, spheres, options);
+  const Outcome withinSecond = RunTrim(mesh, spheres, options);
   options.KeepPoint = middle + 0.5 * shift;
   const Outcome between = RunTrim(mesh, spheres, options);
   const auto same = [](const Outcome& a, const Outcome& b)
   { return FirstDifference(a.Case.Trimmed, b.Case.Trimmed).empty(); };
-  Expect(within.Clean() && same(within, above2) && !same(within, between),
+  Expect(within.Clean() && same(within, withinSecond) && !same(within, between),
     "keep point behind several crossings");
 }
 

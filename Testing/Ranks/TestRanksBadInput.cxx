@@ -262,7 +262,7 @@ void TestEndInOnePart()
     "a surface that ends in one rank's part", given.Pieces, given.Walls, "ends inside the grid");
 }
 
-/// One warning that begins with these words, or holds them.
+/// One warning, which holds these words, and a result.
 void ExpectWarning(
   const std::string& what, const Grids& pieces, const Surfaces& surfaces, const std::string& words)
 {
