@@ -20,6 +20,7 @@
 #include <vtkTrimHexahedralGrid.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace judge;
@@ -320,6 +321,26 @@ void TestRemarks()
   }
   ExpectWarning("moved polygons on rank 1", Pieces(), { planes[0], moved, planes[2] },
     "polygons of the trimming surface do not lie on it");
+
+  // Numbers of cells are those of one piece: of several none is named.
+  pieces = Pieces();
+  for (auto& piece : pieces)
+  {
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      piece->GetPoint(i, p);
+      piece->GetPoints()->SetPoint(i, p[0], p[1], -p[2]);
+    }
+  }
+  Placement onFirst;
+  onFirst.X = -0.8;
+  const std::vector<Surface> cuts(3, MakeSurface("plane", TheMesh().Box, onFirst));
+  const PiecesOutcome mirrored = TrimPieces(pieces, SurfacesOf(cuts), TrimOptions());
+  const auto told = std::find_if(mirrored.Warnings.begin(), mirrored.Warnings.end(),
+    [](const std::string& text) { return text.find("were inside out") != std::string::npos; });
+  Check(told != mirrored.Warnings.end() && told->find("(cell") == std::string::npos,
+    "a mirrored mesh: a cell is named, or no word of it");
 
   // Numbers that are not whole are no ids: nodes are known by their places.
   pieces = Pieces();
