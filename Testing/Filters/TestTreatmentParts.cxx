@@ -3,14 +3,18 @@
  * @brief What the ladder relies on, by itself: a decision that is taken again, a climb that does
  * not pay, the bound of the scaled Jacobian, the step of least squares, the worth of an element,
  * the way to a sharp edge, the way behind several planes, nodes that lie near each other, tasks in
- * turn, threads that stay, what movers remember.
+ * turn, threads that stay, what movers remember, edges that slip through gaps, the gravest of
+ * several shortfalls.
  */
 #include "Decision.h"
 #include "DirectionBehind.h"
+#include "EdgeCrossing.h"
 #include "ElementWorth.h"
 #include "Expect.h"
+#include "FindingArrays.h"
 #include "Jacobian.h"
 #include "LeastSquaresStep.h"
+#include "Manifold.h"
 #include "MoverMemory.h"
 #include "NodeGrid.h"
 #include "NodeMover.h"
@@ -23,7 +27,10 @@
 
 #include <Eigen/LU>
 
+#include <vtkCellData.h>
+#include <vtkNew.h>
 #include <vtkSMPTools.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <atomic>
@@ -142,7 +149,7 @@ void CheckDecisionAgain()
   std::mt19937 random(1);
   std::vector<Fate> fate(block.Mesh.NumberOfElements(), Fate::ByVolume);
   const std::vector<char> first = again.Take(fate);
-  int changed = 0, mended = 0;
+  int changed = 0, mended = 0, pinched = 0;
   for (int trial = 0; trial < 200; ++trial)
   {
     for (int e = 0; e < block.Mesh.NumberOfElements(); ++e)
@@ -161,9 +168,14 @@ void CheckDecisionAgain()
     {
       mended += (fate[e] == Fate::Keep && !kept[e]) || (fate[e] == Fate::Eliminate && kept[e]);
     }
+    for (int n = 0; n < block.Mesh.NumberOfNodes(); ++n)
+    {
+      pinched += !IsManifoldAt(block.Mesh, kept, n);
+    }
   }
   Expect(changed == 200, "every trial changes what is kept");
   Expect(mended > 200, "and fates are mended: " + std::to_string(mended));
+  Expect(pinched == 0, "what is kept hangs by " + std::to_string(pinched) + " nodes or edges");
   fate.assign(fate.size(), Fate::ByVolume);
   Expect(again.Take(fate) == first, "the first fates give the first decision again");
 }
@@ -689,6 +701,33 @@ void CheckSlidingMatters()
   Expect(block.SlidingMatters(*memory), "the border beyond the surface may hold");
 }
 
+/// An edge slips through a gap between faces that counts as closed, and through no other.
+void CheckGap()
+{
+  const auto wall = [](double y)
+  { return samples::Plane(Vec3(0, y, -5), Vec3(0, 4, 0), Vec3(0, 0, 10)); };
+  const nurbs::TrimmingSurface surface({ wall(0.0), wall(4.02) }, 1e-4, 0.1);
+  const Vec3 beyond(0.5, 4.01, 0), kept(-0.5, 4.01, 0);
+  const auto share = CrossEdge(surface, beyond, kept, 0.1);
+  Expect(share && std::abs(*share - 0.5) < 0.05, "an edge through a gap that counts as closed");
+  Expect(!CrossEdge(surface, beyond, kept, 1e-3), "an edge through a wider gap");
+}
+
+/// Of several shortfalls at one place the gravest counts, in whatever order they come.
+void CheckShortfalls()
+{
+  vtkNew<vtkCellData> data;
+  AddShortfalls({ { 3, Shortfall::LeftOff }, { 3, Shortfall::Invalid }, { -1, Shortfall::Invalid },
+                  { 3, Shortfall::BelowFloor }, { 5, Shortfall::BelowFloor } },
+    7, data);
+  auto* const array = vtkUnsignedCharArray::SafeDownCast(data->GetArray("Shortfall"));
+  Expect(array && array->GetNumberOfTuples() == 7 &&
+      array->GetValue(3) == static_cast<unsigned char>(Shortfall::Invalid) &&
+      array->GetValue(5) == static_cast<unsigned char>(Shortfall::BelowFloor) &&
+      array->GetValue(0) == 0 && array->GetValue(6) == 0,
+    "the gravest shortfall of each cell");
+}
+
 }
 
 int main()
@@ -707,6 +746,8 @@ int main()
   CheckCrease();
   CheckRemembered();
   CheckSlidingMatters();
+  CheckGap();
+  CheckShortfalls();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

@@ -10,13 +10,18 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
 #include <vtkStringArray.h>
+#include <vtkTrimHexahedralGrid.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 using namespace judge;
 
@@ -65,12 +70,14 @@ void TestUnusual(Mesh mesh, const Surface& surface)
 }
 
 template <typename Array>
-void AddFilled(vtkFieldData* data, const char* name, vtkIdType count, double value)
+void AddFilled(
+  vtkFieldData* data, const char* name, vtkIdType count, double value, int components = 1)
 {
   vtkNew<Array> array;
   array->SetName(name);
+  array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(count);
-  array->FillComponent(0, value);
+  array->Fill(value);
   data->AddArray(array);
 }
 
@@ -126,6 +133,97 @@ void TestNameClashes(Mesh mesh, const Surface& surface)
   Expect(IsFilled(grid->GetPointData(), "Displacement", 3.5), "names: the input has changed");
 }
 
+// A new name that is taken too is made longer; field data may be all that clashes.
+void TestOtherClashes(Mesh mesh, const Surface& surface)
+{
+  vtkUnstructuredGrid* grid = mesh.Grid;
+  AddFilled<vtkFloatArray>(grid->GetFieldData(), "Volume", 1, 12);
+  const Outcome alone = RunTrim(mesh, surface, TrimOptions());
+  Expect(IsFilled(alone.Case.Trimmed->GetFieldData(), "InputVolume", 12) &&
+      IsFilled(alone.Case.Whole->GetFieldData(), "InputVolume", 12) && alone.Warnings.size() == 1,
+    "names: of the field data alone");
+  // One of an earlier trim does not make it one.
+  AddFilled<vtkUnsignedCharArray>(grid->GetPointData(), "NodeStatus", grid->GetNumberOfPoints(), 2);
+  AddFilled<vtkFloatArray>(grid->GetPointData(), "Displacement", grid->GetNumberOfPoints(), 3.5);
+  AddFilled<vtkFloatArray>(
+    grid->GetPointData(), "InputDisplacement", grid->GetNumberOfPoints(), 4.5);
+  const Outcome both = RunTrim(mesh, surface, TrimOptions());
+  Expect(IsFilled(both.Case.Trimmed->GetPointData(), "InputInputDisplacement", 3.5) &&
+      IsFilled(both.Case.Trimmed->GetPointData(), "InputDisplacement", 4.5),
+    "names: of two arrays one is lost");
+  Expect(IsFilled(both.Case.Trimmed->GetPointData(), "InputNodeStatus", 2),
+    "names: a status of the user's own is lost");
+}
+
+// What the input is coloured by it stays coloured by; else it is by the statuses of the elements.
+void TestActiveScalars(const Mesh& mesh, const Surface& surface)
+{
+  for (const char* asked : { "Thickness", "ElementStatus" })
+  {
+    Mesh coloured = mesh;
+    coloured.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    coloured.Grid->ShallowCopy(mesh.Grid);
+    vtkCellData* const data = coloured.Grid->GetCellData();
+    AddFilled<vtkFloatArray>(data, "Thickness", coloured.Grid->GetNumberOfCells(), 0.8);
+    coloured.Grid->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::SCALARS);
+    data->SetActiveAttribute(-1, vtkDataSetAttributes::SCALARS);
+    data->SetActiveScalars(asked);
+    TrimOptions options;
+    options.ProduceOffcut = true;
+    const Outcome outcome = RunTrim(coloured, surface, options);
+    for (vtkUnstructuredGrid* output :
+      { outcome.Case.Trimmed.Get(), outcome.Case.Whole.Get(), outcome.Offcut.Get() })
+    {
+      vtkDataArray* const scalars = output->GetCellData()->GetScalars();
+      Expect(
+        scalars && std::string(scalars->GetName()) == asked, std::string("scalars: not ") + asked);
+    }
+  }
+}
+
+// The quality is that of all elements if that is asked for, and else that of those at the cut.
+void TestQualityOfAll(const Mesh& mesh, const Surface& surface)
+{
+  std::array<vtkSmartPointer<vtkDataArray>, 2> qualities;
+  for (const bool all : { false, true })
+  {
+    vtkNew<vtkTrimHexahedralGrid> filter;
+    filter->SetInputDataObject(0, mesh.Grid);
+    filter->SetInputDataObject(1, surface.Data);
+    filter->SetQualityOfAllElements(all);
+    filter->Update();
+    auto* const trimmed = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    qualities[all] = trimmed->GetCellData()->GetArray("ScaledJacobian");
+  }
+  vtkIdType without = 0, missing = 0, differ = 0;
+  for (vtkIdType c = 0; c < qualities[0]->GetNumberOfTuples(); ++c)
+  {
+    const double some = qualities[0]->GetComponent(c, 0), every = qualities[1]->GetComponent(c, 0);
+    without += std::isnan(some);
+    missing += std::isnan(every);
+    differ += !std::isnan(some) && some != every;
+  }
+  Expect(without > 0 && missing == 0 && differ == 0,
+    "quality of all: " + std::to_string(missing) + " elements without");
+}
+
+// The outputs are of the later of the inputs' times.
+void TestTime(const Mesh& mesh, const Surface& surface)
+{
+  const auto key = vtkDataObject::DATA_TIME_STEP();
+  for (const auto& [ofGrid, ofSurface] : { std::pair(1.5, 4.0), { 4.0, 1.5 } })
+  {
+    mesh.Grid->GetInformation()->Set(key, ofGrid);
+    surface.Data->GetInformation()->Set(key, ofSurface);
+    const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
+    for (vtkUnstructuredGrid* output : { outcome.Case.Trimmed.Get(), outcome.Case.Whole.Get() })
+    {
+      vtkInformation* const information = output->GetInformation();
+      Expect(information->Has(key) && information->Get(key) == 4.0, "time: not the later one");
+    }
+  }
+}
+
 // What an earlier trim has written is no clash, and nothing of it stays that the next one does not
 // write.
 void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
@@ -145,14 +243,30 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
   Expect(!outcome.Case.Trimmed->GetPointData()->HasArray("InputDisplacement"),
     "names: an earlier trim's displacement stays");
 
-  // A solver has written its own in between.
-  next.Grid->GetPointData()->RemoveArray("Displacement");
-  AddFilled<vtkDoubleArray>(
-    next.Grid->GetPointData(), "Displacement", next.Grid->GetNumberOfPoints(), 7);
-  const Outcome solved = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
-  Expect(IsFilled(solved.Case.Trimmed->GetPointData(), "InputDisplacement", 7) &&
-      solved.Warnings.size() == 1,
-    "names: a solver's displacement is lost after an earlier trim");
+  // Filters between the two may have dropped the field data.
+  vtkNew<vtkUnstructuredGrid> filtered;
+  filtered->ShallowCopy(next.Grid);
+  filtered->GetFieldData()->Initialize();
+  Mesh bare = next;
+  bare.Grid = filtered;
+  const Outcome ofBare = RunTrim(bare, MakeSurface("plane", mesh.Box, at), options);
+  Expect(
+    ofBare.Warnings.empty() && !ofBare.Case.Trimmed->GetPointData()->HasArray("InputDisplacement"),
+    "names: an earlier trim without field data is none");
+
+  // A solver has written its own in between, of another type or of other components.
+  for (const auto& [isDouble, components] : { std::pair(true, 3), { true, 1 }, { false, 1 } })
+  {
+    vtkPointData* data = next.Grid->GetPointData();
+    const vtkIdType count = next.Grid->GetNumberOfPoints();
+    data->RemoveArray("Displacement");
+    isDouble ? AddFilled<vtkDoubleArray>(data, "Displacement", count, 7, components)
+             : AddFilled<vtkFloatArray>(data, "Displacement", count, 7, components);
+    const Outcome solved = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
+    Expect(IsFilled(solved.Case.Trimmed->GetPointData(), "InputDisplacement", 7) &&
+        solved.Warnings.size() == 1,
+      "names: a solver's displacement is lost after an earlier trim");
+  }
 }
 
 // Points and data that come as an array for each component are taken as they are.
@@ -189,6 +303,58 @@ void TestOtherLayout(const std::string& name)
   }
   const std::string difference = FirstDifference(expected.Case.Trimmed, outcome.Case.Trimmed);
   Expect(difference.empty(), name + ": points by component: " + difference);
+}
+
+// What a filter remembers of its inputs it forgets when they change, though they are the same
+// objects, and what it said of them.
+void TestChangedInPlace(Mesh mesh)
+{
+  const Surface surface = MakeSurface("plane", mesh.Box, Placement());
+  vtkUnstructuredGrid* const grid = mesh.Grid;
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, grid);
+  filter->SetInputDataObject(1, surface.Data);
+  const auto check = [&](const std::string& what)
+  {
+    const Listener listener;
+    filter->Update();
+    const std::vector<std::string> warnings = listener.Warnings();
+    const Outcome expected = RunTrim(mesh, surface, TrimOptions());
+    auto* const trimmed = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    const std::string difference = FirstDifference(expected.Case.Trimmed, trimmed);
+    Expect(expected.Clean() && trimmed->GetNumberOfCells() > 0 && difference.empty(),
+      "changed in place: " + what + ": " + difference);
+    Expect(warnings.size() == expected.Warnings.size(),
+      "changed in place: " + what + ": " + std::to_string(warnings.size()) + " warnings, not " +
+        std::to_string(expected.Warnings.size()));
+  };
+  check("as it was made");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(i, p);
+    grid->GetPoints()->SetPoint(i, p[0] + 2.3, p[1], p[2]);
+  }
+  grid->GetPoints()->Modified();
+  check("points moved");
+  AddFilled<vtkFloatArray>(grid->GetCellData(), "More", grid->GetNumberOfCells() + 3, 1);
+  check("a longer array");
+  grid->GetCellData()->RemoveArray("More");
+  check("the longer array is gone");
+  vtkDataArray* const control = surface.Data->GetFieldData()->GetArray("NURBSControlPoints");
+  for (vtkIdType i = 0; i < control->GetNumberOfTuples(); ++i)
+  {
+    control->SetComponent(i, 0, control->GetComponent(i, 0) + 1.7);
+  }
+  control->Modified();
+  check("surface moved");
+  // As a source leaves it that failed: not trimmed along what it was before.
+  surface.Data->Initialize();
+  const Listener listener;
+  filter->Update();
+  Expect(listener.Errors().size() == 1 &&
+      filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL) == 0,
+    "changed in place: a surface that is empty now");
 }
 
 // Tuples follow their elements whatever the numbering: with and without renumbering.
@@ -274,6 +440,11 @@ int main()
   TestUnusual(mesh, MakeSurface("scurve", mesh.Box, Placement()));
   TestSurplus(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNameClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
+  TestOtherClashes(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
+  TestChangedInPlace(MakeMesh("sheet2"));
+  TestActiveScalars(mesh, MakeSurface("scurve", mesh.Box, Placement()));
+  TestQualityOfAll(mesh, MakeSurface("scurve", mesh.Box, Placement()));
+  TestTime(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNamesOfEarlierTrim(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;

@@ -51,8 +51,9 @@ void JudgeForm(const std::string& name, const std::string& message)
     std::printf("FAIL %s: not one sentence: %s\n", name.c_str(), message.c_str());
     ++Wrong;
   }
-  const std::vector<const char*> remedies = { "connect", "repair", "remove", "rewrite", "convert",
-    "give", "make it", "need", "has to", "have to", "must", "extend", "correct", "scale" };
+  const std::vector<const char*> remedies = { "connect", "repair", "remove", "rewrite", "write",
+    "convert", "give", "make it", "need", "has to", "have to", "must", "extend", "correct",
+    "scale" };
   const bool helps = std::any_of(remedies.begin(), remedies.end(),
     [&text](const char* remedy) { return text.find(remedy) != std::string::npos; });
   if (!helps)
@@ -255,6 +256,16 @@ void TestGrids(const Mesh& mesh)
   const vtkIdType quad[4] = { 0, 1, 22, 21 };
   grid->InsertNextCell(VTK_QUAD, 4, quad);
   Judge("a quadrilateral", grid, plane, { "hexahedr|wedge" });
+  grid = CopyOf(mesh);
+  const vtkIdType voxel[8] = { 0, 1, 21, 22, 357, 358, 378, 379 };
+  grid->InsertNextCell(VTK_VOXEL, 8, voxel);
+  Judge("a voxel", grid, plane, { "hexahedra of eight nodes" });
+  grid = CopyOf(mesh);
+  vtkNew<vtkUnsignedCharArray> types;
+  types->DeepCopy(grid->GetCellTypesArray());
+  types->SetNumberOfValues(grid->GetNumberOfCells() - 3);
+  grid->SetCells(types, grid->GetCells());
+  Judge("cells without types", grid, plane, { "but the types of", "corrupt" });
 
   grid = CopyOf(mesh);
   const vtkIdType wild[8] = { 0, 1, 22, 21, 357, 358, 379, 99999999 };
@@ -308,6 +319,14 @@ void TestPointsAndArrays(const Mesh& mesh)
     grid->GetPoints()->SetPoint(i, 1, 2, 3);
   }
   Judge("all nodes at one place", grid, plane, { "one place", "1 2 3" });
+  grid = CopyOf(mesh);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(i, p);
+    grid->GetPoints()->SetPoint(i, 9e14 + 0.2 * p[0], 0.2 * p[1], p[2]);
+  }
+  Judge("so far away that places are one", grid, plane, { "one place", "nearer to the origin" });
 }
 
 // Options out of their ranges, and a mesh in several blocks.
@@ -439,7 +458,7 @@ void TestHoleInFace(const Mesh& mesh)
   const double half = 4 * box.HalfX;
   for (const double width : { 0.02, 0.1, 0.6 })
   {
-    const Surface plane = PlaneThrough(place, Vec3(1, 0.1, 0.05), half);
+    Surface plane = PlaneThrough(place, Vec3(1, 0.1, 0.05), half);
     SplineSurface face = ReadSpline(vtkPolyData::SafeDownCast(plane.Data));
     const auto square = [](double r)
     {
@@ -447,7 +466,16 @@ void TestHoleInFace(const Mesh& mesh)
         Vec2(0.5 + r, 0.5 + r), Vec2(0.5 - r, 0.5 + r) };
     };
     face.Loops = { square(0.45), square(0.25 * width * box.ElementSize / half) };
-    Judge("hole in a face", mesh.Grid, ToPolyData(face), { "ends inside the grid, at (" });
+    plane.Data = ToPolyData(face);
+    Judge("hole in a face", mesh.Grid, plane.Data, { "ends inside the grid, at (" });
+    const Outcome outcome = RunTrim(mesh, plane, TrimOptions());
+    const double away =
+      outcome.Clean() ? 0 : (PlaceIn(outcome.Errors[0]) - place).norm() / box.ElementSize;
+    if (!(away > 0.49 * width && away < 0.71 * width))
+    {
+      std::printf("FAIL hole in a face: it ends %g of an element from the middle\n", away);
+      ++Wrong;
+    }
   }
 }
 

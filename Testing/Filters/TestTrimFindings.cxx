@@ -137,11 +137,19 @@ void ExpectNothing(
   }
 }
 
+bool IsTold(const Outcome& outcome, const std::string& words)
+{
+  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
+    [&words](const std::string& warning) { return warning.find(words) != std::string::npos; });
+}
+
 // Only the given value, in at least so many elements.
 void ExpectOnly(const std::string& name, const Mesh& mesh, const Surface& surface, int value,
   int atLeast, const TrimOptions& options = {})
 {
-  auto found = ExpectWarned(name, RunTrim(mesh, surface, options));
+  const Outcome outcome = RunTrim(mesh, surface, options);
+  auto found = ExpectWarned(name, outcome);
+  Expect(!IsTold(outcome, "misses the grid"), name + ": the surface is said to miss the grid");
   Expect(found[value] >= atLeast,
     name + ": in " + std::to_string(found[value]) + " elements, not " + std::to_string(atLeast));
   found.erase(value);
@@ -347,12 +355,6 @@ int NumberAfter(const std::string& words, const Outcome& outcome)
   return 0;
 }
 
-bool IsTold(const Outcome& outcome, const std::string& words)
-{
-  return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),
-    [&words](const std::string& warning) { return warning.find(words) != std::string::npos; });
-}
-
 const char* const StripPhrase = "The volume of 6 cut elements is lost";
 
 // Of the second sheet a strip is spared, of which no element is made.
@@ -534,6 +536,46 @@ void TestBesideEnd()
   Expect(RunTrim(apart, wall(4.3, 8.5), {}).Warnings.empty(), "a part beyond on one side");
 }
 
+// Of a part that sees more of the surface than its end the nodes that do decide: the wall bends
+// down in the gap between the sheets, and the lower nodes of the second one see it from behind.
+void TestBehindEnd()
+{
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, -3, 0));
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  SplineSurface wall;
+  wall.CountU = 3;
+  wall.CountV = 2;
+  wall.KnotsU = UniformKnots(3, 1);
+  wall.KnotsV = { 0, 0, 1, 1 };
+  for (const double z : { -9.0, 9.0 })
+  {
+    for (const Vec2& p : { Vec2(-9, 4.3), Vec2(8.5, 4.3), Vec2(8.8, 1) })
+    {
+      const Vec3 corner = first + Vec3(p[0], p[1], z);
+      wall.Control.emplace_back(corner[0], corner[1], corner[2], 1);
+    }
+  }
+  Surface surface;
+  surface.Data = ToPolyData(wall);
+  const vtkIdType half = sheets.Grid->GetNumberOfCells() / 2;
+  for (const bool invert : { false, true })
+  {
+    TrimOptions options;
+    options.InvertSide = invert;
+    const Outcome outcome = RunTrim(sheets, surface, options);
+    vtkDataArray* const ids = outcome.Case.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+    vtkIdType ofSecond = 0;
+    bool hasUpper = false;
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      ofSecond += ids->GetComponent(i, 0) >= half;
+      hasUpper |= ids->GetComponent(i, 0) == half - 1;
+    }
+    Expect(outcome.Clean() && outcome.Warnings.empty() && ofSecond == (hasUpper ? half : 0),
+      "behind an end: " + std::to_string(ofSecond) + " elements of the second sheet stay");
+  }
+}
+
 /// Volume of what the plane, which is nearly along a sheet of one layer, has on its kept side, less
 /// that of what is kept, in elements.
 double MeasureLoss(
@@ -625,10 +667,40 @@ void TestMirrored()
   ExpectWarned("mirrored", outcome);
   const auto number = [&](const char* name)
   { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  const Outcome upright =
+    RunTrim(MakeMesh("sheet2"), MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
+  const double volume =
+    upright.Case.Trimmed->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
+  Expect(std::abs(number("Volume") - volume) < 0.01 * volume,
+    "mirrored: a volume of " + std::to_string(number("Volume")));
   Expect(number("TouchedElements") > 20 && number("CertifiedElements") == 0 &&
       CountWarned(outcome, ShortfallPhrases[4]) == number("TouchedElements"),
     "mirrored: touched elements");
   Expect(CountWarned(outcome, "elements of the offcut were inside out") > 20, "mirrored: offcut");
+}
+
+// Elements without a volume have no share beyond the surface, and nothing else that is no number.
+void TestFlat()
+{
+  Mesh mesh = MakeMesh("sheet2");
+  vtkPoints* points = mesh.Grid->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1], 0);
+  }
+  const Outcome outcome = RunTrim(mesh, MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
+  vtkCellData* const cells = outcome.Case.Whole->GetCellData();
+  vtkIdType stay = 0;
+  for (vtkIdType c = 0; c < mesh.Grid->GetNumberOfCells(); ++c)
+  {
+    stay += cells->GetArray("ElementStatus")->GetComponent(c, 0) != 1;
+    Expect(!std::isnan(cells->GetArray("EliminatedFraction")->GetComponent(c, 0)), "flat: a share");
+  }
+  Expect(outcome.Clean() && outcome.Case.Trimmed->GetNumberOfCells() == stay,
+    "flat: " + std::to_string(outcome.Case.Trimmed->GetNumberOfCells()) + " elements stay, not " +
+      std::to_string(stay));
 }
 
 // A cone past the corners of a hole of the model: nodes with no place to go.
@@ -642,6 +714,15 @@ void TestLeft()
   const Outcome outcome = RunTrim(mesh, surface, TrimOptions());
   ExpectWarned("left", outcome);
   Expect(CountWarned(outcome, LeftPhrase) > 0, "left: no node is");
+  // What to ask for less of is named if it was asked for.
+  TrimOptions withoutFloor;
+  withoutFloor.MinimumScaledJacobian = 0;
+  const Mesh block = Block(6, 6, 6);
+  const Outcome valid =
+    RunTrim(block, PlaneThrough(block.Box.Centre, Vec3(1, 0.9, 0.8), 30), withoutFloor);
+  const char* const floor = "MinimumScaledJacobian";
+  Expect(CountWarned(valid, LeftPhrase) > 0 && IsTold(outcome, floor) && !IsTold(valid, floor),
+    "left: a floor is named where there is none");
   vtkUnstructuredGrid* grid = outcome.Case.Trimmed;
   vtkDataArray* left = grid->GetPointData()->GetArray("DistanceLeft");
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
@@ -762,10 +843,12 @@ int main()
   TestStripParted();
   TestLongChords();
   TestBesideEnd();
+  TestBehindEnd();
   TestFlatLost();
   TestStretched();
   TestShortfalls();
   TestMirrored();
+  TestFlat();
   TestLeft();
   TestCornerLost();
   TestCoarseTolerance();

@@ -73,6 +73,7 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   const Outcome with = RunAndJudge(mesh, surface, options, report);
   Wrong += report.Failures();
   const int left = CountLeft(without.Case.Trimmed), now = CountLeft(with.Case.Trimmed);
+  Expect(CountWarned(with, "try InsertLayer") == 0, trial + ": a layer is advised though it is on");
   const bool taken = Number(with.Case.Trimmed, "InsertedElements") > 0;
   Expect(left > 0 || !taken, trial + ": a layer where no node was left off");
   Expect(taken || now == left, trial + ": another trim without a layer");

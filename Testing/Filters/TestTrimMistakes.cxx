@@ -6,6 +6,7 @@
 #include "Expect.h"
 #include "RunTrim.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
@@ -87,6 +88,10 @@ void TestMovedSurface()
   const auto bare = Shifted(surface.Data, mesh.Box.ElementSize);
   bare->SetPolys(nullptr);
   expectAlarm("no polygons", bare, false);
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2 });
+  bare->SetStrips(strips);
+  expectAlarm("strips of triangles", bare, true);
   vtkNew<vtkMultiBlockDataSet> group;
   group->SetBlock(0, Shifted(surface.Data, 100));
   expectAlarm("in a group", group, true);
@@ -243,6 +248,15 @@ void TestHangingNodes()
   { return CountAtSeam("hanging nodes", mesh, origin, normal, 0, 8); };
   Expect(count(Vec3(8.3, 8.1, 0), Vec3(0.3, 1, 0)) >= 2, "hanging nodes: no word of them");
   Expect(count(Vec3(4.3, 8, 0), Vec3::UnitX()) == 0, "hanging nodes: an alarm elsewhere");
+
+  // Three small ones beside each large one: the middle of the outer ones lies on that, and not the
+  // other way round.
+  Bricks thirds;
+  thirds.Add(Vec3(0, 0, 0), Vec3(9, 15, 0.5), Vec3(1.5, 1.5, 0.5));
+  thirds.Add(Vec3(9, 0, 0), Vec3(15, 15, 0.5), Vec3(0.5, 0.5, 0.5));
+  const int found =
+    CountAtSeam("hanging nodes", thirds.ToMesh(), Vec3(9, 7.25, 0), Vec3::UnitY(), 0, 9);
+  Expect(found == 2, "hanging nodes: " + std::to_string(found) + " elements of two sizes, not 2");
 }
 
 // A sheet on another one, at z = 1, of elements of its own size, glued to it where it is said.
@@ -329,7 +343,22 @@ void TestRepeated()
   Expect(Says(RunTrim(mesh, plane, TrimOptions()).Errors, text), "repeated: other cells are named");
 }
 
-// Cells that are left out by their flags are told of.
+/// The cell that a warning names; -1: none.
+vtkIdType NamedCell(const Outcome& outcome, const std::string& phrase)
+{
+  const std::string before = "The first (cell ";
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::size_t start = warning.find(before);
+    if (warning.find(phrase) != std::string::npos && start != std::string::npos)
+    {
+      return std::atoi(&warning[start + before.size()]);
+    }
+  }
+  return -1;
+}
+
+// Cells that are left out by their flags are told of, and count where others are named.
 void TestHidden()
 {
   Mesh mesh = MakeMesh("sheet2");
@@ -348,6 +377,39 @@ void TestHidden()
   const Outcome outcome = RunTrim(mesh, plane, TrimOptions());
   Expect(CountWarned(outcome, "cells of the grid are flagged as hidden") == 3,
     "hidden cells: left out without a word");
+
+  constexpr vtkIdType leftOut = 3;
+  const auto expectNamed =
+    [&](const std::string& phrase, const Outcome& trimmed, const char* array, int value)
+  {
+    const vtkIdType named = NamedCell(trimmed, phrase);
+    vtkDataArray* const found = trimmed.Case.Whole->GetCellData()->GetArray(array);
+    Expect(named > 9 && found->GetComponent(named - leftOut, 0) == value,
+      "hidden cells: another cell is named that is " + phrase);
+  };
+  // Flags of points alone leave out nothing, and are in no output either.
+  vtkNew<vtkUnsignedCharArray> ofPoints;
+  ofPoints->SetName(vtkDataSetAttributes::GhostArrayName());
+  ofPoints->SetNumberOfTuples(flagged->GetNumberOfPoints());
+  ofPoints->FillComponent(0, vtkDataSetAttributes::DUPLICATEPOINT);
+  Mesh shared = MakeMesh("sheet2");
+  shared.Grid->GetPointData()->AddArray(ofPoints);
+  const Outcome whole = RunTrim(shared, plane, TrimOptions());
+  Expect(whole.Clean() && whole.Warnings.empty() &&
+      whole.Case.Whole->GetNumberOfCells() == shared.Grid->GetNumberOfCells() &&
+      !whole.Case.Trimmed->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()) &&
+      !whole.Case.Whole->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()),
+    "hidden cells: flags of points");
+
+  const Surface hole = RoundHole(mesh, 15.2, 10.3, 1.3);
+  expectNamed("narrower than three", RunTrim(mesh, hole, TrimOptions()), "Feasibility", 3);
+  for (vtkIdType i = 0; i < flagged->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    flagged->GetPoint(i, p);
+    flagged->GetPoints()->SetPoint(i, p[0], p[1], -p[2]);
+  }
+  expectNamed("inside out", RunTrim(mesh, plane, TrimOptions()), "Shortfall", 4);
 }
 
 // Inserted elements have the arrays of those on which they stand, but no two cells one global id.
@@ -378,7 +440,25 @@ void TestInserted()
           whole->GetComponent(static_cast<vtkIdType>(origin->GetComponent(c, 0)), 0),
         name + "another Rescue on port 0");
     }
+    vtkDataArray* distance = grid->GetPointData()->GetArray("SignedDistance");
+    vtkDataArray* before = outcome.Case.Whole->GetPointData()->GetArray("SignedDistance");
+    origin = grid->GetPointData()->GetArray("vtkOriginalPointIds");
+    for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+    {
+      const double mine = distance->GetComponent(p, 0);
+      const double input =
+        before->GetComponent(static_cast<vtkIdType>(origin->GetComponent(p, 0)), 0);
+      Expect(mine == input || (std::isnan(mine) && std::isnan(input)), name + "another distance");
+    }
   }
+  // Where none is needed none is inserted, and ids stay ids.
+  TrimOptions options;
+  options.InsertLayer = true;
+  const Outcome straight =
+    RunTrim(mesh, PlaneThrough(mesh.Box.Centre + Vec3(0.3, 0, 0), Vec3::UnitX(), 60), options);
+  Expect(straight.Case.Trimmed->GetCellData()->GetGlobalIds() &&
+      straight.Case.Trimmed->GetPointData()->GetGlobalIds(),
+    "nothing to insert: global ids are none");
 }
 
 // What is below the floor is told of, also where a node was left off the surface.

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <vector>
 
 using namespace judge;
@@ -329,6 +330,44 @@ void TestKeepPoint()
   }
 }
 
+// Far from the surface the last crossing on the way there tells the side of a keep point, not the
+// first: within a second sphere, above the one through the sheet, is where the first one's inside
+// is.
+void TestKeepPointBehindSeveral()
+{
+  const Mesh mesh = MakeMesh("sheet2");
+  const Surface sphere = MakeSurface("sphere", mesh.Box, Placement());
+  const Vec3 shift = 20 * mesh.Box.HalfX * Vec3::UnitZ();
+  vtkNew<vtkPolyData> above;
+  above->DeepCopy(vtkPolyData::SafeDownCast(sphere.Data));
+  vtkDataArray* const control = above->GetFieldData()->GetArray("NURBSControlPoints");
+  for (vtkIdType i = 0; i < control->GetNumberOfTuples(); ++i)
+  {
+    control->SetComponent(i, 2, control->GetComponent(i, 2) + shift[2]);
+  }
+  above->SetPolys(nullptr);
+  vtkNew<vtkMultiBlockDataSet> both;
+  both->SetBlock(0, sphere.Data);
+  both->SetBlock(1, above);
+  Surface spheres = sphere;
+  spheres.Data = both;
+  double box[6];
+  vtkPolyData::SafeDownCast(sphere.Data)->GetBounds(box);
+  const Vec3 middle(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]));
+  TrimOptions options;
+  options.UseKeepPoint = true;
+  options.KeepPoint = middle;
+  const Outcome within = RunTrim(mesh, spheres, options);
+  options.KeepPoint = middle + shift;
+  const Outcome withinSecond = RunTrim(mesh, spheres, options);
+  options.KeepPoint = middle + 0.5 * shift;
+  const Outcome between = RunTrim(mesh, spheres, options);
+  const auto same = [](const Outcome& a, const Outcome& b)
+  { return FirstDifference(a.Case.Trimmed, b.Case.Trimmed).empty(); };
+  Expect(within.Clean() && same(within, withinSecond) && !same(within, between),
+    "keep point behind several crossings");
+}
+
 // A hole along the long sides of a block's elements is one hole whatever their length: columns of
 // another direction, in which the hole is no cut from skin to skin, lost it all, and it was warned
 // of what only is so across a skin.
@@ -589,6 +628,40 @@ void TestWedgeOrder()
   Expect(FirstDifference(other.Offcut, as.Offcut).empty(), "turned wedges: port 2");
 }
 
+// A column of wedges at the border goes too when it loses its whole side there, as a wedge has
+// others beside it though none opposite to that side: a quarter of an element lies beyond the
+// plane, less than half of each column.
+void TestWedgesAtBorder()
+{
+  const Mesh mesh = MakeMesh("wedges");
+  const Surface plane =
+    PlaneThrough(mesh.Box.Centre + (mesh.Box.HalfX - 0.25) * Vec3::UnitX(), Vec3::UnitX(), 200);
+  Report report("wedges at the border");
+  const Outcome outcome = RunAndJudge(mesh, plane, TrimOptions(), report);
+  Wrong += report.Failures();
+  std::set<vtkIdType> stay;
+  vtkDataArray* ids = outcome.Case.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    stay.insert(static_cast<vtkIdType>(ids->GetComponent(i, 0)));
+  }
+  int sides = 0, left = 0;
+  for (vtkIdType c = 0; c < mesh.Grid->GetNumberOfCells(); ++c)
+  {
+    vtkCell* const cell = mesh.Grid->GetCell(c);
+    int atBorder = 0;
+    for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+    {
+      atBorder += cell->GetPoints()->GetPoint(i)[0] > mesh.Box.Centre[0] + mesh.Box.HalfX - 0.01;
+    }
+    const bool hasSide = cell->GetNumberOfPoints() == 6 && atBorder == 4;
+    sides += hasSide;
+    left += hasSide && stay.count(c) > 0;
+  }
+  Expect(sides > 0 && left == 0,
+    "wedges at the border: " + std::to_string(left) + " of " + std::to_string(sides) + " stay");
+}
+
 /// The farthest whole element that went though it lies on the kept side, or stayed beyond.
 double FarthestAstray(const Outcome& outcome, const Surface& surface)
 {
@@ -735,13 +808,14 @@ void TestNoPolygons()
   }
 }
 
-// A composite of one grid is that grid.
+// A composite of one grid is that grid, whatever blocks without cells are beside it.
 void TestBlockAlone()
 {
   const Mesh mesh = MakeMesh("sheet2");
   const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(1, mesh.Grid);
+  blocks->SetBlock(2, vtkNew<vtkUnstructuredGrid>());
   vtkNew<vtkTrimHexahedralGrid> filter;
   filter->SetInputDataObject(0, blocks);
   filter->SetInputDataObject(1, surface.Data);
@@ -765,6 +839,7 @@ int main()
   TestPatch();
   TestCrossingAtKnot();
   TestKeepPoint();
+  TestKeepPointBehindSeveral();
   TestLongElements();
   TestIslands();
   TestBlocksJoinedAtEdges();
@@ -774,6 +849,7 @@ int main()
   TestCornersAtBorder();
   TestRepeatedFaces();
   TestWedgeOrder();
+  TestWedgesAtBorder();
   TestJoints();
   TestLeaningCore();
   TestBesideCorner();

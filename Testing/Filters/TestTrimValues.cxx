@@ -311,6 +311,52 @@ void TestNotANumber()
   }
 }
 
+/// Ids are not mapped, of whatever type they are, nor is what has no name.
+void TestNotMapped()
+{
+  Mesh mesh = MakeMesh("sheet2");
+  const auto addArrays = [](vtkDataSetAttributes* data, vtkIdType count)
+  {
+    data->Initialize();
+    for (const int role : { vtkDataSetAttributes::GLOBALIDS, vtkDataSetAttributes::PEDIGREEIDS,
+           vtkDataSetAttributes::NUM_ATTRIBUTES })
+    {
+      vtkNew<vtkDoubleArray> array;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        array->InsertNextValue(static_cast<double>(7 * i % count));
+      }
+      const bool isId = role < vtkDataSetAttributes::NUM_ATTRIBUTES;
+      array->SetName(isId ? ("Ids" + std::to_string(role)).c_str() : nullptr);
+      const int index = data->AddArray(array);
+      Expect(!isId || data->SetActiveAttribute(index, role) == index, "not mapped: no such ids");
+    }
+  };
+  addArrays(mesh.Grid->GetPointData(), mesh.Grid->GetNumberOfPoints());
+  addArrays(mesh.Grid->GetCellData(), mesh.Grid->GetNumberOfCells());
+  TrimOptions options;
+  options.MapValues = true;
+  const Outcome outcome = RunTrim(mesh, MakeSurface("contour", mesh.Box, Placement()), options);
+  const auto check = [](vtkDataSetAttributes* data, const char* originals, vtkIdType count)
+  {
+    vtkDataArray* original = data->GetArray(originals);
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      for (vtkIdType t = 0; t < array->GetNumberOfTuples(); ++t)
+      {
+        const auto own = static_cast<vtkIdType>(original->GetComponent(t, 0));
+        Expect(array->GetComponent(t, 0) == static_cast<double>(7 * own % count),
+          "not mapped: array " + std::to_string(i) + " is");
+      }
+    }
+  };
+  Expect(outcome.Clean(), "not mapped: an error");
+  check(
+    outcome.Case.Trimmed->GetPointData(), "vtkOriginalPointIds", mesh.Grid->GetNumberOfPoints());
+  check(outcome.Case.Trimmed->GetCellData(), "vtkOriginalCellIds", mesh.Grid->GetNumberOfCells());
+}
+
 /// Two sheets that lie on each other without common nodes keep what is theirs.
 void TestContact()
 {
@@ -371,6 +417,7 @@ int main()
   TestTheRest("wedges");
   TestRangeAndSum();
   TestNotANumber();
+  TestNotMapped();
   TestContact();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;

@@ -106,9 +106,11 @@ window.menu("menu_Edit", "actionEditUndo")
 window.python("still.check()")
 window.python("check_comparison(kept=12 * 24, volumes=(12 * 6, 11.7 * 6, 11.7 * 6))")
 
-# The table has grown with the trims, and shows them all.
+# The table has grown with the trims, and shows them all: of type I, which moves no node, without a
+# quality.
 window.action("ShowSummary")
 window.expect(SUMMARY, "columnCount", "5")
+window.expect(SUMMARY, "modelItemData", "8.1,-")
 window.expect(SUMMARY + "/qt_scrollarea_hcontainer/1QScrollBar0", "maximum", "0")
 window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
 
@@ -136,7 +138,7 @@ window.expect_action("DrawTrimLine", False, NO_ELEMENTS)
 # Of a large mesh the table has all digits, of counts to the last, of measures nine. (Of the 1003
 # columns the last has 6 % on the near side.)
 window.python("from Checks import plane_at, sheet, trim\n"
-              "trim(sheet((1003, 1001, 1)), plane_at(19.98123))")
+              "large = trim(sheet((1003, 1001, 1)), plane_at(19.98123))")
 # A trim that Python has made needs no Apply.
 for action in ("ShowStatuses", "CompareCorrectionTypes"):
     window.expect_action(action, True)
@@ -144,6 +146,10 @@ window.action("ShowSummary")
 window.expect(SUMMARY, "columnCount", "6")
 window.expect(SUMMARY, "modelItemData", "0.4,%d" % (1002 * 1001))
 window.expect(SUMMARY, "modelItemData", "11.4,119.88738")
+# What is deleted leaves the table.
+window.python("Delete(large)")
+window.pause(300)
+window.expect(SUMMARY, "columnCount", "5")
 window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
 
 window.run("trim-in-window")

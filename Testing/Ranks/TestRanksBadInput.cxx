@@ -3,9 +3,12 @@
  * @brief What is wrong on one rank ends the trim on all: one error, empty outputs, nobody waits.
  */
 #include "Pieces.h"
+#include "SplineData.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -15,7 +18,9 @@
 #include <vtkSphereSource.h>
 #include <vtkTetra.h>
 #include <vtkTrimHexahedralGrid.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace judge;
@@ -224,6 +229,137 @@ void TestScatteredSurfaces()
   }
 }
 
+/// Two sheets, one for each rank, and a wall across the first one that ends at an x.
+struct SheetsAndWall
+{
+  Grids Pieces;
+  Surfaces Walls;
+};
+
+SheetsAndWall WithWallTo(double end)
+{
+  const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
+  const Vec3 first(sheets.Grid->GetPoint(0));
+  SplineSurface wall;
+  wall.CountU = wall.CountV = 2;
+  wall.KnotsU = wall.KnotsV = { 0, 0, 1, 1 };
+  for (const double z : { -9.0, 9.0 })
+  {
+    for (const double x : { -9.0, end })
+    {
+      const Vec3 corner = first + Vec3(x, 4.3, z);
+      wall.Control.emplace_back(corner[0], corner[1], corner[2], 1);
+    }
+  }
+  return { Divide(sheets, WithWholeIds(sheets.Grid), "slabs", 2),
+    { ToPolyData(wall), ToPolyData(wall) } };
+}
+
+/// What ends in a part of the mesh that one rank has alone is an error of all.
+void TestEndInOnePart()
+{
+  const SheetsAndWall given = WithWallTo(13.2);
+  ExpectError(
+    "a surface that ends in one rank's part", given.Pieces, given.Walls, "ends inside the grid");
+}
+
+/// One warning, which holds these words, and a result.
+void ExpectWarning(
+  const std::string& what, const Grids& pieces, const Surfaces& surfaces, const std::string& words)
+{
+  const PiecesOutcome outcome = TrimPieces(pieces, surfaces, TrimOptions());
+  Check(outcome.Errors.empty() && !IsEmpty(outcome.Trimmed), what + ": an error");
+  Check(outcome.Warnings.size() == 1 && outcome.Warnings[0].find(words) != std::string::npos,
+    what + ": not one warning with \"" + words + "\" but " +
+      std::to_string(outcome.Warnings.size()) +
+      (outcome.Warnings.empty() ? "" : ": " + outcome.Warnings[0]));
+}
+
+/// What one rank alone sees amiss is told of once, by the first.
+void TestRemarks()
+{
+  auto pieces = Pieces();
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetNumberOfValues(pieces[1]->GetNumberOfCells());
+  flags->FillValue(0);
+  flags->SetValue(0, vtkDataSetAttributes::HIDDENCELL);
+  flags->SetValue(1, vtkDataSetAttributes::HIDDENCELL);
+  pieces[1]->GetCellData()->AddArray(flags);
+  ExpectWarning("hidden cells on rank 1", pieces, Planes(), "): 2 cells of the grid are flagged");
+
+  pieces = Divide(TheMesh(), WithWholeIds(TheMesh().Grid), "ids", 3);
+  Check(pieces[2]->GetPointData()->GetGlobalIds() != nullptr, "no ids to take away");
+  pieces[2]->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  ExpectWarning("no global ids on rank 2", pieces, Planes(), "others have none");
+
+  const SheetsAndWall given = WithWallTo(8.5);
+  ExpectWarning("a part beside the end on rank 1", given.Pieces, given.Walls,
+    "): 1 parts of the grid lie beyond the end");
+
+  // Copies of what other ranks have are nothing to tell of.
+  const PiecesOutcome copies =
+    TrimPieces(Divide(TheMesh(), WithWholeIds(TheMesh().Grid), "ghosts", 3), Planes(), {});
+  Check(copies.Errors.empty() && copies.Warnings.empty(), "ghost cells are told of");
+
+  pieces = Pieces();
+  vtkNew<vtkFloatArray> more;
+  more->SetName("More");
+  more->SetNumberOfValues(pieces[1]->GetNumberOfCells() + 1);
+  more->FillValue(0);
+  pieces[1]->GetCellData()->AddArray(more);
+  ExpectWarning("a longer array on rank 1", pieces, Planes(), "more tuples than it has");
+
+  const Surfaces planes = Planes();
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(planes[1]);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    moved->GetPoint(i, p);
+    moved->GetPoints()->SetPoint(i, p[0] + 1.0, p[1], p[2]);
+  }
+  ExpectWarning("moved polygons on rank 1", Pieces(), { planes[0], moved, planes[2] },
+    "polygons of the trimming surface do not lie on it");
+
+  // Numbers of cells are those of one piece: of several none is named.
+  pieces = Pieces();
+  for (auto& piece : pieces)
+  {
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      piece->GetPoint(i, p);
+      piece->GetPoints()->SetPoint(i, p[0], p[1], -p[2]);
+    }
+  }
+  Placement onFirst;
+  onFirst.X = -0.8;
+  const std::vector<Surface> cuts(3, MakeSurface("plane", TheMesh().Box, onFirst));
+  const PiecesOutcome mirrored = TrimPieces(pieces, SurfacesOf(cuts), TrimOptions());
+  const auto told = std::find_if(mirrored.Warnings.begin(), mirrored.Warnings.end(),
+    [](const std::string& text) { return text.find("were inside out") != std::string::npos; });
+  Check(told != mirrored.Warnings.end() && told->find("(cell") == std::string::npos,
+    "a mirrored mesh: a cell is named, or no word of it");
+
+  // Numbers that are not whole are no ids: nodes are known by their places.
+  pieces = Pieces();
+  for (auto& piece : pieces)
+  {
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetName("Numbers");
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      numbers->InsertNextValue(0.001f * static_cast<float>(i));
+    }
+    vtkPointData* const data = piece->GetPointData();
+    data->SetActiveAttribute(data->AddArray(numbers), vtkDataSetAttributes::GLOBALIDS);
+    Check(data->GetGlobalIds() == numbers, "the numbers are no ids");
+  }
+  const PiecesOutcome outcome = TrimPieces(pieces, Planes(), TrimOptions());
+  Check(outcome.Errors.empty() && outcome.Warnings.empty(), "ids that are no whole numbers");
+}
+
 void TestMissingSurface()
 {
   Placement outside;
@@ -273,13 +409,15 @@ void TestAborts()
   }
 }
 
-/// An array that one rank's piece does not have, or has as another type, is no matter for the rest.
+/// An array that one rank's piece does not have, or has as another type or with other components,
+/// is no matter for the rest.
 void TestPartialArrays()
 {
-  for (const bool asIds : { false, true })
+  for (const int components : { 0, 1, 2 })
   {
     const auto pieces = Pieces();
-    vtkPointData* data = pieces[0]->GetPointData();
+    constexpr int odd = 1; // the cut goes through its piece
+    vtkPointData* data = pieces[odd]->GetPointData();
     std::string name;
     for (int i = 0; i < data->GetNumberOfArrays() && name.empty(); ++i)
     {
@@ -290,26 +428,55 @@ void TestPartialArrays()
     }
     Check(!name.empty(), "no array to take away");
     data->RemoveArray(name.c_str());
-    if (asIds)
+    if (components > 0)
     {
-      vtkNew<vtkIdTypeArray> ids;
-      ids->SetName(name.c_str());
-      ids->SetNumberOfValues(pieces[0]->GetNumberOfPoints());
-      ids->FillValue(3);
-      data->AddArray(ids);
+      auto other = vtkSmartPointer<vtkDataArray>::Take(
+        vtkDataArray::CreateDataArray(components == 1 ? VTK_ID_TYPE : VTK_DOUBLE));
+      other->SetName(name.c_str());
+      other->SetNumberOfComponents(components);
+      other->SetNumberOfTuples(pieces[odd]->GetNumberOfPoints());
+      other->Fill(3);
+      data->AddArray(other);
     }
     TrimOptions options;
     options.MapValues = true;
     const PiecesOutcome outcome = TrimPieces(pieces, Planes(), options);
     Check(outcome.Errors.empty(), "an array on two ranks of three: errors");
-    Check((outcome.Trimmed[0]->GetPointData()->GetArray(name.c_str()) != nullptr) == asIds &&
+    vtkDataArray* const own = outcome.Trimmed[odd]->GetPointData()->GetArray(name.c_str());
+    Check((own != nullptr) == (components > 0) &&
         outcome.Trimmed[2]->GetPointData()->GetArray(name.c_str()) != nullptr,
       "an array on two ranks of three: not where it was");
+    for (vtkIdType i = 0; own && i < own->GetNumberOfTuples(); ++i)
+    {
+      Check(own->GetNumberOfComponents() == components && own->GetComponent(i, 0) == 3,
+        "an array of another kind on one rank: it is not what it was");
+    }
   }
 }
 
-/// Kept from run to run, and made anew on all ranks when one rank's piece changes.
-void TestRerun()
+/// What was far off on one rank is forgotten by the others when it is mended.
+void TestMended()
+{
+  const auto pieces = Pieces();
+  double place[3];
+  pieces[1]->GetPoint(0, place);
+  pieces[1]->GetPoints()->SetPoint(0, 1e200, 0.0, 0.0);
+  const PiecesOutcome outcome = TrimPieces(pieces, Planes(), TrimOptions(), {},
+    [&](int rank, vtkTrimHexahedralGrid* filter)
+    {
+      filter->Modified();
+      if (rank == 1)
+      {
+        pieces[1]->GetPoints()->SetPoint(0, place);
+        pieces[1]->GetPoints()->Modified();
+      }
+    });
+  Check(outcome.Errors.size() == 1 && !IsEmpty(outcome.Trimmed),
+    "mended: " + std::to_string(outcome.Errors.size()) + " errors, not the first one alone");
+}
+
+/// Kept from run to run, and made anew on all ranks when one rank's piece or surface changes.
+void TestRerun(int port)
 {
   const auto pieces = Pieces();
   const auto surfaces = Planes();
@@ -318,12 +485,12 @@ void TestRerun()
   inverted.InvertSide = true;
   int run = 0;
   const PiecesOutcome again = TrimPieces(pieces, surfaces, inverted, {},
-    [&run](int rank, vtkTrimHexahedralGrid* filter)
+    [&run, port](int rank, vtkTrimHexahedralGrid* filter)
     {
       filter->SetInvertSide(false);
       if (rank == 1)
       {
-        filter->GetInputDataObject(0, 0)->Modified();
+        filter->GetInputDataObject(port, 0)->Modified();
         ++run;
       }
     });
@@ -344,7 +511,11 @@ int main()
   TestScatteredSurfaces();
   TestMissingSurface();
   TestAborts();
-  TestRerun();
+  TestRerun(0);
+  TestRerun(1);
+  TestMended();
+  TestRemarks();
+  TestEndInOnePart();
   TestPartialArrays();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;

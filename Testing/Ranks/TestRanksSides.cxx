@@ -125,6 +125,30 @@ void TestVotes()
   right = same[0] + same[1];
   Check(right == 2, "votes: " + std::to_string(right) + " ranks of 2 took the nearer crossing");
 }
+/// Sets of two pieces that share a node are one, and contradict each other on both ranks.
+void TestContradiction()
+{
+  for (const bool agree : { true, false })
+  {
+    const auto controllers = MakeThreadRanks(2);
+    std::array<bool, 2> parted{};
+    RunRanks(2,
+      [&](int rank)
+      {
+        const trim::ControllerRanks ranks(controllers[rank]);
+        trim::SharedNodes shared;
+        shared.Local = { 1 };
+        shared.Number = { 0 };
+        shared.LocalByNumber = shared.Local;
+        trim::SetSides sides(2);
+        sides.Set(1, rank == 0 || agree ? trim::NodeKeep : trim::NodeEliminate);
+        trim::JoinedSets joined;
+        parted[rank] = joined.Join(
+          { ranks, shared, {} }, [](trim::Id node) { return node; }, sides);
+      });
+    Check(parted[0] == agree && parted[1] == agree, "sets that two pieces share");
+  }
+}
 }
 
 int main()
@@ -139,6 +163,7 @@ int main()
   // Beside the sheet: its two ends lie on different sides of the plane, but nothing parts them.
   Compare("aside", mesh, Swept(mesh, { Vec3(0.05, 1.2, 0), Vec3(0.05, 3.0, 0) }));
   TestVotes();
+  TestContradiction();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

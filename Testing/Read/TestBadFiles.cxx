@@ -7,6 +7,8 @@
 
 #include "vtkCADSurfaceReader.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkTrimLineSource.h"
 
 #include <clocale>
 #include <csignal>
@@ -24,8 +26,9 @@ namespace
 enum class System
 {
   Normal,
-  Slow,  ///< the child goes on a long way between two calls of the parent
-  Killer ///< the child is killed, as for want of memory
+  Slow,   ///< the child goes on a long way between two calls of the parent
+  Killer, ///< the child is killed, as for want of memory
+  Stuck   ///< the child does not go on
 };
 System TheSystem = System::Normal;
 }
@@ -40,6 +43,10 @@ extern "C" pid_t waitpid(pid_t process, int* status, int options)
   if (TheSystem == System::Killer)
   {
     kill(process, SIGKILL);
+  }
+  if (TheSystem == System::Stuck)
+  {
+    kill(process, SIGSTOP);
   }
   return wait4(process, status, options, nullptr);
 }
@@ -270,7 +277,18 @@ void TestChild()
   ReadFaces(good, 12);
   TheSystem = System::Killer;
   CheckError(good, "the system ended the reading process");
+  // By the clock, where no processor time passes: ten times what was asked for.
+  TheSystem = System::Stuck;
+  vtkNew<vtkCADSurfaceReader> reader;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(reader);
+  reader->SetFileName(good.c_str());
+  reader->SetTimeLimit(0.01);
+  reader->Update();
   TheSystem = System::Normal;
+  CHECK(capture->Errors.size() == 1 &&
+      capture->Errors[0].find("takes too long to read") != std::string::npos,
+    "a child that does not go on: " << (capture->Errors.empty() ? "no error" : capture->Errors[0]));
 }
 
 /// A few bytes changed at random: an error, a warning, or surfaces, but nothing else.
@@ -308,6 +326,10 @@ void TestCanReadFile()
   // By content, not by name.
   CHECK(canRead(File("misnamed.txt", Curves().Text())) == 1, "misnamed");
   CHECK(canRead(File("text.igs", "solid\n")) == 0, "text");
+  const std::string step = "ISO-10303-21;\nHEADER;\n";
+  CHECK(canRead(File("mark.txt", "\xEF\xBB\xBF" + step)) == 1, "STEP behind a byte order mark");
+  CHECK(canRead(File("comment.txt", "/* by hand */\n/**/ " + step)) == 1, "STEP behind comments");
+  CHECK(canRead(File("open.txt", "/* by hand " + step)) == 0, "a comment without an end");
   CHECK(canRead(OutputPath("missing.igs")) == 0, "missing");
   CHECK(canRead(OutputPath("")) == 0, "directory");
   const std::string pipe = OutputPath("pipe.igs");
@@ -340,29 +362,62 @@ void TestRecovery()
   CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0, "old faces stay after an error");
 }
 
-/// Aborting leaves the output empty, without an error.
-void TestAbort()
+/// Aborts what tells of its progress, from some share on.
+struct AbortAtProgress : public vtkCommand
 {
-  vtkNew<vtkCADSurfaceReader> reader;
-  vtkNew<ErrorCapture> capture;
-  capture->Watch(reader);
-  struct AbortAtProgress : public vtkCommand
+  static AbortAtProgress* New() { return new AbortAtProgress; }
+  void Execute(vtkObject* caller, unsigned long, void* progress) override
   {
-    static AbortAtProgress* New() { return new AbortAtProgress; }
-    void Execute(vtkObject* caller, unsigned long, void*) override
+    if (*static_cast<double*>(progress) >= this->From)
     {
       ++this->Calls;
       vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
     }
-    int Calls = 0;
-  };
+  }
+  int Calls = 0;
+  double From = 0.0;
+};
+
+/// Aborting leaves the output empty, without an error: as soon as the file is read, though that
+/// does not go on, and between its faces.
+void TestAbort(double from, System system)
+{
+  vtkNew<vtkCADSurfaceReader> reader;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(reader);
   vtkNew<AbortAtProgress> abort;
+  abort->From = from;
   reader->AddObserver(vtkCommand::ProgressEvent, abort);
   reader->SetFileName((std::string(EXAMPLE_DATA) + "/RearDoor.igs").c_str());
+  TheSystem = system;
   reader->Update();
+  TheSystem = System::Normal;
   CHECK(abort->Calls > 0, "no progress");
   CHECK(capture->Errors.empty(), "an error on abort");
   CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0, "output after abort");
+}
+
+/// The same of trim lines; the next update reads them after all.
+void TestAbortOfLines()
+{
+  vtkNew<vtkTrimLineSource> source;
+  vtkNew<ErrorCapture> capture;
+  capture->Watch(source);
+  vtkNew<AbortAtProgress> abort;
+  const unsigned long tag = source->AddObserver(vtkCommand::ProgressEvent, abort);
+  IgesText iges;
+  iges.Add(110, "0.,0.,0.,10.,0.,0.");
+  source->SetFileName(File("line.igs", iges.Text()).c_str());
+  TheSystem = System::Stuck;
+  source->Update();
+  TheSystem = System::Normal;
+  CHECK(abort->Calls > 0 && capture->Errors.empty(), "a line: no abort, or an error");
+  CHECK(source->GetOutput()->GetNumberOfPoints() == 0, "a line after abort");
+  source->RemoveObserver(tag);
+  source->SetAbortExecute(0);
+  source->Modified();
+  source->Update();
+  CHECK(capture->Errors.empty() && source->GetOutput()->GetNumberOfPoints() > 0, "no line at last");
 }
 }
 
@@ -378,6 +433,9 @@ int main()
   TestMutated();
   TestCanReadFile();
   TestRecovery();
-  TestAbort();
+  TestAbort(0.0, System::Normal);
+  TestAbort(0.0, System::Stuck);
+  TestAbort(0.85, System::Normal);
+  TestAbortOfLines();
   return Failures != 0;
 }

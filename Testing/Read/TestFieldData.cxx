@@ -175,11 +175,23 @@ void TestDefects()
   {
     CheckDefect("NURBSControlNetSize", set("NURBSControlNetSize", 0, 0, value));
   }
+  CheckDefect("NURBSDegrees", set("NURBSDegrees", 0, 0, Sample(true).DegreeU + 0.5));
   CheckDefect("NURBSControlPoints", set("NURBSControlNetSize", 0, 0, 2147483647.0));
   CheckDefect("NURBSTrimLoopOffsets", set("NURBSTrimLoopOffsets", 1, 0, 8.0));
   CheckDefect("NURBSTrimLoopOffsets", set("NURBSTrimLoopOffsets", 0, 0, 1.0));
   CheckDefect("NURBSTrimLoopOffsets", set("NURBSTrimLoopOffsets", 2, 0, 6.0));
   CheckDefect("NURBSTrimLoopOffsets", set("NURBSTrimLoopOffsets", 1, 0, nan));
+  CheckDefect("NURBSTrimLoopOffsets",
+    [](vtkFieldData* data)
+    {
+      vtkNew<vtkDoubleArray> falling;
+      falling->SetName("NURBSTrimLoopOffsets");
+      for (const double offset : { 0.0, 4.0, 3.0, 7.0 })
+      {
+        falling->InsertNextValue(offset);
+      }
+      data->AddArray(falling);
+    });
   CheckDefect("trim loop 0", set("NURBSTrimLoopOffsets", 1, 0, 2.0));
   CheckDefect("point 1 of trim loop 1", set("NURBSTrimLoops", 5, 0, nan));
   CheckDefect("point 1 of trim loop 1", set("NURBSTrimLoops", 5, 1, 1.5));

@@ -419,6 +419,25 @@ void TestUselessSheet()
   CHECK(CountWarnings(MakeSheet([](const Vec3& p) { return p; }), 0.0) == 0, "a good sheet");
 }
 
+/// Points that no element has do not lengthen the sweep.
+void TestUnusedPoints()
+{
+  double lengths[2];
+  for (const bool unused : { false, true })
+  {
+    const auto sheet = MakeSheet([](const Vec3& p) { return p; });
+    if (unused)
+    {
+      sheet->GetPoints()->InsertNextPoint(0, 0, 1e6);
+    }
+    vtkNew<vtkTrimLineSource> source;
+    Give(source, { { 1, 3, 0.8 }, { 4, 5, 0.8 }, { 3, 8, 0.8 } }, false);
+    source->SetInputData(sheet);
+    lengths[unused] = FieldValue(source, "Length");
+  }
+  CHECK(lengths[0] == lengths[1], "points without elements: a length of " << lengths[1]);
+}
+
 void TestModified()
 {
   const Points points{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 } };
@@ -447,6 +466,7 @@ void TestFile()
          "1,4,0,0.5,4.03\n2,4,3,0,5\n3,-10,3,0,10.44\n",
          "Z_coord,Y_coord,X_coord\n0,0,0\n0.5,0,4\n0,3,4\n0,3,-10\n",
          "Pos Z;Next X;Pos Y;Pos X\n0;9;0;0\n0.5;9;0;4\n0;9;3;4\n0;9;3;-10\n",
+         "max_z,max_y,max_x\n0,0,0\n0.5,0,4\n0,3,4\n0,3,-10\n",
          "Z Y X\n0 0 0\n0.5 0 4\n0 3 4\n0 3 -10\n",
          "t (s);X [mm];Y[mm];Z(mm)\n9;0;0;0\n9;4;0;0.5\n9;4;3;0\n9;-10;3;0\n",
          "x [mm] y [mm] z [mm]\n0 0 0\n4 0 0.5\n4 3 0\n-10 3 0\n",
@@ -466,6 +486,18 @@ void TestFile()
     CHECK(surface.KnotsU == expected.KnotsU, "knots from a file");
     CHECK(surface.ControlPoints == expected.ControlPoints, "control points from a file");
   }
+}
+
+/// Three points are closed by a fourth one where the first is.
+void TestTriangleInFile()
+{
+  vtkNew<vtkTrimLineSource> given;
+  Give(given, { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 } }, true);
+  const std::string path = OutputPath("triangle.csv");
+  WriteText(path, "0,0,0\n4,0,0\n0,3,0\n0,0,0\n");
+  vtkNew<vtkTrimLineSource> source;
+  source->SetFileName(path.c_str());
+  CHECK(SurfaceOf(source).ControlPoints == SurfaceOf(given).ControlPoints, "a closed triangle");
 }
 
 /// Seconds that a long line takes, in steps along a direction; the least of three runs.
@@ -622,6 +654,13 @@ void TestBadInput()
     std::string("\xFF\xFE"
                 "0\0,\0",
       6));
+  CheckFileError("is in UTF-16; save it as CSV in UTF-8",
+    std::string("\xFE\xFF"
+                "\0000\0,",
+      6));
+  // Of two sets of axes neither is meant.
+  CheckFileError(
+    "line 2 is \"0,0,0,1,1,1\"; expected three", "x_in,y_in,z_in,x_out,y_out,z_out\n0,0,0,1,1,1\n");
   CheckFileError("is cut short", "ISO-10303-21;\nHEADER;\n");
   CheckFileError("line 3 is \"1,2\"; expected three", "x,y,z\n0,0,0\n1,2\n");
   CheckFileError("line 2", "0,0,0\n1,2,3,4\n");
@@ -665,9 +704,11 @@ int main()
   TestAutomaticBySheet();
   TestCorruptSheet();
   TestUselessSheet();
+  TestUnusedPoints();
   TestModified();
   TestAbsurdNumbers();
   TestFile();
+  TestTriangleInFile();
   TestLongLines();
   TestBadInput();
   return Failures != 0;

@@ -364,6 +364,67 @@ void TestSeveralOpen()
   }
 }
 
+/// Beside a closed line the part is where that is: the other side of an open one goes. The lines
+/// come in the order of the file.
+void TestOpenAndClosed()
+{
+  for (bool reversed : { false, true })
+  {
+    IgesText iges;
+    if (reversed)
+    {
+      AddCircle(iges, 4, 0, 1);
+    }
+    iges.Add(110, reversed ? "0.,9.,0.,0.,-9.,0." : "0.,-9.,0.,0.,9.,0.");
+    if (!reversed)
+    {
+      AddCircle(iges, 4, 0, 1);
+    }
+    const LineResult result = ReadGood(Written(iges, "cut-and-hole.igs"), 2);
+    const NurbsSurface &cut = result.Surfaces[reversed], &hole = result.Surfaces[!reversed];
+    CHECK(UnitNormal(cut, 9.0, 0.0).x() < -0.99, "cut, reversed " << reversed);
+    CHECK(LeastInwards(hole, Vec3(4, 0, 0)) > 0.999, "hole, reversed " << reversed);
+  }
+}
+
+/// Seen past a corner both chords there are as near: the one that sees less slantingly tells the
+/// side, whichever comes first.
+void TestPastCorner()
+{
+  double sides[2];
+  for (bool reversed : { false, true })
+  {
+    IgesText iges;
+    iges.Add(110, reversed ? "5.,-1.,0.,1.,0.,0." : "5.,1.,0.,1.,0.,0.");
+    iges.Add(110, reversed ? "1.,0.,0.,5.,1.,0." : "1.,0.,0.,5.,-1.,0.");
+    iges.Add(110, "-9.,3.,0.,-1.,3.,0.");
+    iges.Add(110, "-1.,3.,0.,-1.,9.,0.");
+    const LineResult result = ReadGood(Written(iges, "corner.igs"), 2);
+    sides[reversed] = UnitNormal(result.Surfaces[1], 7.0, 0.0).y();
+  }
+  CHECK(std::abs(sides[0]) > 0.99 && sides[0] == -sides[1], "past a corner: " << sides[0]);
+}
+
+/// Closed lines of either sense in one plane are swept across it.
+void TestSensesOfClosed()
+{
+  IgesText iges;
+  iges.Add(110, "0.,0.,0.,2.,0.,0.");
+  iges.Add(110, "2.,0.,0.,2.,0.,2.");
+  iges.Add(110, "2.,0.,2.,0.,0.,0.");
+  iges.Add(110, "5.,0.,0.,5.,0.,2.");
+  iges.Add(110, "5.,0.,2.,7.,0.,2.");
+  iges.Add(110, "7.,0.,2.,5.,0.,0.");
+  const LineResult result = ReadGood(Written(iges, "senses.igs"), 2,
+    [](vtkTrimLineSource* source) { source->SetDirection(0, 0, 0); });
+  for (const NurbsSurface& surface : result.Surfaces)
+  {
+    const Vec3 way =
+      (surface.ControlPoints.back() - surface.ControlPoints[surface.CountU - 1]).head<3>();
+    CHECK(std::abs(way.normalized().y()) > 0.999, "two senses: swept along " << way.transpose());
+  }
+}
+
 void TestUnits()
 {
   IgesText inches(1, "INCH");
@@ -523,6 +584,9 @@ int main()
   TestGap();
   TestSeveral();
   TestSeveralOpen();
+  TestOpenAndClosed();
+  TestPastCorner();
+  TestSensesOfClosed();
   TestUnits();
   TestStep();
   TestBadFiles();
