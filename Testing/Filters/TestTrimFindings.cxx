@@ -629,6 +629,7 @@ void TestMirrored()
       CountWarned(outcome, ShortfallPhrases[4]) == number("TouchedElements"),
     "mirrored: touched elements");
   Expect(CountWarned(outcome, "elements of the offcut were inside out") > 20, "mirrored: offcut");
+  Expect(!IsTold(outcome, "cut elements is lost"), "mirrored: volume told as lost that is there");
 }
 
 // A cone past the corners of a hole of the model: nodes with no place to go.
