@@ -1,7 +1,5 @@
 #include "ElementMap.h"
 
-#include <Eigen/LU>
-
 #include <cmath>
 
 namespace trim

@@ -12,6 +12,7 @@
 #include "NurbsSurface.h"
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <array>
 
@@ -76,6 +77,18 @@ void ForIntegrationPoints(int count, const Visit& visit)
       }
     }
   }
+}
+
+/// Calls visit(place, volume) for the points of a Gauss rule in an element.
+template <int N, typename Visit>
+void ForVolumes(const ElementPoints& points, int count, const Visit& visit)
+{
+  ForIntegrationPoints<N>(count,
+    [&](const Vec3& parameters, double weight)
+    {
+      visit(MapToSpace(points, count, parameters),
+        weight * MapDerivative(points, count, parameters).determinant());
+    });
 }
 
 }

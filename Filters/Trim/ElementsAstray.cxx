@@ -70,7 +70,9 @@ double ExcessOf(const TrimBand& near, int e)
     return -due;
   }
   const FinalElement shape = FinalShape(near.Mesh, near.Trimmed, e);
-  return (shape.Touched || inserted ? VolumeOf(shape.Points, shape.Count) : whole) - due;
+  // One that came inside out holds what it held before.
+  const bool changed = shape.Touched || inserted;
+  return (changed ? std::abs(VolumeOf(shape.Points, shape.Count)) : whole) - due;
 }
 
 ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>& without)

@@ -238,13 +238,14 @@ std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh, const 
   }
   TakeCloser(*layered, task, Part(progress, 0.9, 1.0));
   search.ReturnToSkin(band, layered->Trimmed);
+  // Where the layer puts a node counts as a move, also of those that stay there.
+  TellInserted(band, layered->Trimmed.NodeMoves);
   layered->NodesLeft = FindNodesLeft(*layered, task.Surface, task.Precision);
   layered->Shares = SharesOfOrigins(band, near.Shares);
   for (const Origin& origin : band.ElementOrigins)
   {
     layered->SheetAxis.push_back(near.SheetAxis[origin.Index]);
   }
-  TellInserted(band, layered->Trimmed.NodeMoves);
   return layered;
 }
 

@@ -1,6 +1,8 @@
 #include "LostVolume.h"
 
+#include "BandPlace.h"
 #include "DisjointSets.h"
+#include "ElementMap.h"
 #include "ElementsAstray.h"
 #include "NodesOfElements.h"
 #include "Status.h"
@@ -38,11 +40,10 @@ std::vector<char> FindUnreached(const TrimBand& near)
   return unreached;
 }
 
-/// By the smallest element of each place, its excess in elements.
-std::vector<double> ExcessByPlace(
-  const TrimBand& near, const std::vector<char>& unreached, DisjointSets<int>& places)
+/// Joins unreached elements that share a node to places.
+DisjointSets<int> JoinPlaces(const Band& band, const std::vector<char>& unreached)
 {
-  const Band& band = near.Mesh;
+  DisjointSets<int> places(band.NumberOfElements());
   std::vector<int> first(band.NumberOfNodes(), -1);
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
@@ -55,15 +56,76 @@ std::vector<double> ExcessByPlace(
       }
     }
   }
-  std::vector<double> excess(band.NumberOfElements(), 0.0);
-  for (int e = 0; e < band.NumberOfElements(); ++e)
+  return places;
+}
+
+/// Volumes of the elements of a place, in elements.
+struct Balance
+{
+  double Excess = 0.0; ///< how much more there is than lies on the kept side
+  double Whole = 0.0;  ///< what there is, or would have to be if that is more
+
+  /// More than a border on the surface reaches round.
+  bool IsLarge() const { return std::abs(this->Excess) > ElementsAstray::FewCorners; }
+  /// A strip or an island that went or stayed is most of its place.
+  bool IsLost() const { return this->IsLarge() && std::abs(this->Excess) > 0.5 * this->Whole; }
+};
+
+/// By the smallest element of each place; nothing where a finding tells of it.
+/// @param excessOf the volume that an element has too much.
+template <typename Excess>
+std::vector<Balance> BalanceByPlace(const TrimBand& near, const std::vector<char>& unreached,
+  const std::vector<char>& told, DisjointSets<int>& places, const Excess& excessOf)
+{
+  std::vector<Balance> balances(near.Mesh.NumberOfElements());
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
   {
     if (unreached[e] && near.Shares.Volume[e] > 0.0)
     {
-      excess[places.Find(e)] += ExcessOf(near, e) / near.Shares.Volume[e];
+      const double excess = excessOf(e) / near.Shares.Volume[e];
+      Balance& balance = balances[places.Find(e)];
+      balance.Excess += excess;
+      balance.Whole += 1.0 - near.Shares.Element[e] + std::max(excess, 0.0);
     }
   }
-  return excess;
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  {
+    if (told[e] && unreached[e])
+    {
+      balances[places.Find(e)] = {};
+    }
+  }
+  return balances;
+}
+
+/// How much of the place of each element, as the mesh came, the trimmed mesh takes, in whatever
+/// element; of WithoutLayer(near.Mesh).
+std::vector<double> FindVolumesTaken(const TrimBand& near)
+{
+  const Band& band = WithoutLayer(near.Mesh);
+  std::vector<double> taken(band.NumberOfElements(), 0.0);
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  {
+    if (!near.Trimmed.Kept[e])
+    {
+      continue;
+    }
+    int start = ElementWithoutLayer(near.Mesh, e);
+    const FinalElement shape = FinalShape(near.Mesh, near.Trimmed, e);
+    if (!shape.Touched && !near.Mesh.IsInserted(e))
+    {
+      taken[start] += near.Shares.Volume[e];
+      continue;
+    }
+    ForVolumes<3>(shape.Points, shape.Count,
+      [&](const Vec3& place, double volume)
+      {
+        const int at = FindBandPlace(band, start, place).Element;
+        start = at < 0 ? start : at;
+        taken[start] += std::abs(volume);
+      });
+  }
+  return taken;
 }
 
 /// The cut element of which most is lost or stayed, of those that pass a test; -1: none.
@@ -94,24 +156,31 @@ LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
   {
     return {};
   }
-  DisjointSets<int> places(near.Mesh.NumberOfElements());
-  std::vector<double> excess = ExcessByPlace(near, unreached, places);
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  DisjointSets<int> places = JoinPlaces(near.Mesh, unreached);
+  const auto balance = [&](const auto& excessOf)
+  { return BalanceByPlace(near, unreached, told, places, excessOf); };
+  std::vector<Balance> found = balance([&near](int e) { return ExcessOf(near, e); });
+  if (std::none_of(found.begin(), found.end(), [](const Balance& b) { return b.IsLarge(); }))
   {
-    if (told[e] && unreached[e])
-    {
-      excess[places.Find(e)] = 0.0;
-    }
+    return {};
   }
-  const auto isLost = [](double volume) { return std::abs(volume) > ElementsAstray::FewCorners; };
+  // Nodes that move by several elements, as those of columns do along a surface that leans, carry
+  // kept elements to where others went, or from where they stay.
+  const std::vector<double> taken = FindVolumesTaken(near);
+  found = balance(
+    [&](int e)
+    {
+      const double due = near.Shares.Volume[e] * (1.0 - near.Shares.Element[e]);
+      return taken[ElementWithoutLayer(near.Mesh, e)] - due;
+    });
   LostVolume lost;
   lost.IsOfPlaces = true;
-  for (const double volume : excess)
+  for (const Balance& place : found)
   {
-    lost.Elements += isLost(volume) ? std::abs(volume) : 0.0;
+    lost.Elements += place.IsLost() ? std::abs(place.Excess) : 0.0;
   }
   lost.Most =
-    FindMostAstray(near, [&](int e) { return unreached[e] && isLost(excess[places.Find(e)]); });
+    FindMostAstray(near, [&](int e) { return unreached[e] && found[places.Find(e)].IsLost(); });
   return lost;
 }
 

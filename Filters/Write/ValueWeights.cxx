@@ -5,7 +5,6 @@
 #include "Runs.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -42,18 +41,6 @@ std::vector<ValueRow> Filled(std::vector<ValueRow> rows)
     std::sort(row.Sources.begin(), row.Sources.end());
   }
   return rows;
-}
-
-/// Calls visit(place, volume) for the points of a Gauss rule in an element.
-template <int N, typename Visit>
-void ForVolumes(const ElementPoints& points, int count, const Visit& visit)
-{
-  ForIntegrationPoints<N>(count,
-    [&](const Vec3& parameters, double weight)
-    {
-      visit(MapToSpace(points, count, parameters),
-        weight * MapDerivative(points, count, parameters).determinant());
-    });
 }
 
 Vec3 CentroidOf(const ElementPoints& points, int count)

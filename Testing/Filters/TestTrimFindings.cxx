@@ -393,6 +393,26 @@ void TestStripLostAmongOthers()
     "strip lost beside a hole that is not opened");
 }
 
+// Columns follow a plane that leans by several elements: kept elements come to lie where others
+// went, and nothing is lost.
+void TestNothingLostByLeaning()
+{
+  const Mesh sheet = Sheet(24, 10, 16, Vec3(1, 1, 0.1));
+  const Vec3 first(sheet.Grid->GetPoint(0));
+  for (const double angle : { 30.0, 55.0, 60.0, 65.0 })
+  {
+    const double lean = angle * std::acos(-1.0) / 180.0;
+    const Vec3 normal(std::cos(lean), 0.1, std::sin(lean));
+    const Vec3 middle(12.3, 5.0, 0.8);
+    const Outcome outcome = RunTrim(sheet, PlaneThrough(first + middle, normal, 200), {});
+    const std::string name = "leaning by " + std::to_string(static_cast<int>(angle));
+    vtkFieldData* summary = outcome.Case.Trimmed->GetFieldData();
+    const double volume = summary->GetArray("Volume")->GetComponent(0, 0);
+    Expect(std::abs(volume - middle[0] * 10.0 * 1.6) < 1e-6, name + ": volume of the half");
+    Expect(!IsTold(outcome, "cut elements is lost"), name + ": volume told as lost that is there");
+  }
+}
+
 /// A hole each on both sides of a place, with a strip of the given width between them.
 Surface TwoHoles(const Mesh& mesh, const Vec3& place, double angle, double radius, double width)
 {
@@ -677,6 +697,7 @@ void TestMirrored()
       CountWarned(outcome, ShortfallPhrases[4]) == number("TouchedElements"),
     "mirrored: touched elements");
   Expect(CountWarned(outcome, "elements of the offcut were inside out") > 20, "mirrored: offcut");
+  Expect(!IsTold(outcome, "cut elements is lost"), "mirrored: volume told as lost that is there");
 }
 
 // Elements without a volume have no share beyond the surface, and nothing else that is no number.
@@ -840,6 +861,7 @@ int main()
   TestSlots();
   TestStripLost();
   TestStripLostAmongOthers();
+  TestNothingLostByLeaning();
   TestStripParted();
   TestLongChords();
   TestBesideEnd();

@@ -4,6 +4,7 @@
  */
 #include "Expect.h"
 #include "RunTrim.h"
+#include "SplineData.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -300,6 +301,54 @@ void TestSequence()
     "the second trim is not certified");
 }
 
+Surface SphereAt(const Vec3& centre, double radius)
+{
+  // Nine control points round the axis, five from pole to pole.
+  const double x[] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 }, y[] = { 0, 1, 1, 1, 0, -1, -1, -1, 0 };
+  const double away[] = { 0, 1, 1, 1, 0 }, up[] = { -1, -1, 0, 1, 1 };
+  SplineSurface sphere;
+  sphere.DegreeU = sphere.DegreeV = 2;
+  sphere.CountU = 9;
+  sphere.CountV = 5;
+  sphere.KnotsU = { 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4 };
+  sphere.KnotsV = { 0, 0, 0, 1, 1, 2, 2, 2 };
+  for (int j = 0; j < 5; ++j)
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      const Vec3 p = centre + radius * Vec3(away[j] * x[i], away[j] * y[i], up[j]);
+      sphere.Control.emplace_back(p.x(), p.y(), p.z(), std::pow(0.5, 0.5 * (i % 2 + j % 2)));
+    }
+  }
+  return { "sphere", ToPolyData(sphere), nullptr };
+}
+
+/// A layer may put nodes beyond the surface, beneath others that are left off it: they are told of,
+/// though the relaxation leaves them where the layer has them.
+void TestBeneathNodesLeft()
+{
+  const Mesh block = Sheet(6, 6, 6, Vec3(1, 1, 1));
+  const Vec3 centre = Vec3(block.Grid->GetPoint(0)) + Vec3(0.9, 1.3, 6.5);
+  const double radius = 6.6;
+  TrimOptions options;
+  options.InsertLayer = true;
+  const Outcome outcome = RunTrim(block, SphereAt(centre, radius), options);
+  vtkUnstructuredGrid* trimmed = outcome.Case.Trimmed;
+  vtkPointData* points = trimmed->GetPointData();
+  int beneath = 0;
+  for (vtkIdType i = 0; i < trimmed->GetNumberOfPoints(); ++i)
+  {
+    const double beyond = (Vec3(trimmed->GetPoint(i)) - centre).norm() - radius;
+    if (beyond > 1e-6)
+    {
+      beneath += points->GetArray("Inserted")->GetComponent(i, 0) > 0;
+      Expect(points->GetArray("DistanceLeft")->GetComponent(i, 0) > 0,
+        "a node " + std::to_string(beyond) + " beyond the surface is not told of");
+    }
+  }
+  Expect(beneath > 0, "no inserted node beyond the surface");
+}
+
 }
 
 int main()
@@ -311,6 +360,7 @@ int main()
   TestTilted();
   TestValues();
   TestSequence();
+  TestBeneathNodesLeft();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

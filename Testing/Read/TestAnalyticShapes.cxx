@@ -30,6 +30,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -38,9 +39,11 @@
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Hyperbola.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Parabola.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
@@ -373,6 +376,61 @@ void CheckOpenApex()
     "half a cone has area " << Area(surface) << ", not " << expected);
 }
 
+/// A curve in the parameters of a surface that begins elsewhere along the pole than the edge, of
+/// constant first parameter, and swings there.
+Handle(Geom2d_Curve) SwingingCurve(double u, double pole, double other, double first, double last)
+{
+  TColgp_Array1OfPnt2d poles(1, 4);
+  TColStd_Array1OfReal knots(1, 4);
+  TColStd_Array1OfInteger multiplicities(1, 4);
+  const double shares[] = { 0.0, 0.02, 0.04, 1.0 }, beside[] = { 1.9, 0.5, 0.0, 0.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    poles(i + 1) = gp_Pnt2d(u - beside[i], pole + shares[i] * (other - pole));
+    knots(i + 1) = first + shares[i] * (last - first);
+    multiplicities(i + 1) = i == 0 || i == 3 ? 2 : 1;
+  }
+  return new Geom2d_BSplineCurve(poles, knots, multiplicities, 1);
+}
+
+/// The same, with edges whose curves in the parameters stray from them at the apex, as
+/// OpenCASCADE finds them for surfaces of revolution of some files.
+void CheckStrayingCurves()
+{
+  const Handle(Geom_Line) line = new Geom_Line(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 1));
+  const Handle(Geom_Surface) cone = new Geom_SurfaceOfRevolution(line, gp_Ax1());
+  const TopoDS_Face whole = BRepBuilderAPI_MakeFace(cone, 0.0, M_PI, 0.0, 10.0, 1e-7);
+  const BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, cone, 1e-7);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (TopExp_Explorer it(whole, TopAbs_EDGE); it.More(); it.Next())
+  {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    double first = 0.0, last = 0.0;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, whole, first, last);
+    const gp_Pnt2d start = curve->Value(first), end = curve->Value(last);
+    if (start.Y() == 0.0 && end.Y() == 0.0)
+    {
+      continue; // the apex
+    }
+    if (start.X() == M_PI && end.X() == M_PI)
+    {
+      builder.UpdateEdge(edge, SwingingCurve(M_PI, 0.0, 10.0, first, last), face, 1e-7);
+    }
+    builder.Add(wire, edge);
+  }
+  builder.Add(face, wire);
+  std::vector<NurbsSurface> surfaces;
+  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
+  CHECK(reason.empty() && surfaces.size() == 1, reason);
+  const double expected = 0.5 * M_PI * 10 * 10 / std::sqrt(2);
+  CHECK(
+    std::abs(Area(surfaces.at(0)) - expected) < 1e-4 * expected && surfaces[0].TrimLoops.empty(),
+    "half a cone with a straying edge has area " << Area(surfaces[0]) << ", not " << expected);
+}
+
 /// Whatever is thrown over one face is the reason why that one is left out.
 void CheckReasons()
 {
@@ -556,6 +614,7 @@ int main(int argc, char* argv[])
   {
     CheckUnits();
     CheckOpenApex();
+    CheckStrayingCurves();
     CheckReasons();
     CheckSlit();
     CheckWinding();

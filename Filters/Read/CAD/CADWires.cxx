@@ -1,5 +1,7 @@
 #include "CADWires.h"
 
+#include "CADIsolines.h"
+
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
@@ -51,7 +53,8 @@ double PeriodOf(const Handle(Geom_Surface) & surface, int axis)
   return !periodic ? 0.0 : axis == 0 ? surface->UPeriod() : surface->VPeriod();
 }
 
-/// Whole periods that bring `to` closest to `from`.
+/// Whole periods that bring `to` closest to `from`; the fewer where two are as close, as where the
+/// edge along a pole is missing in half a surface.
 Vec2 JoiningShift(const Handle(Geom_Surface) & surface, const Vec2& from, const Vec2& to)
 {
   Vec2 shift = Vec2::Zero();
@@ -59,7 +62,8 @@ Vec2 JoiningShift(const Handle(Geom_Surface) & surface, const Vec2& from, const 
   {
     if (const double period = PeriodOf(surface, axis); period > 0.0)
     {
-      shift[axis] = period * std::round((from[axis] - to[axis]) / period);
+      const double periods = (from[axis] - to[axis]) / period;
+      shift[axis] = period * std::copysign(std::ceil(std::abs(periods) - 0.5 - 1e-6), periods);
     }
   }
   return shift;
@@ -173,6 +177,7 @@ std::vector<BoundaryWire> CollectWires(
       {
         continue;
       }
+      boundary = WithoutStraying(edge, surface, boundary);
       if (edge.Orientation() == TopAbs_REVERSED)
       {
         std::swap(boundary.First, boundary.Last);
