@@ -85,7 +85,8 @@ std::vector<Balance> BalanceByPlace(const TrimBand& near, const std::vector<char
       const double excess = excessOf(e) / near.Shares.Volume[e];
       Balance& balance = balances[places.Find(e)];
       balance.Excess += excess;
-      balance.Whole += 1.0 - near.Shares.Element[e] + std::max(excess, 0.0);
+      const double due = near.Mesh.IsInserted(e) ? 0.0 : 1.0 - near.Shares.Element[e];
+      balance.Whole += due + std::max(excess, 0.0);
     }
   }
   for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
@@ -171,7 +172,8 @@ LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
     [&](int e)
     {
       const double due = near.Shares.Volume[e] * (1.0 - near.Shares.Element[e]);
-      return taken[ElementWithoutLayer(near.Mesh, e)] - due;
+      // An inserted one counts with that on which it stands.
+      return near.Mesh.IsInserted(e) ? 0.0 : taken[ElementWithoutLayer(near.Mesh, e)] - due;
     });
   LostVolume lost;
   lost.IsOfPlaces = true;
