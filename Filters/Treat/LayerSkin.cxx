@@ -57,8 +57,10 @@ private:
     for (int n = 0; n < this->Layered.NumberOfNodes(); ++n)
     {
       const bool moved = users[n] > 0 && moves.Applied[n] != Correction::None;
+      // Corrected nodes behind the cut are on the surface, too.
+      const bool onSurface = (onCut[n] || this->Trimmed.Moving[n]) && !moves.Left[n];
       Vec3 place;
-      if (moved && this->FindPlace(n, onCut[n] && !moves.Left[n], place))
+      if (moved && this->FindPlace(n, onSurface, place))
       {
         moves.Position[n] = AsStored(this->Layered, place);
         this->Places.emplace_back(n, moves.Position[n]);
@@ -91,7 +93,7 @@ private:
   }
 
   /// Where a node belongs on the skin; false if it is on none, or on a ridge.
-  bool FindPlace(int n, bool onCut, Vec3& place) const
+  bool FindPlace(int n, bool onSurface, Vec3& place) const
   {
     const Band& band = *this->Layered.BeforeLayer;
     const int origin = this->Layered.NodeOrigins[n].Index;
@@ -104,7 +106,7 @@ private:
     freedom.Constraint = ConstrainNode(band, this->TheColumns, this->AllKept, this->Kept, origin);
     const Vec3& from = this->Trimmed.NodeMoves.Position[n];
     return freedom.Constraint.Kind == ConstraintKind::Faces &&
-      this->Mover.Constrained(origin, freedom, from, onCut, place) &&
+      this->Mover.Constrained(origin, freedom, from, onSurface, place) &&
       (place - from).norm() <= LongestReturn * LongestEdgeAt(band, origin);
   }
 

@@ -241,6 +241,22 @@ void TestTilted()
   Expect(left <= 3, "nodes left off tilted planes");
 }
 
+/// A node behind the cut that slid to the surface, on a twisted skin that the layer divides: it
+/// goes back to the skin along the surface.
+void TestBehindCut()
+{
+  const Mesh twist = MakeMesh("twist");
+  Placement place = At(-0.138, -0.670, 4.217, 0, 0.544);
+  place.Seed = 269838;
+  TrimOptions options;
+  options.CorrectionType = 3;
+  options.Optimization = 1;
+  options.InsertLayer = true;
+  Report report("layer behind the cut");
+  RunAndJudge(twist, MakeSurface("roundrect", twist.Box, place), options, report);
+  Wrong += report.Failures();
+}
+
 /// Values that are linear in space stay so where they are mapped; else what was inserted has those
 /// of what it stands on.
 void TestValues()
@@ -358,6 +374,7 @@ int main()
   TestBent();
   TestDiagonal();
   TestTilted();
+  TestBehindCut();
   TestValues();
   TestSequence();
   TestBeneathNodesLeft();
