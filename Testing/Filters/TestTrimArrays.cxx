@@ -260,8 +260,8 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
     vtkPointData* data = next.Grid->GetPointData();
     const vtkIdType count = next.Grid->GetNumberOfPoints();
     data->RemoveArray("Displacement");
-    isDouble ? AddFilled<vtkDoubleArray>(data, "Displacement", count, 7, components)
-             : AddFilled<vtkFloatArray>(data, "Displacement", count, 7, components);
+    const auto add = isDouble ? AddFilled<vtkDoubleArray> : AddFilled<vtkFloatArray>;
+    add(data, "Displacement", count, 7, components);
     const Outcome solved = RunTrim(next, MakeSurface("plane", mesh.Box, at), options);
     Expect(IsFilled(solved.Case.Trimmed->GetPointData(), "InputDisplacement", 7) &&
         solved.Warnings.size() == 1,
@@ -329,13 +329,7 @@ void TestChangedInPlace(Mesh mesh)
         std::to_string(expected.Warnings.size()));
   };
   check("as it was made");
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    grid->GetPoint(i, p);
-    grid->GetPoints()->SetPoint(i, p[0] + 2.3, p[1], p[2]);
-  }
-  grid->GetPoints()->Modified();
+  MovePoints(grid, [](const Vec3& p) { return Vec3(p[0] + 2.3, p[1], p[2]); });
   check("points moved");
   AddFilled<vtkFloatArray>(grid->GetCellData(), "More", grid->GetNumberOfCells() + 3, 1);
   check("a longer array");

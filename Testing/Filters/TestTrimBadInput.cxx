@@ -320,12 +320,7 @@ void TestPointsAndArrays(const Mesh& mesh)
   }
   Judge("all nodes at one place", grid, plane, { "one place", "1 2 3" });
   grid = CopyOf(mesh);
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    grid->GetPoint(i, p);
-    grid->GetPoints()->SetPoint(i, 9e14 + 0.2 * p[0], 0.2 * p[1], p[2]);
-  }
+  MovePoints(grid, [](const Vec3& p) { return Vec3(9e14 + 0.2 * p[0], 0.2 * p[1], p[2]); });
   Judge("so far away that places are one", grid, plane, { "one place", "nearer to the origin" });
 }
 

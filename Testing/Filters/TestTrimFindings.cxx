@@ -235,21 +235,10 @@ void TestSmallHoles()
 // A polyline through a sheet, as a drawn contour is: one surface of degree 1; what it holds goes.
 Surface Polyline(const std::vector<Vec2>& corners)
 {
-  SplineSurface wall;
-  wall.CountU = static_cast<int>(corners.size()) + 1;
-  wall.CountV = 2;
-  wall.KnotsU = UniformKnots(wall.CountU, 1);
-  wall.KnotsV = { 0, 0, 1, 1 };
-  for (const double z : { -9.0, 9.0 })
-  {
-    for (int i = 0; i < wall.CountU; ++i)
-    {
-      const Vec2& corner = corners[i % corners.size()];
-      wall.Control.emplace_back(corner[0], corner[1], z, 1);
-    }
-  }
+  std::vector<Vec2> line = corners;
+  line.push_back(corners.front());
   Surface surface;
-  surface.Data = ToPolyData(wall);
+  surface.Data = ToPolyData(Wall(line));
   return surface;
 }
 
@@ -528,19 +517,8 @@ void TestBesideEnd()
   const Vec3 first(sheets.Grid->GetPoint(0));
   const auto wall = [&first](double y, double xEnd)
   {
-    SplineSurface spline;
-    spline.CountU = spline.CountV = 2;
-    spline.KnotsU = spline.KnotsV = { 0, 0, 1, 1 };
-    for (const double z : { -9.0, 9.0 })
-    {
-      for (const double x : { -9.0, xEnd })
-      {
-        const Vec3 corner = first + Vec3(x, y, z);
-        spline.Control.emplace_back(corner[0], corner[1], corner[2], 1);
-      }
-    }
     Surface surface;
-    surface.Data = ToPolyData(spline);
+    surface.Data = ToPolyData(Wall({ { -9.0, y }, { xEnd, y } }, first));
     return surface;
   };
   const std::string phrase = "1 parts of the grid lie beyond the end of the trimming surface";
@@ -562,21 +540,8 @@ void TestBehindEnd()
 {
   const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, -3, 0));
   const Vec3 first(sheets.Grid->GetPoint(0));
-  SplineSurface wall;
-  wall.CountU = 3;
-  wall.CountV = 2;
-  wall.KnotsU = UniformKnots(3, 1);
-  wall.KnotsV = { 0, 0, 1, 1 };
-  for (const double z : { -9.0, 9.0 })
-  {
-    for (const Vec2& p : { Vec2(-9, 4.3), Vec2(8.5, 4.3), Vec2(8.8, 1) })
-    {
-      const Vec3 corner = first + Vec3(p[0], p[1], z);
-      wall.Control.emplace_back(corner[0], corner[1], corner[2], 1);
-    }
-  }
   Surface surface;
-  surface.Data = ToPolyData(wall);
+  surface.Data = ToPolyData(Wall({ { -9, 4.3 }, { 8.5, 4.3 }, { 8.8, 1 } }, first));
   const vtkIdType half = sheets.Grid->GetNumberOfCells() / 2;
   for (const bool invert : { false, true })
   {
@@ -674,13 +639,7 @@ void TestShortfalls()
 void TestMirrored()
 {
   Mesh mesh = MakeMesh("sheet2");
-  vtkPoints* points = mesh.Grid->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0], p[1], -p[2]);
-  }
+  MovePoints(mesh.Grid, [](const Vec3& p) { return Vec3(p[0], p[1], -p[2]); });
   TrimOptions options;
   options.ProduceOffcut = true;
   const Outcome outcome = RunTrim(mesh, MakeSurface("plane", mesh.Box, Placement()), options);
@@ -704,13 +663,7 @@ void TestMirrored()
 void TestFlat()
 {
   Mesh mesh = MakeMesh("sheet2");
-  vtkPoints* points = mesh.Grid->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0], p[1], 0);
-  }
+  MovePoints(mesh.Grid, [](const Vec3& p) { return Vec3(p[0], p[1], 0); });
   const Outcome outcome = RunTrim(mesh, MakeSurface("plane", mesh.Box, Placement()), TrimOptions());
   vtkCellData* const cells = outcome.Case.Whole->GetCellData();
   vtkIdType stay = 0;

@@ -4,7 +4,6 @@
  */
 #include "Expect.h"
 #include "RunTrim.h"
-#include "SplineData.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -315,28 +314,6 @@ void TestSequence()
   Expect(Number(outcome.Case.Trimmed, "CertifiedElements") ==
       Number(outcome.Case.Trimmed, "TouchedElements"),
     "the second trim is not certified");
-}
-
-Surface SphereAt(const Vec3& centre, double radius)
-{
-  // Nine control points round the axis, five from pole to pole.
-  const double x[] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 }, y[] = { 0, 1, 1, 1, 0, -1, -1, -1, 0 };
-  const double away[] = { 0, 1, 1, 1, 0 }, up[] = { -1, -1, 0, 1, 1 };
-  SplineSurface sphere;
-  sphere.DegreeU = sphere.DegreeV = 2;
-  sphere.CountU = 9;
-  sphere.CountV = 5;
-  sphere.KnotsU = { 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4 };
-  sphere.KnotsV = { 0, 0, 0, 1, 1, 2, 2, 2 };
-  for (int j = 0; j < 5; ++j)
-  {
-    for (int i = 0; i < 9; ++i)
-    {
-      const Vec3 p = centre + radius * Vec3(away[j] * x[i], away[j] * y[i], up[j]);
-      sphere.Control.emplace_back(p.x(), p.y(), p.z(), std::pow(0.5, 0.5 * (i % 2 + j % 2)));
-    }
-  }
-  return { "sphere", ToPolyData(sphere), nullptr };
 }
 
 /// A layer may put nodes beyond the surface, beneath others that are left off it: they are told of,

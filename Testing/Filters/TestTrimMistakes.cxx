@@ -49,12 +49,7 @@ vtkSmartPointer<vtkPolyData> Shifted(vtkDataObject* surface, double x)
 {
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->DeepCopy(vtkPolyData::SafeDownCast(surface));
-  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    moved->GetPoint(i, p);
-    moved->GetPoints()->SetPoint(i, p[0] + x, p[1], p[2]);
-  }
+  MovePoints(moved, [x](const Vec3& p) { return Vec3(p[0] + x, p[1], p[2]); });
   return moved;
 }
 
@@ -403,12 +398,7 @@ void TestHidden()
 
   const Surface hole = RoundHole(mesh, 15.2, 10.3, 1.3);
   expectNamed("narrower than three", RunTrim(mesh, hole, TrimOptions()), "Feasibility", 3);
-  for (vtkIdType i = 0; i < flagged->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    flagged->GetPoint(i, p);
-    flagged->GetPoints()->SetPoint(i, p[0], p[1], -p[2]);
-  }
+  MovePoints(flagged, [](const Vec3& p) { return Vec3(p[0], p[1], -p[2]); });
   expectNamed("inside out", RunTrim(mesh, plane, TrimOptions()), "Shortfall", 4);
 }
 

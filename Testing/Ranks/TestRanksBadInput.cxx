@@ -240,17 +240,7 @@ SheetsAndWall WithWallTo(double end)
 {
   const Mesh sheets = TwoSheets(8, 10, 2, 0.4, Vec3(9, 0, 0));
   const Vec3 first(sheets.Grid->GetPoint(0));
-  SplineSurface wall;
-  wall.CountU = wall.CountV = 2;
-  wall.KnotsU = wall.KnotsV = { 0, 0, 1, 1 };
-  for (const double z : { -9.0, 9.0 })
-  {
-    for (const double x : { -9.0, end })
-    {
-      const Vec3 corner = first + Vec3(x, 4.3, z);
-      wall.Control.emplace_back(corner[0], corner[1], corner[2], 1);
-    }
-  }
+  const SplineSurface wall = Wall({ { -9.0, 4.3 }, { end, 4.3 } }, first);
   return { Divide(sheets, WithWholeIds(sheets.Grid), "slabs", 2),
     { ToPolyData(wall), ToPolyData(wall) } };
 }
@@ -313,12 +303,7 @@ void TestRemarks()
   const Surfaces planes = Planes();
   vtkNew<vtkPolyData> moved;
   moved->DeepCopy(planes[1]);
-  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    moved->GetPoint(i, p);
-    moved->GetPoints()->SetPoint(i, p[0] + 1.0, p[1], p[2]);
-  }
+  MovePoints(moved, [](const Vec3& p) { return Vec3(p[0] + 1.0, p[1], p[2]); });
   ExpectWarning("moved polygons on rank 1", Pieces(), { planes[0], moved, planes[2] },
     "polygons of the trimming surface do not lie on it");
 
@@ -326,12 +311,7 @@ void TestRemarks()
   pieces = Pieces();
   for (auto& piece : pieces)
   {
-    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      piece->GetPoint(i, p);
-      piece->GetPoints()->SetPoint(i, p[0], p[1], -p[2]);
-    }
+    MovePoints(piece, [](const Vec3& p) { return Vec3(p[0], p[1], -p[2]); });
   }
   Placement onFirst;
   onFirst.X = -0.8;

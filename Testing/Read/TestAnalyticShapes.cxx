@@ -346,6 +346,32 @@ void CheckUnits()
   }
 }
 
+/// Of a face with edges of another one: converted, a single surface.
+/// @param take take(edge, face) tells which edges; it may give them other curves.
+template <typename Take>
+NurbsSurface ConvertRewired(
+  const Handle(Geom_Surface) & surface, const TopoDS_Face& whole, const Take& take)
+{
+  const BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, surface, 1e-7);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (TopExp_Explorer it(whole, TopAbs_EDGE); it.More(); it.Next())
+  {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (take(edge, face))
+    {
+      builder.Add(wire, edge);
+    }
+  }
+  builder.Add(face, wire);
+  std::vector<NurbsSurface> surfaces;
+  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
+  CHECK(reason.empty() && surfaces.size() == 1, reason);
+  return surfaces.at(0);
+}
+
 /// Half a cone as OpenCASCADE makes it of some files of Creo: no edge runs along the apex.
 void CheckOpenApex()
 {
@@ -354,23 +380,8 @@ void CheckOpenApex()
     new Geom_ConicalSurface(gp_Ax3(Leaning()), angle, 12 - 20 * std::sin(angle));
   const double apex = 20 - 12 / std::sin(angle);
   const TopoDS_Face whole = BRepBuilderAPI_MakeFace(cone, 0.0, M_PI, apex, 20.0, 1e-7);
-  const BRep_Builder builder;
-  TopoDS_Face face;
-  builder.MakeFace(face, cone, 1e-7);
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (TopExp_Explorer it(whole, TopAbs_EDGE); it.More(); it.Next())
-  {
-    if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
-    {
-      builder.Add(wire, it.Current());
-    }
-  }
-  builder.Add(face, wire);
-  std::vector<NurbsSurface> surfaces;
-  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
-  CHECK(reason.empty() && surfaces.size() == 1, reason);
-  const NurbsSurface& surface = surfaces.at(0);
+  const NurbsSurface surface = ConvertRewired(cone, whole,
+    [](const TopoDS_Edge& edge, const TopoDS_Face&) { return !BRep_Tool::Degenerated(edge); });
   const double expected = 0.5 * M_PI * 12 * 12 / std::sin(angle);
   CHECK(std::abs(Area(surface) - expected) < 1e-3 * expected,
     "half a cone has area " << Area(surface) << ", not " << expected);
@@ -400,35 +411,21 @@ void CheckStrayingCurves()
   const Handle(Geom_Line) line = new Geom_Line(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 1));
   const Handle(Geom_Surface) cone = new Geom_SurfaceOfRevolution(line, gp_Ax1());
   const TopoDS_Face whole = BRepBuilderAPI_MakeFace(cone, 0.0, M_PI, 0.0, 10.0, 1e-7);
-  const BRep_Builder builder;
-  TopoDS_Face face;
-  builder.MakeFace(face, cone, 1e-7);
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (TopExp_Explorer it(whole, TopAbs_EDGE); it.More(); it.Next())
+  const auto take = [&whole](const TopoDS_Edge& edge, const TopoDS_Face& face)
   {
-    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
     double first = 0.0, last = 0.0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, whole, first, last);
     const gp_Pnt2d start = curve->Value(first), end = curve->Value(last);
-    if (start.Y() == 0.0 && end.Y() == 0.0)
-    {
-      continue; // the apex
-    }
     if (start.X() == M_PI && end.X() == M_PI)
     {
-      builder.UpdateEdge(edge, SwingingCurve(M_PI, 0.0, 10.0, first, last), face, 1e-7);
+      BRep_Builder().UpdateEdge(edge, SwingingCurve(M_PI, 0.0, 10.0, first, last), face, 1e-7);
     }
-    builder.Add(wire, edge);
-  }
-  builder.Add(face, wire);
-  std::vector<NurbsSurface> surfaces;
-  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
-  CHECK(reason.empty() && surfaces.size() == 1, reason);
+    return start.Y() != 0.0 || end.Y() != 0.0; // else it is the apex
+  };
+  const NurbsSurface surface = ConvertRewired(cone, whole, take);
   const double expected = 0.5 * M_PI * 10 * 10 / std::sqrt(2);
-  CHECK(
-    std::abs(Area(surfaces.at(0)) - expected) < 1e-4 * expected && surfaces[0].TrimLoops.empty(),
-    "half a cone with a straying edge has area " << Area(surfaces[0]) << ", not " << expected);
+  CHECK(std::abs(Area(surface) - expected) < 1e-4 * expected && surface.TrimLoops.empty(),
+    "half a cone with a straying edge has area " << Area(surface) << ", not " << expected);
 }
 
 /// Whatever is thrown over one face is the reason why that one is left out.

@@ -10,6 +10,8 @@
 #include <vtkLongLongArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
 #include <vtkShortArray.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
@@ -57,6 +59,16 @@ vtkSmartPointer<vtkStringArray> Strings(const char* name, vtkIdType tuples)
   }
   return array;
 }
+}
+
+void MovePoints(vtkPointSet* data, const std::function<Vec3(const Vec3&)>& to)
+{
+  vtkPoints* const points = data->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    points->SetPoint(i, to(Vec3(points->GetPoint(i))).data());
+  }
+  points->Modified();
 }
 
 void AddData(vtkUnstructuredGrid* grid, unsigned seed)

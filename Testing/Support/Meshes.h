@@ -10,6 +10,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <functional>
 #include <string>
 
 namespace judge
@@ -63,6 +64,9 @@ Frame BoxOf(const RawMesh& raw, double elementSize);
 Mesh Finish(const std::string& name, const RawMesh& raw, Frame frame, const MeshOptions& options);
 
 vtkSmartPointer<vtkUnstructuredGrid> ToGrid(const RawMesh& raw, const MeshOptions& options);
+
+/// Puts each point elsewhere, and says so.
+void MovePoints(vtkPointSet* data, const std::function<Vec3(const Vec3&)>& to);
 
 /// Arrays of several types, components and attributes on points, cells and the grid.
 void AddData(vtkUnstructuredGrid* grid, unsigned seed);

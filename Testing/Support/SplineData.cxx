@@ -134,6 +134,24 @@ Vec3 EvaluateAt(const SplineSurface& s, double u, double v)
   return sum / weight;
 }
 
+SplineSurface Wall(const std::vector<Vec2>& line, const Vec3& origin)
+{
+  SplineSurface wall;
+  wall.CountU = static_cast<int>(line.size());
+  wall.CountV = 2;
+  wall.KnotsU = UniformKnots(wall.CountU, 1);
+  wall.KnotsV = UniformKnots(wall.CountV, 1);
+  for (const double z : { -9.0, 9.0 })
+  {
+    for (const Vec2& p : line)
+    {
+      const Vec3 corner = origin + Vec3(p[0], p[1], z);
+      wall.Control.emplace_back(corner[0], corner[1], corner[2], 1);
+    }
+  }
+  return wall;
+}
+
 vtkSmartPointer<vtkPolyData> ToPolyData(const SplineSurface& s)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();

@@ -33,6 +33,10 @@ std::vector<double> Basis(const std::vector<double>& knots, int degree, int coun
 /// S(u, v) by eq. 1.
 Vec3 EvaluateAt(const SplineSurface& surface, double u, double v);
 
+/// Of degree 1: upright on a line of points in the plane of an origin, 9 to either side of it along
+/// z.
+SplineSurface Wall(const std::vector<Vec2>& line, const Vec3& origin = Vec3::Zero());
+
 /// The field data of CONTRACT.md and a coarse tessellation.
 vtkSmartPointer<vtkPolyData> ToPolyData(const SplineSurface& surface);
 

@@ -312,15 +312,20 @@ SplineSurface Revolve(const Curve& profile, const Local& local)
   return s;
 }
 
+SplineSurface SphereOf(const Local& local, double radius, Surface& surface)
+{
+  surface.Truth = std::make_shared<TorusOracle>(local.Origin, local.Sweep, 0, radius);
+  surface.MinimumRadius = radius;
+  return Revolve(Arc(Vec2::Zero(), radius, -Pi / 2, Pi / 2), local);
+}
+
 void MakeSphere(
   Surface& surface, Local local, double size, unsigned seed, std::vector<SplineSurface>& faces)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-0.6, 0.6);
   local.Origin += any(random) * size * local.Sweep;
-  faces.push_back(Revolve(Arc(Vec2::Zero(), size, -Pi / 2, Pi / 2), local));
-  surface.Truth = std::make_shared<TorusOracle>(local.Origin, local.Sweep, 0, size);
-  surface.MinimumRadius = size;
+  faces.push_back(SphereOf(local, size, surface));
 }
 
 void MakeTorus(Surface& surface, const Local& local, double size, std::vector<SplineSurface>& faces)
@@ -486,6 +491,19 @@ Surface PlaneThrough(const Vec3& point, const Vec3& normal, double halfSize)
   surface.Name = "plane";
   surface.Data = ToPolyData(Extrude(Segment(Vec2(0, -r), Vec2(0, r)), local, -r, r));
   SetPlane(surface, local);
+  return surface;
+}
+
+Surface SphereAt(const Vec3& centre, double radius)
+{
+  Local local;
+  local.Origin = centre;
+  local.E1 = Vec3::UnitX();
+  local.E2 = Vec3::UnitY();
+  local.Sweep = Vec3::UnitZ();
+  Surface surface;
+  surface.Name = "sphere";
+  surface.Data = ToPolyData(SphereOf(local, radius, surface));
   return surface;
 }
 

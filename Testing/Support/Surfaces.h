@@ -64,6 +64,9 @@ Surface EndingTrimLoop(const Frame& frame, const Placement& placement);
 /// A plane of given point and normal, in model coordinates.
 Surface PlaneThrough(const Vec3& point, const Vec3& normal, double halfSize);
 
+/// A sphere in model coordinates, its poles along z; what is outside goes.
+Surface SphereAt(const Vec3& centre, double radius);
+
 /// A round hole about (x, y), in elements of size 1 of a sheet from (0, 0) on; what is inside goes.
 Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double lean = 0);
 
