@@ -78,6 +78,15 @@ constexpr std::array<NodePlace, 8> PlacesOf(const RowAxis& axis)
   return places;
 }
 
+EIGEN_ALWAYS_INLINE double Less(double a, double b)
+{
+  return b < a ? b : a;
+}
+EIGEN_ALWAYS_INLINE double Greater(double a, double b)
+{
+  return a < b ? b : a;
+}
+
 EIGEN_ALWAYS_INLINE double VolumeOfCorners(const Coordinates (&p)[8])
 {
   return HexahedronVolume(p,
@@ -100,7 +109,7 @@ EIGEN_ALWAYS_INLINE double VolumeAt(const Places& points, int c)
 }
 
 template <int Axis>
-EIGEN_ALWAYS_INLINE void FindVolumes(const Places& points, double* volumes, double* sum)
+EIGEN_ALWAYS_INLINE void FindVolumes(const Places& points, double* volumes, CellSizes& sizes)
 {
   double found[Cells];
   for (int c = 0; c < Cells; ++c)
@@ -113,7 +122,8 @@ EIGEN_ALWAYS_INLINE void FindVolumes(const Places& points, double* volumes, doub
   }
   for (int c = 0; c < CellsPerBox; ++c)
   {
-    sum[c] += found[c] + found[c + CellsPerBox];
+    sizes.Sum[c] += found[c] + found[c + CellsPerBox];
+    sizes.LeastVolume[c] = Less(sizes.LeastVolume[c], Less(found[c], found[c + CellsPerBox]));
   }
 }
 
@@ -122,15 +132,6 @@ struct Faces
 {
   double Low[3][Cells + 1], High[3][Cells + 1];
 };
-
-EIGEN_ALWAYS_INLINE double Less(double a, double b)
-{
-  return b < a ? b : a;
-}
-EIGEN_ALWAYS_INLINE double Greater(double a, double b)
-{
-  return a < b ? b : a;
-}
 
 EIGEN_ALWAYS_INLINE void FindFaces(const Places& points, Faces& faces)
 {
@@ -204,7 +205,7 @@ EIGEN_ALWAYS_INLINE void FindSizes(const Faces& faces, CellSizes& sizes)
 }
 
 EIGEN_ALWAYS_INLINE void FindVolumes(
-  const CellCorners& corners, double (&volumes)[CellsPerBox], CellSizes::Lanes& sum)
+  const CellCorners& corners, double (&volumes)[CellsPerBox], CellSizes& sizes)
 {
   for (int c = 0; c < CellsPerBox; ++c)
   {
@@ -215,7 +216,8 @@ EIGEN_ALWAYS_INLINE void FindVolumes(
     }
     const double volume = VolumeOfCorners(p);
     volumes[c] = std::abs(volume);
-    sum[c] += volume;
+    sizes.Sum[c] += volume;
+    sizes.LeastVolume[c] = Less(sizes.LeastVolume[c], volume);
   }
 }
 
@@ -256,13 +258,13 @@ void MeasureRow(const RowPoints& points, int axis, double* volumes,
   switch (axis)
   {
     case 0:
-      FindVolumes<0>(places, volumes, sizes.Sum.data());
+      FindVolumes<0>(places, volumes, sizes);
       break;
     case 1:
-      FindVolumes<1>(places, volumes, sizes.Sum.data());
+      FindVolumes<1>(places, volumes, sizes);
       break;
     default:
-      FindVolumes<2>(places, volumes, sizes.Sum.data());
+      FindVolumes<2>(places, volumes, sizes);
       break;
   }
   Faces faces;
@@ -278,7 +280,7 @@ NURBSTRIM_FOR_EACH_PROCESSOR
 void MeasureCells(
   const CellCorners& corners, double (&volumes)[CellsPerBox], CellBounds& box, CellSizes& sizes)
 {
-  FindVolumes(corners, volumes, sizes.Sum);
+  FindVolumes(corners, volumes, sizes);
   double sides[3][CellsPerBox];
   FindBoxes(corners, box, sides);
   TakeSizes(sides, sizes);

@@ -95,6 +95,7 @@ struct CellSizes
   alignas(64) Lanes Diagonal{}; ///< squared
   /// Of terms that each coordinate is in: finite only if all of these are.
   alignas(64) Lanes Sum{};
+  alignas(64) Lanes LeastVolume{}; ///< below zero if one is turned inside out
 };
 
 /// The box of some cells.

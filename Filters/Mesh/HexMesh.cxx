@@ -1,5 +1,6 @@
 #include "HexMesh.h"
 
+#include "Jacobian.h"
 #include "Team.h"
 
 #include <vtkCellArray.h>
@@ -319,6 +320,36 @@ void HexMesh::OrientWedge(std::array<Id, 8>& nodes) const
   {
     std::swap_ranges(nodes.begin(), nodes.begin() + 3, nodes.begin() + 3);
   }
+}
+
+bool HexMesh::OrientHexahedron(std::array<Id, 8>& nodes) const
+{
+  ElementPoints p;
+  std::transform(
+    nodes.begin(), nodes.end(), p.begin(), [this](Id node) { return this->Point(node); });
+  const bool turned = IsInsideOut(p);
+  if (turned)
+  {
+    std::swap_ranges(nodes.begin(), nodes.begin() + 4, nodes.begin() + 4);
+  }
+  return turned;
+}
+
+Id HexMesh::CountInsideOut() const
+{
+  std::atomic<Id> count{ 0 };
+  ParallelFor(0, this->SomeInsideOut ? this->NumberOfCells : 0, 100000,
+    [&](Id begin, Id end)
+    {
+      std::array<Id, 8> nodes;
+      Id own = 0;
+      for (Id c = begin; c < end; ++c)
+      {
+        own += this->Cell(c, nodes) == 8 && this->OrientHexahedron(nodes);
+      }
+      count += own;
+    });
+  return count;
 }
 
 bool HexMesh::AreHexahedra(Id first, int count) const

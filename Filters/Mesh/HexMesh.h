@@ -37,6 +37,7 @@ struct HexMesh
   const vtkTypeInt32* Offsets32 = nullptr;
   Id ConnectivitySize = 0;
   const unsigned char* Types = nullptr;
+  bool SomeInsideOut = false; ///< of the hexahedra; told by MeshBlocks
 
   Vec3 Point(Id i) const
   {
@@ -58,8 +59,8 @@ struct HexMesh
                            : Gather(this->Connectivity32, this->Offsets32, c, nodes);
   }
 
-  /// The same with those of a wedge in the order of ElementTopology.h even if the grid has them in
-  /// the other one.
+  /// The same with the nodes in the order of ElementTopology.h even if the grid has them in the
+  /// other one, as meshes that were mirrored have, and the wedges of VTK.
   int OrientedCell(Id c, std::array<Id, 8>& nodes) const
   {
     const int count = this->Cell(c, nodes);
@@ -67,8 +68,15 @@ struct HexMesh
     {
       this->OrientWedge(nodes);
     }
+    else if (this->SomeInsideOut)
+    {
+      this->OrientHexahedron(nodes);
+    }
     return count;
   }
+
+  /// Hexahedra that OrientedCell turns: those that are sound but for the order of their nodes.
+  Id CountInsideOut() const;
 
   /// 8 or 6.
   int NumberOfNodes(Id c) const
@@ -128,6 +136,7 @@ struct HexMesh
 
 private:
   void OrientWedge(std::array<Id, 8>& nodes) const;
+  bool OrientHexahedron(std::array<Id, 8>& nodes) const; ///< returns whether it had to
 
   template <typename T>
   static int Gather(const T* connectivity, const T* offsets, Id c, std::array<Id, 8>& nodes)

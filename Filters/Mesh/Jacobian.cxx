@@ -317,6 +317,21 @@ double VolumeOf(const ElementPoints& p, int count)
   return 0.5 * sum / samples;
 }
 
+bool IsInsideOut(const ElementPoints& p)
+{
+  // A corner that is opened to a straight angle has none but for rounding.
+  constexpr double rounding = 1e-12;
+  const CornerEdges edges(p);
+  double least = 0.0, largest = 0.0;
+  for (int end = 0; end < 2; ++end)
+  {
+    const Eigen::Array4d determinants = Determinants(edges.R[end], edges.S[end], edges.T);
+    least = std::min(least, determinants.minCoeff());
+    largest = std::max(largest, determinants.maxCoeff());
+  }
+  return largest <= -rounding * least && VolumeOf(p, 8) < 0.0;
+}
+
 EdgeSquares SquaresOfEdges(const ElementPoints& p)
 {
   const CornerEdges edges(p);

@@ -48,6 +48,10 @@ EIGEN_ALWAYS_INLINE auto HexahedronVolume(const Points& p, const Determinant& de
     12.0);
 }
 
+/// Whether a hexahedron has its nodes in the other order, as a mirrored one: its volume is below
+/// zero, and no corner's determinant above it.
+bool IsInsideOut(const ElementPoints& points);
+
 /// Squares of the lengths of a hexahedron's edges, four at a time, some of them twice.
 using EdgeSquares = std::array<Eigen::Array4d, 5>;
 EdgeSquares SquaresOfEdges(const ElementPoints& points);

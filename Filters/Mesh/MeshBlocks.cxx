@@ -100,6 +100,7 @@ struct BlockSizes
   double Diagonal = 0.0; ///< the largest
   Vec3 Sides = Vec3::Zero();
   bool Finite = true; ///< all coordinates certainly are
+  bool SomeInsideOut = false;
 };
 
 /// Measures the blocks of one stretch and joins their cells.
@@ -163,6 +164,8 @@ public:
     }
     sizes.Finite = std::all_of(this->OfCells.Sum.begin(), this->OfCells.Sum.end(),
       [](double sum) { return std::isfinite(sum); });
+    sizes.SomeInsideOut = std::any_of(this->OfCells.LeastVolume.begin(),
+      this->OfCells.LeastVolume.end(), [](double volume) { return volume < 0.0; });
     return sizes;
   }
 
@@ -248,6 +251,7 @@ bool Gather(const HexMesh& mesh, std::vector<Stretch>& stretches, MeshBlocks& bl
     blocks.LargestDiagonal = std::max(blocks.LargestDiagonal, stretch.Sizes.Diagonal);
     blocks.LargestCell = blocks.LargestCell.cwiseMax(stretch.Sizes.Sides);
     finite &= stretch.Sizes.Finite;
+    blocks.SomeInsideOut |= stretch.Sizes.SomeInsideOut;
     usedNodes += stretch.NumberOfNodes;
     blocks.Links.push_back(std::move(stretch.Links));
   }

@@ -61,6 +61,7 @@ struct MeshBlocks
   Box3 Bounds;                     ///< of all points used by cells
   double LargestDiagonal = 0;      ///< of the boxes of single cells
   Vec3 LargestCell = Vec3::Zero(); ///< largest sides of the boxes of single cells
+  bool SomeInsideOut = false;      ///< hexahedra with a volume below zero
 
   Id NumberOfClusterRuns() const { return static_cast<Id>(this->FirstLength.size()); }
   Id NumberOfClusters() const { return 2 * this->NumberOfClusterRuns(); }

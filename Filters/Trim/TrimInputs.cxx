@@ -125,6 +125,17 @@ std::string DescribeLeftOut(const OwnCells& own, const Ranks& ranks)
                    : "";
 }
 
+/// What is to be said of hexahedra that are turned; empty: nothing. Collective.
+std::string DescribeInsideOut(Id own, const Ranks& ranks)
+{
+  const Id count = ranks.Sum(own);
+  return count > 0 ? std::to_string(count) +
+      " hexahedra of the grid are inside out, as in a mesh that was mirrored by Transform, and get "
+      "their nodes in the right order in the result: data that goes by the order of an element's "
+      "nodes is not turned. Reflect mirrors a mesh without that."
+                   : "";
+}
+
 /// What is to be said of arrays that are too long; empty: nothing. Collective.
 std::string DescribeSurplus(const std::string& own, const Ranks& ranks)
 {
@@ -192,6 +203,8 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   {
     return false;
   }
+  this->TheMesh.SomeInsideOut = this->TheBlocks.SomeInsideOut;
+  this->OwnInsideOut = this->TheMesh.CountInsideOut();
   this->Grid = grid;
   this->GridTime = grid->GetMTime();
   return true;
@@ -222,6 +235,7 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
     : "";
   this->HiddenRemark = DescribeLeftOut(this->TheOwn, ranks);
   this->SurplusRemark = DescribeSurplus(this->OwnSurplus, ranks);
+  this->InsideOutRemark = DescribeInsideOut(this->OwnInsideOut, ranks);
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
   {
@@ -314,8 +328,8 @@ bool TrimInputs::Take(
 std::vector<std::string> TrimInputs::Remarks() const
 {
   std::vector<std::string> remarks;
-  for (const std::string& remark :
-    { this->HiddenRemark, this->PiecesRemark, this->SurplusRemark, this->SurfaceRemark })
+  for (const std::string& remark : { this->HiddenRemark, this->PiecesRemark, this->SurplusRemark,
+         this->InsideOutRemark, this->SurfaceRemark })
   {
     if (!remark.empty())
     {

@@ -70,6 +70,8 @@ private:
   std::string HiddenRemark;
   std::string OwnSurplus; ///< arrays of this rank's piece that are too long
   std::string SurplusRemark;
+  Id OwnInsideOut = 0; ///< hexahedra of this rank's piece
+  std::string InsideOutRemark;
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;

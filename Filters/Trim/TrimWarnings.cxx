@@ -55,7 +55,7 @@ constexpr Text<Feasibility> FeasibilityTexts[] = {
 constexpr Text<Shortfall> ShortfallTexts[] = {
   { Shortfall::CameInvalid,
     " elements at the cut were inside out or without volume before the trim, and still are: repair "
-    "the mesh there. One that was mirrored by Transform is so everywhere: take Reflect instead." },
+    "the mesh there." },
   { Shortfall::Invalid,
     " elements at the cut are distorted beyond repair: refine the mesh there, or try the other "
     "correction type." },

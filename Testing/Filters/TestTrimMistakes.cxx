@@ -398,7 +398,7 @@ void TestHidden()
 
   const Surface hole = RoundHole(mesh, 15.2, 10.3, 1.3);
   expectNamed("narrower than three", RunTrim(mesh, hole, TrimOptions()), "Feasibility", 3);
-  MovePoints(flagged, [](const Vec3& p) { return Vec3(p[0], p[1], -p[2]); });
+  FoldElements(flagged);
   expectNamed("inside out", RunTrim(mesh, plane, TrimOptions()), "Shortfall", 4);
 }
 

@@ -311,16 +311,16 @@ void TestRemarks()
   pieces = Pieces();
   for (auto& piece : pieces)
   {
-    MovePoints(piece, [](const Vec3& p) { return Vec3(p[0], p[1], -p[2]); });
+    FoldElements(piece);
   }
   Placement onFirst;
   onFirst.X = -0.8;
   const std::vector<Surface> cuts(3, MakeSurface("plane", TheMesh().Box, onFirst));
-  const PiecesOutcome mirrored = TrimPieces(pieces, SurfacesOf(cuts), TrimOptions());
-  const auto told = std::find_if(mirrored.Warnings.begin(), mirrored.Warnings.end(),
+  const PiecesOutcome folded = TrimPieces(pieces, SurfacesOf(cuts), TrimOptions());
+  const auto told = std::find_if(folded.Warnings.begin(), folded.Warnings.end(),
     [](const std::string& text) { return text.find("were inside out") != std::string::npos; });
-  Check(told != mirrored.Warnings.end() && told->find("(cell") == std::string::npos,
-    "a mirrored mesh: a cell is named, or no word of it");
+  Check(told != folded.Warnings.end() && told->find("(cell") == std::string::npos,
+    "a folded mesh: a cell is named, or no word of it");
 
   // Numbers that are not whole are no ids: nodes are known by their places.
   pieces = Pieces();

@@ -71,6 +71,16 @@ void MovePoints(vtkPointSet* data, const std::function<Vec3(const Vec3&)>& to)
   points->Modified();
 }
 
+void FoldElements(vtkPointSet* sheet)
+{
+  MovePoints(sheet,
+    [](const Vec3& p)
+    {
+      const bool stays = std::lround(p[0]) % 2 == 0 && std::lround(p[1]) % 2 == 0;
+      return Vec3(p[0], p[1], stays ? 0.3 * p[2] : -p[2]);
+    });
+}
+
 void AddData(vtkUnstructuredGrid* grid, unsigned seed)
 {
   const vtkIdType points = grid->GetNumberOfPoints(), cells = grid->GetNumberOfCells();

@@ -68,6 +68,10 @@ vtkSmartPointer<vtkUnstructuredGrid> ToGrid(const RawMesh& raw, const MeshOption
 /// Puts each point elsewhere, and says so.
 void MovePoints(vtkPointSet* data, const std::function<Vec3(const Vec3&)>& to);
 
+/// Turns a sheet of elements of 1 x 1 inside out in such a way that no order of their nodes mends
+/// it: all pillars but one of each element.
+void FoldElements(vtkPointSet* sheet);
+
 /// Arrays of several types, components and attributes on points, cells and the grid.
 void AddData(vtkUnstructuredGrid* grid, unsigned seed);
 
