@@ -27,7 +27,7 @@ struct TrimmingSurface::Implementation
   Foot Finish(const Vec3& p, const SurfacePoint& found) const;
   bool IsPlain(const BezierPatch& patch, double s, double t) const;
   bool IsOnSharedLoop(const Vec3& point) const;
-  Vec3 NormalAt(int patch, double s, double t, const Vec3& point, bool& border) const;
+  Neighbourhood NeighbourhoodAt(int patch, double s, double t, const Vec3& point) const;
   std::vector<LineMeeting> MeetingsAlong(
     const Vec3& start, const Vec3& direction, double span) const;
   std::vector<LineMeeting> MeetingAt(const Vec3& point) const;
@@ -71,22 +71,21 @@ bool TrimmingSurface::Implementation::IsOnSharedLoop(const Vec3& point) const
       !ExamineNeighbourhood(model, near.Point).Border);
 }
 
-Vec3 TrimmingSurface::Implementation::NormalAt(
-  int index, double s, double t, const Vec3& point, bool& border) const
+Neighbourhood TrimmingSurface::Implementation::NeighbourhoodAt(
+  int index, double s, double t, const Vec3& point) const
 {
   const BezierPatch& patch = this->Model.Patches[index];
-  border = false;
   if (this->IsPlain(patch, s, t))
   {
     const Vec3 n = UnitNormal(this->Model, patch, s, t);
     if (n.squaredNorm() > 0)
     {
-      return this->Model.Data[patch.Face].Sign * n;
+      Neighbourhood around;
+      around.Normal = this->Model.Data[patch.Face].Sign * n;
+      return around;
     }
   }
-  const Neighbourhood around = ExamineNeighbourhood(this->Model, point);
-  border = around.Border;
-  return around.Normal;
+  return ExamineNeighbourhood(this->Model, point);
 }
 
 /// (u, v) of a patch point. Before a jump the last value that still belongs to the patch.
@@ -130,17 +129,17 @@ Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& 
     return foot;
   }
   const BezierPatch& patch = this->Model.Patches[found.Patch];
-  bool border;
+  Neighbourhood around;
   if (found.Normal.squaredNorm() > 0 && this->IsPlain(patch, found.S, found.T))
   {
-    border = false;
-    foot.Normal = this->Model.Data[patch.Face].Sign * found.Normal.normalized();
+    around.Normal = this->Model.Data[patch.Face].Sign * found.Normal.normalized();
   }
   else
   {
-    foot.Normal = this->NormalAt(found.Patch, found.S, found.T, found.Point, border);
+    around = this->NeighbourhoodAt(found.Patch, found.S, found.T, found.Point);
   }
-  foot.Kind = border ? FootKind::Border : FootKind::Interior;
+  foot.Normal = around.Normal;
+  foot.Kind = around.Border ? FootKind::Border : FootKind::Interior;
   foot.Face = patch.Face;
   const Vec2 uv = this->FaceParameters(patch, found.S, found.T);
   foot.U = uv.x();
@@ -148,7 +147,8 @@ Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& 
   foot.Point = this->Model.Origin + found.Point;
   const Vec3 d = p - found.Point;
   foot.Distance = d.norm();
-  foot.SignedDistance = d.dot(foot.Normal) < 0 ? -foot.Distance : foot.Distance;
+  const double side = around.CuspSide != 0.0 ? around.CuspSide : d.dot(foot.Normal);
+  foot.SignedDistance = side < 0 ? -foot.Distance : foot.Distance;
   return foot;
 }
 
@@ -281,14 +281,14 @@ std::vector<LineHit> TrimmingSurface::Intersect(
   {
     const BezierPatch& patch = model.Patches[meeting.Patch];
     LineHit hit;
-    bool border;
     hit.K = length > 0 ? std::clamp(kMin + meeting.K / length, kMin, kMax) : kMin;
     hit.Face = patch.Face;
     const Vec2 uv = this->Impl->FaceParameters(patch, meeting.S, meeting.T);
     hit.U = uv.x();
     hit.V = uv.y();
     hit.Point = model.Origin + meeting.Point;
-    hit.Normal = this->Impl->NormalAt(meeting.Patch, meeting.S, meeting.T, meeting.Point, border);
+    hit.Normal =
+      this->Impl->NeighbourhoodAt(meeting.Patch, meeting.S, meeting.T, meeting.Point).Normal;
     hits.push_back(hit);
   }
   return hits;

@@ -122,6 +122,68 @@ void TestClosedSurfaces()
     Vec3(2, 2, 2.5), cone);
 }
 
+/// The distance in the plane from the part under y = x^2 / 2 from 0 to 1, which ends in a cusp.
+double DistanceFromCusp(const Vec2& p)
+{
+  const auto fromSegment = [&p](const Vec2& a, const Vec2& b)
+  {
+    return (p - a - std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0) * (b - a))
+      .norm();
+  };
+  const auto curve = [](double t) { return Vec2(t, 0.5 * t * t); };
+  double squared = (p - curve(1)).squaredNorm();
+  // A foot is a root of (t - x) + (t^2 / 2 - y) t.
+  const auto slope = [&p](double t) { return t - p.x() + (0.5 * t * t - p.y()) * t; };
+  constexpr int Steps = 64;
+  for (int i = 0; i < Steps; ++i)
+  {
+    double low = i / double(Steps), high = (i + 1) / double(Steps);
+    squared = std::min(squared, (p - curve(low)).squaredNorm());
+    for (int k = 0; k < 60 && slope(low) * slope(high) <= 0; ++k)
+    {
+      const double middle = 0.5 * (low + high);
+      (slope(low) * slope(middle) <= 0 ? high : low) = middle;
+    }
+    squared = std::min(squared, (p - curve(low)).squaredNorm());
+  }
+  const double distance = std::min({ std::sqrt(squared), fromSegment(Vec2(0, 0), Vec2(1, 0)),
+    fromSegment(Vec2(1, 0), Vec2(1, 0.5)) });
+  const bool inside = p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 0.5 * p.x() * p.x();
+  return inside ? -distance : distance;
+}
+
+/// Two faces that meet under no angle: nothing of their normals tells what is beyond the edge.
+void TestCusps()
+{
+  const auto face = [](int degreeU, const std::function<Vec3(double, double)>& at)
+  {
+    return samples::FromNet(degreeU, 1, degreeU + 1, 2,
+      [&](double u, double v)
+      {
+        Vec4 x;
+        x << at(u, v), 1;
+        return x;
+      });
+  };
+  // Heights of the control points of the parabola are 0, 0 and a half.
+  const auto height = [](double u) { return u > 0.75 ? 0.5 : 0.0; };
+  std::vector<NurbsSurface> faces = { samples::Plane(Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(0, 0, 2)),
+    samples::Plane(Vec3(1, 0, -1), Vec3(0, 0.5, 0), Vec3(0, 0, 2)),
+    face(2, [&](double u, double v) { return Vec3(u, height(u), 2 * v - 1); }) };
+  TestSigns("a cusp", faces, Vec3(-1, -1, -0.9), Vec3(2, 1, 0.9),
+    [](const Vec3& p) { return DistanceFromCusp(p.head<2>()); });
+  for (const double z : { -1.0, 1.0 })
+  {
+    faces.push_back(face(2, [&](double u, double v) { return Vec3(u, v * height(u), z); }));
+  }
+  TestSigns("a cusp with ends", faces, Vec3(-1, -1, -2), Vec3(2, 1, 2),
+    [](const Vec3& p)
+    {
+      const double x = DistanceFromCusp(p.head<2>()), z = std::abs(p.z()) - 1;
+      return std::hypot(std::max(x, 0.0), std::max(z, 0.0)) + std::min(std::max(x, z), 0.0);
+    });
+}
+
 /// Small gaps and overlaps at the edges of a box are no borders.
 void TestGaps()
 {
@@ -353,6 +415,47 @@ void TestOrientationOfTinyFillets()
   }
 }
 
+/// The same as files have them: the faces meet under a tiny angle, on either side, or are bounded
+/// by loops.
+void TestNearlyCusps()
+{
+  for (const double slope : { -1e-5, 1e-5, 5e-3 })
+  {
+    for (const bool byLoop : { false, true })
+    {
+      const double reach = byLoop ? 3.0 : 1.0; // of the patch along x, from -1 if there is a loop
+      const double first = byLoop ? -1.0 : 0.0;
+      const auto curve = [slope](double x) { return slope * x + 0.5 * x * x; };
+      const double middle = curve(first) + 0.5 * reach * (slope + first);
+      NurbsSurface roof = samples::FromNet(2, 1, 3, 2,
+        [&](double u, double v)
+        {
+          const double x = first + reach * u;
+          Vec4 point;
+          point << x, u == 0.5 ? middle : curve(x), 2 * v - 1, 1;
+          return point;
+        });
+      if (byLoop)
+      {
+        const double a = 1.0 / 3.0, b = 2.0 / 3.0;
+        roof.TrimLoops = { { Vec2(a, 0), Vec2(b, 0), Vec2(b, 1), Vec2(a, 1) } };
+      }
+      const TrimmingSurface surface({ roof, UprightFace(Vec2(0, 0), Vec2(1, 0), 1, byLoop),
+                                      UprightFace(Vec2(1, 0), Vec2(1, curve(1)), 1, byLoop) },
+        1e-5, 4e-4);
+      const bool outside = surface.ClosestPoint(Vec3(3, 0.2, 0)).SignedDistance > 0;
+      for (int k = 0; k < check::Trials(500); ++k)
+      {
+        const Vec3 p(Uniform(-2, -0.01), k % 5 == 0 ? 0 : Uniform(-2, 2), Uniform(-0.9, 0.9));
+        const Foot foot = surface.ClosestPoint(p);
+        check::That(foot.Kind == FootKind::Interior && (foot.SignedDistance > 0) == outside,
+          "a cusp of slope " + std::to_string(slope) + (byLoop ? " by loops" : "") +
+            Place(p, foot));
+      }
+    }
+  }
+}
+
 void TestBoxes()
 {
   for (const samples::Named& sample : samples::All())
@@ -528,6 +631,8 @@ int main()
 {
   Random.seed(3);
   TestClosedSurfaces();
+  TestCusps();
+  TestNearlyCusps();
   TestGaps();
   TestFreeBorders();
   TestOrientation();
