@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -386,25 +387,13 @@ bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   return false;
 }
 
-}
-
-bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& nearRuns,
-  const Piece& piece, const nurbs::TrimmingSurface& surface, double tolerance,
-  const std::function<bool()>& aborted, NodeClassification& result, std::string& error)
+/// By the feet of the nodes near the surface.
+bool ClassifyByFeet(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  const nurbs::TrimmingSurface& surface, double tolerance, NodeClassification& result,
+  std::string& error)
 {
-  result = NodeClassification{};
-  result.Status.resize(mesh.NumberOfPoints);
   std::fill(result.Status.begin(), result.Status.end(), static_cast<unsigned char>(NodeUnknown));
-  const Vec3 margin = Vec3::Constant(tolerance);
-  const auto mayHaveNodesOn = [&surface, &margin](const Box3& box)
-  { return surface.MayIntersect(Grown(box, margin)); };
-  result.CandidateCells = FindCells(mesh, blocks, nearRuns, mayHaveNodesOn);
-
-  result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
-  if (piece.All.Any(aborted()))
-  {
-    return false;
-  }
+  result.SignedDistances.clear();
   const NodeFeet& near = result.Near;
   for (std::size_t i = 0; i < near.Ids.size(); ++i)
   {
@@ -419,6 +408,62 @@ bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const std::vec
   return mesh.NumberOfPoints + mesh.NumberOfCells < std::numeric_limits<vtkTypeInt32>::max()
     ? Classify<vtkTypeInt32>(mesh, blocks, piece, surface, near, result, error)
     : Classify<vtkTypeInt64>(mesh, blocks, piece, surface, near, result, error);
+}
+
+/// Asks all faces that come to the same place where one has a foot; returns whether one was on the
+/// other side.
+bool LookAmongTouching(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, NodeFeet& near)
+{
+  std::atomic<bool> turned{ false };
+  ParallelFor(0, static_cast<Id>(near.Ids.size()), 256,
+    [&](Id begin, Id end)
+    {
+      for (Id i = begin; i < end; ++i)
+      {
+        Foot& foot = near.Feet[i];
+        const double before = foot.SignedDistance;
+        if (foot.Kind == FootKind::Interior)
+        {
+          foot = surface.AmongTouching(mesh.Point(near.Ids[i]), foot);
+        }
+        if (foot.SignedDistance != before)
+        {
+          turned = true;
+        }
+      }
+    });
+  return turned;
+}
+
+}
+
+bool ClassifyNodes(const HexMesh& mesh, const MeshBlocks& blocks, const std::vector<Id>& nearRuns,
+  const Piece& piece, const nurbs::TrimmingSurface& surface, double tolerance,
+  const std::function<bool()>& aborted, NodeClassification& result, std::string& error)
+{
+  result = NodeClassification{};
+  result.Status.resize(mesh.NumberOfPoints);
+  const Vec3 margin = Vec3::Constant(tolerance);
+  const auto mayHaveNodesOn = [&surface, &margin](const Box3& box)
+  { return surface.MayIntersect(Grown(box, margin)); };
+  result.CandidateCells = FindCells(mesh, blocks, nearRuns, mayHaveNodesOn);
+
+  result.Near = ProjectNearNodes(mesh, result.CandidateCells, surface, aborted);
+  if (piece.All.Any(aborted()))
+  {
+    return false;
+  }
+  if (ClassifyByFeet(mesh, blocks, piece, surface, tolerance, result, error))
+  {
+    return true;
+  }
+  // Seldom, so that it is not worth to be asked before.
+  if (!piece.All.Any(LookAmongTouching(mesh, surface, result.Near)))
+  {
+    return false;
+  }
+  error.clear();
+  return ClassifyByFeet(mesh, blocks, piece, surface, tolerance, result, error);
 }
 
 }

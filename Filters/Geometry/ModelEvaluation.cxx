@@ -12,6 +12,18 @@ Vec3 FacePoint(const SurfaceModel& model, int face, const Vec2& uv)
   return BezierPoint(patch, model.Net(patch), local.x(), local.y());
 }
 
+LocalFoot FootOnLeaf(const SurfaceModel& model, int index, const Vec3& p)
+{
+  const Leaf& leaf = model.Leaves[index];
+  const BezierPatch& patch = model.Patches[leaf.Patch];
+  const LeafDomain domain = DomainOf(patch, index);
+  const Vec3 d = p - leaf.Center;
+  const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
+  const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
+  const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
+  return InvertPoint(patch, model.Net(patch), p, s, t, domain);
+}
+
 Vec3 UnitNormal(const SurfaceModel& model, const BezierPatch& patch, double s, double t)
 {
   const Vec4* net = model.Net(patch);

@@ -1,5 +1,6 @@
 #include "Neighbourhood.h"
 
+#include "Cusp.h"
 #include "ModelEvaluation.h"
 #include "Sectors.h"
 
@@ -11,10 +12,6 @@ namespace nurbs
 
 namespace
 {
-
-/// Where faces meet under less than twice that in radians their normals cancel but for the
-/// precision of a file.
-constexpr double CuspShare = 0.02;
 
 /// True if nothing else has a border along the ray a little way from the point.
 bool IsFree(
@@ -50,99 +47,6 @@ bool IsFree(
   return true;
 }
 
-/// Into a piece of surface from the point, along the surface; of the rays that bound it.
-Vec3 WayInto(const Sector& sector)
-{
-  const Vec3 normal = sector.Weighted.normalized();
-  Vec3 way = Vec3::Zero();
-  for (int k = 0; k < sector.RayCount; ++k)
-  {
-    way += (sector.Rays[k].InsideIsLeft ? 1.0 : -1.0) * normal.cross(sector.Rays[k].Direction);
-  }
-  return way;
-}
-
-/// The same in (u, v) of its face.
-Vec2 WayIntoParameters(const Sector& sector)
-{
-  Vec2 way = Vec2::Zero();
-  for (int k = 0; k < sector.RayCount; ++k)
-  {
-    const Vec2 ray = (sector.Rays[k].To - sector.Rays[k].From).normalized();
-    way += (sector.Rays[k].InsideIsLeft ? 1.0 : -1.0) * Vec2(-ray.y(), ray.x());
-  }
-  return way;
-}
-
-/// The point of a face that is closest to y within a radius; false if there is none.
-bool FindFootOnFace(const SurfaceModel& model, int face, const Vec3& y, double radius, Vec3& foot)
-{
-  double squared = radius * radius;
-  bool found = false;
-  for (const Sector& sector : FindSectors(model, y, radius))
-  {
-    if (sector.Face == face && (sector.Nearest - y).squaredNorm() <= squared)
-    {
-      squared = (sector.Nearest - y).squaredNorm();
-      foot = sector.Nearest;
-      found = true;
-    }
-  }
-  return found;
-}
-
-/// How far the second face is beyond the first one where they begin to part; 0: they do not.
-double HeightBeyond(const SurfaceModel& model, const Sector& one, const Sector& other, double gap)
-{
-  const Vec3 normal = model.Data[one.Face].Sign * one.Weighted.normalized();
-  const FaceData& data = model.Data[one.Face];
-  const Vec2 size(data.SpansU.Breaks.back() - data.SpansU.Breaks.front(),
-    data.SpansV.Breaks.back() - data.SpansV.Breaks.front());
-  const Vec2 way = WayIntoParameters(one).cwiseProduct(size);
-  for (double part = 1e-3; part < 0.3; part *= 3)
-  {
-    const Vec3 y = FacePoint(model, one.Face, one.Parameters + part * way);
-    Vec3 foot;
-    if (!FindFootOnFace(model, other.Face, y, (y - one.Nearest).norm(), foot))
-    {
-      return 0.0;
-    }
-    if ((foot - y).norm() > 10 * gap)
-    {
-      return normal.dot(foot - y);
-    }
-  }
-  return 0.0;
-}
-
-/// Where faces meet under hardly an angle, so that their normals say nothing: what they bound ends
-/// there, or goes all round but for a crack.
-void ExamineCusp(
-  const SurfaceModel& model, const std::vector<Sector>& sectors, double gap, Neighbourhood& result)
-{
-  Vec3 into = Vec3::Zero();
-  for (const Sector& sector : sectors)
-  {
-    into += WayInto(sector);
-  }
-  for (const Sector& one : sectors)
-  {
-    for (const Sector& other : sectors)
-    {
-      const double cosine = one.Weighted.normalized().dot(other.Weighted.normalized()) *
-        model.Data[one.Face].Sign * model.Data[other.Face].Sign;
-      const double height =
-        one.Face != other.Face && cosine < -0.5 ? HeightBeyond(model, one, other, gap) : 0.0;
-      if (height != 0.0)
-      {
-        result.CuspSide = height < 0.0 ? 1.0 : -1.0;
-        result.Normal = -result.CuspSide * into;
-        return;
-      }
-    }
-  }
-}
-
 /// What meets where borders that lie within `gap` of each other are one edge.
 Neighbourhood ExamineWithin(const SurfaceModel& model, const Vec3& x, double gap)
 {
@@ -165,14 +69,10 @@ Neighbourhood ExamineWithin(const SurfaceModel& model, const Vec3& x, double gap
         IsFree(model, sector, sector.Rays[k], x, gap);
     }
   }
-  double sum = 0;
-  for (const Sector& sector : sectors)
+  if (const Cusp cusp = ExamineCusp(model, sectors, gap); cusp.Side != 0)
   {
-    sum += sector.Weighted.norm();
-  }
-  if (result.Normal.norm() < CuspShare * sum)
-  {
-    ExamineCusp(model, sectors, gap, result);
+    result.CuspSide = cusp.Side;
+    result.Normal = cusp.Normal;
   }
   const double length = result.Normal.norm();
   if (length > 0)

@@ -3,7 +3,6 @@
 #include "BezierEvaluation.h"
 #include "ClosestPoint.h"
 #include "ModelEvaluation.h"
-#include "PointInversion.h"
 
 #include <algorithm>
 #include <array>
@@ -107,13 +106,7 @@ void SectorFinder::FindContacts()
     [&](int index)
     {
       const Leaf& leaf = model.Leaves[index];
-      const BezierPatch& patch = model.Patches[leaf.Patch];
-      const LeafDomain domain = DomainOf(patch, index);
-      const Vec3 d = this->X - leaf.Center;
-      const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
-      const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
-      const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
-      LocalFoot foot = InvertPoint(patch, model.Net(patch), this->X, s, t, domain);
+      const LocalFoot foot = FootOnLeaf(model, index, this->X);
       if (foot.Squared > this->Gap * this->Gap)
       {
         return;

@@ -121,6 +121,22 @@ SurfacePoint TrimmingSurface::Implementation::StartAt(const Foot& guess) const
   return start;
 }
 
+namespace
+{
+
+/// Normal and sign of the distance; d leads from the foot to the point.
+void SetSide(const Vec3& d, const Neighbourhood& around, Foot& foot)
+{
+  foot.Normal = around.Normal;
+  if (around.CuspSide != 0.0 && foot.Distance > 0.0 && around.CuspSide * d.dot(foot.Normal) <= 0.0)
+  {
+    foot.Normal = around.CuspSide / foot.Distance * d; // one of many there
+  }
+  foot.SignedDistance = d.dot(foot.Normal) < 0 ? -foot.Distance : foot.Distance;
+}
+
+}
+
 Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& found) const
 {
   Foot foot;
@@ -138,17 +154,14 @@ Foot TrimmingSurface::Implementation::Finish(const Vec3& p, const SurfacePoint& 
   {
     around = this->NeighbourhoodAt(found.Patch, found.S, found.T, found.Point);
   }
-  foot.Normal = around.Normal;
   foot.Kind = around.Border ? FootKind::Border : FootKind::Interior;
   foot.Face = patch.Face;
   const Vec2 uv = this->FaceParameters(patch, found.S, found.T);
   foot.U = uv.x();
   foot.V = uv.y();
   foot.Point = this->Model.Origin + found.Point;
-  const Vec3 d = p - found.Point;
-  foot.Distance = d.norm();
-  const double side = around.CuspSide != 0.0 ? around.CuspSide : d.dot(foot.Normal);
-  foot.SignedDistance = side < 0 ? -foot.Distance : foot.Distance;
+  foot.Distance = (p - found.Point).norm();
+  SetSide(p - found.Point, around, foot);
   return foot;
 }
 
@@ -180,6 +193,18 @@ Foot TrimmingSurface::ClosestPoint(const Vec3& p, const Foot& guess, double maxD
   const SurfacePoint start = this->Impl->StartAt(guess);
   const double squared = maxDistance >= 0 ? maxDistance * maxDistance : 0;
   return this->Impl->Finish(local, FindClosestPoint(model, local, squared, start));
+}
+
+Foot TrimmingSurface::AmongTouching(const Vec3& p, const Foot& foot) const
+{
+  const SurfaceModel& model = this->Impl->Model;
+  const Neighbourhood around = ExamineNeighbourhood(model, foot.Point - model.Origin);
+  Foot looked = foot;
+  if (around.CuspSide != 0.0)
+  {
+    SetSide(p - foot.Point, around, looked);
+  }
+  return looked;
 }
 
 Foot TrimmingSurface::NearbyFoot(const Vec3& p, const Foot& guess) const

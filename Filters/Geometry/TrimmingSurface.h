@@ -88,6 +88,12 @@ public:
   Foot NearbyFoot(const Vec3& p, const Foot& guess) const;
 
   /**
+   * A foot with the side that all faces have which come to the same place: where they touch under
+   * no angle it is a matter of rounding which of them has the foot, and what its normal says.
+   */
+  Foot AmongTouching(const Vec3& p, const Foot& foot) const;
+
+  /**
    * All points where the line A + K (B - A), kMin <= K <= kMax, meets the surface (eqs. 12-14),
    * by rising K, coincident ones on shared edges once. A line that touches without crossing
    * counts as a meeting. A line that lies within the surface gives at least one.

@@ -6,6 +6,7 @@
  */
 #include "Expect.h"
 #include "RunTrim.h"
+#include "SplineData.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -809,6 +810,36 @@ void TestNoPolygons()
 }
 
 // A composite of one grid is that grid, whatever blocks without cells are beside it.
+// A hole that touches the plane above it: nodes right over the line where they touch have a foot on
+// both, with opposite normals.
+void TestTouchingFaces()
+{
+  const Mesh mesh = Block(12, 10, 4);
+  const auto plane = ToPolyData(Wall({ Vec2(20.0, 2.0), Vec2(-20.0, 2.0) }));
+  for (const double radius :
+    { 2.3, 2.7, 3.1, 3.3 }) // which face has the foot is a matter of rounding
+  {
+    const double middle = 2.0 - radius;
+    const Surface hole = RoundHole(mesh, 0.0, middle, radius);
+    vtkNew<vtkMultiBlockDataSet> faces;
+    faces->SetBlock(0, hole.Data);
+    faces->SetBlock(1, plane);
+    Surface both = hole;
+    both.Data = faces;
+    const Outcome outcome = RunTrim(mesh, both, TrimOptions());
+    Expect(outcome.Clean(), "touching faces: " + (outcome.Clean() ? "" : outcome.Errors[0]));
+    vtkDataArray* status = outcome.Case.Whole->GetPointData()->GetArray("NodeStatus");
+    int wrong = 0;
+    for (vtkIdType i = 0; status && i < status->GetNumberOfTuples(); ++i)
+    {
+      const Vec3 p(mesh.Grid->GetPoint(i));
+      const double beyond = std::max(p[1] - 2.0, radius - std::hypot(p[0], p[1] - middle));
+      wrong += status->GetComponent(i, 0) != (std::abs(beyond) < 1e-9 ? 2 : beyond > 0.0 ? 1 : 0);
+    }
+    Expect(wrong == 0, "touching faces: " + std::to_string(wrong) + " nodes on the wrong side");
+  }
+}
+
 void TestBlockAlone()
 {
   const Mesh mesh = MakeMesh("sheet2");
@@ -855,6 +886,7 @@ int main()
   TestBesideCorner();
   TestWholeFraction();
   TestUnusedPoints();
+  TestTouchingFaces();
   TestBlockAlone();
   TestNoPolygons();
   std::printf("%d wrong\n", Wrong);
