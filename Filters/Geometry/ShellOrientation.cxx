@@ -5,9 +5,12 @@
 #include "Sectors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace nurbs
 {
@@ -80,6 +83,40 @@ bool RunsThrough(const SurfaceModel& model, int face, const BorderRay& ray, cons
   return way.norm() <= 4 * model.Resolution || way.dot(ray.Direction) > Ahead * way.norm();
 }
 
+/// A border ray of another face that is the same edge.
+struct Partner
+{
+  int Face;
+  bool InsideIsLeft;
+  double Angle; ///< round the edge, from the first face to this one, 0 to 2 pi
+};
+
+/// Of several faces at an edge, as where bodies touch each other along it, those next to the first
+/// one to either side: what lies between is on one side of both. Where faces touch under no angle
+/// it is not known which these are.
+std::vector<Partner> KeepNeighbours(std::vector<Partner> partners)
+{
+  constexpr double certain = 0.02;
+  if (partners.size() < 2)
+  {
+    return partners;
+  }
+  std::sort(partners.begin(), partners.end(),
+    [](const Partner& a, const Partner& b) { return a.Angle < b.Angle; });
+  const std::size_t last = partners.size() - 1;
+  std::vector<Partner> neighbours;
+  if (partners[0].Angle > certain && partners[1].Angle - partners[0].Angle > certain)
+  {
+    neighbours.push_back(partners[0]);
+  }
+  if (2 * M_PI - partners[last].Angle > certain &&
+    partners[last].Angle - partners[last - 1].Angle > certain)
+  {
+    neighbours.push_back(partners[last]);
+  }
+  return neighbours;
+}
+
 /// Gives the vote of a border ray through x, with the faces that lie nearest beside it: behind a
 /// narrow one there may be others within the gap, and others at the ends of a short one.
 /// @return false if there is none.
@@ -104,16 +141,25 @@ bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, co
   double nearest = std::numeric_limits<double>::infinity();
   forPartners(
     [&](const Sector& other, const BorderRay&) { nearest = std::min(nearest, other.Away); });
+  const Vec3 inside = InsideOf(sector, ray), up = sector.Weighted.normalized();
+  std::vector<Partner> partners;
   forPartners(
     [&](const Sector& other, const BorderRay& partner)
     {
       if (other.Away <= nearest + 4 * model.Resolution)
       {
-        // Along one direction the inside is left of one face and right of the other.
-        votes[std::minmax(sector.Face, other.Face)] +=
-          ray.InsideIsLeft != partner.InsideIsLeft ? 1 : -1;
+        const Vec3 way = InsideOf(other, partner);
+        const double angle = std::atan2(way.dot(up), way.dot(inside));
+        partners.push_back(
+          { other.Face, partner.InsideIsLeft, angle < 0 ? angle + 2 * M_PI : angle });
       }
     });
+  for (const Partner& partner : KeepNeighbours(std::move(partners)))
+  {
+    // Along one direction the inside is left of one face and right of the other.
+    votes[std::minmax(sector.Face, partner.Face)] +=
+      ray.InsideIsLeft != partner.InsideIsLeft ? 1 : -1;
+  }
   return nearest < std::numeric_limits<double>::infinity();
 }
 

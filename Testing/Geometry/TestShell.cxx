@@ -456,6 +456,61 @@ void TestNearlyCusps()
   }
 }
 
+/// Bodies that have an edge in common: what lies on either side of it between two faces is told by
+/// those that are next to each other, not by all four.
+void TestBodiesThatTouch()
+{
+  std::vector<NurbsSurface> boxes = samples::BoxShell(Vec3(-0.97, -0.97, -1), Vec3(0.03, 0.03, 1));
+  for (const NurbsSurface& face : samples::BoxShell(Vec3(0.03, 0.03, -1), Vec3(1.03, 1.03, 1)))
+  {
+    boxes.push_back(face);
+  }
+  const auto box = [](const Vec3& p, double middle)
+  {
+    const Vec3 q = (p - Vec3(middle, middle, 0)).cwiseAbs() - Vec3(0.5, 0.5, 1);
+    return q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0);
+  };
+  TestSigns("boxes that touch at an edge", boxes, Vec3(-2, -2, -2), Vec3(2, 2, 2),
+    [&](const Vec3& p) { return std::min(box(p, -0.47), box(p, 0.53)); });
+
+  // A slab on the line at the top of a vault, both in two halves: no angle tells which faces are
+  // next to each other, so that each body is oriented by itself.
+  const auto vault = [](double from, double to)
+  {
+    return samples::FromNet(2, 1, 3, 2,
+      [&](double u, double v)
+      {
+        Vec4 point;
+        point << from + u * (to - from),
+          u == 0.5 ? -0.5 * from * to : -0.5 * std::pow(from + u * (to - from), 2), 2 * v - 1, 1;
+        return point;
+      });
+  };
+  std::vector<NurbsSurface> faces = { vault(1, 0), vault(0, -1) };
+  const auto addLine = [&faces](const std::vector<Vec2>& line)
+  {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+      faces.push_back(UprightFace(line[i], line[i + 1], 1, false));
+    }
+  };
+  addLine({ Vec2(-1, -0.5), Vec2(-1, -2), Vec2(1, -2), Vec2(1, -0.5) });
+  addLine({ Vec2(-1, 0), Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(-1, 1), Vec2(-1, 0) });
+  for (int turn = 0; turn < 20; ++turn)
+  {
+    std::shuffle(faces.begin(), faces.end(), Random);
+    const TrimmingSurface surface(faces, 1e-7);
+    for (int k = 0; k < check::Trials(100); ++k)
+    {
+      const Vec3 p(Uniform(-2, 2), Uniform(-3, 2), Uniform(-0.9, 0.9));
+      const bool inside = std::abs(p.x()) < 1 &&
+        ((p.y() > 0 && p.y() < 1) || (p.y() > -2 && p.y() < -0.5 * p.x() * p.x()));
+      const Foot foot = surface.ClosestPoint(p);
+      check::That((foot.SignedDistance < 0) == inside, "a slab on a vault" + Place(p, foot));
+    }
+  }
+}
+
 void TestBoxes()
 {
   for (const samples::Named& sample : samples::All())
@@ -633,6 +688,7 @@ int main()
   TestClosedSurfaces();
   TestCusps();
   TestNearlyCusps();
+  TestBodiesThatTouch();
   TestGaps();
   TestFreeBorders();
   TestOrientation();
