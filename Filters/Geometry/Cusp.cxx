@@ -13,7 +13,10 @@ namespace
 /// precision of a file.
 constexpr double NormalsLeft = 0.02;
 
-bool NormalsCancel(const SurfaceModel& model, const std::vector<Sector>& sectors)
+/// Faces whose angles are less than that, in all, end in a tip: no more is known of these angles.
+constexpr double TipAngles = 0.05;
+
+bool NormalsSayNothing(const SurfaceModel& model, const std::vector<Sector>& sectors)
 {
   Vec3 all = Vec3::Zero();
   double lengths = 0;
@@ -22,7 +25,7 @@ bool NormalsCancel(const SurfaceModel& model, const std::vector<Sector>& sectors
     all += model.Data[sector.Face].Sign * sector.Weighted;
     lengths += sector.Weighted.norm();
   }
-  return all.norm() < NormalsLeft * lengths;
+  return all.norm() < NormalsLeft * lengths || lengths < TipAngles;
 }
 
 /// Into a piece of surface from the point, along the surface; of the rays that bound it.
@@ -34,7 +37,7 @@ Vec3 WayInto(const Sector& sector)
   {
     way += (sector.Rays[k].InsideIsLeft ? 1.0 : -1.0) * normal.cross(sector.Rays[k].Direction);
   }
-  return way;
+  return way.normalized();
 }
 
 /// Ways from the point in (u, v) of the face, in at least one of which it parts from what touches
@@ -51,7 +54,7 @@ std::vector<Vec2> WaysInParameters(const Sector& sector, const Vec2& size)
     const Vec2 ray = (sector.Rays[k].To - sector.Rays[k].From).normalized();
     way += (sector.Rays[k].InsideIsLeft ? 1.0 : -1.0) * Vec2(-ray.y(), ray.x());
   }
-  return { way.cwiseProduct(size) };
+  return { way.normalized().cwiseProduct(size) };
 }
 
 /// The point of a face that is closest to y within a radius, whatever its loops leave of it there;
@@ -113,7 +116,7 @@ double HeightBeyond(const SurfaceModel& model, const Sector& one, const Sector& 
 Cusp ExamineCusp(const SurfaceModel& model, const std::vector<Sector>& sectors, double gap)
 {
   Cusp cusp;
-  if (!NormalsCancel(model, sectors))
+  if (!NormalsSayNothing(model, sectors))
   {
     return cusp;
   }

@@ -72,6 +72,15 @@ bool ShareEdge(
     (closely || InsideOf(a, rayA).dot(InsideOf(b, rayB)) < 0.9);
 }
 
+/// Loops of faces that have an edge in common lie that near to each other: so many times as far as
+/// the nearest, or within that share of the gap. Faces behind a narrow one are farther.
+constexpr double LoopSpread = 3.0;
+constexpr double LoopPrecision = 0.003;
+
+/// Of the votes of two faces for others so small a share is one of places where they come near to
+/// each other by chance, as where bodies touch.
+constexpr double ChanceVotes = 0.03;
+
 /// Cosine of the angle under which a place counts as ahead, not beside.
 constexpr double Ahead = 0.87;
 
@@ -146,7 +155,7 @@ bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, co
   forPartners(
     [&](const Sector& other, const BorderRay& partner)
     {
-      if (other.Away <= nearest + 4 * model.Resolution)
+      if (other.Away <= LoopSpread * nearest + LoopPrecision * model.Gap)
       {
         const Vec3 way = InsideOf(other, partner);
         const double angle = std::atan2(way.dot(up), way.dot(inside));
@@ -233,10 +242,20 @@ void OrientShells(SurfaceModel& model)
     return;
   }
   const Votes votes = CollectVotes(model);
+  std::vector<int> most(count, 0); // of the votes with one other face
+  for (const auto& vote : votes)
+  {
+    most[vote.first.first] = std::max(most[vote.first.first], std::abs(vote.second));
+    most[vote.first.second] = std::max(most[vote.first.second], std::abs(vote.second));
+  }
   std::vector<std::pair<int, std::pair<int, int>>> order;
   for (const auto& vote : votes)
   {
-    order.push_back({ -std::abs(vote.second), vote.first });
+    const int least = std::min(most[vote.first.first], most[vote.first.second]);
+    if (std::abs(vote.second) > ChanceVotes * least)
+    {
+      order.push_back({ -std::abs(vote.second), vote.first });
+    }
   }
   std::sort(order.begin(), order.end()); // the clearest first
   OrientedSets sets(count);

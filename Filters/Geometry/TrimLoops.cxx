@@ -31,32 +31,37 @@ TrimLoops::TrimLoops(const NurbsSurface& surface)
   }
   this->FirstEdge.push_back(static_cast<int>(this->Edges.size()));
   this->BuildBands();
-  // Inside is on the left of a counter-clockwise loop that lies in an even number of others.
   for (std::size_t loop = 0; loop < surface.TrimLoops.size(); ++loop)
   {
-    bool left = SignedArea(surface.TrimLoops[loop]) > 0;
-    if (this->FirstEdge[loop] < this->FirstEdge[loop + 1])
+    // Inside is on the left of a counter-clockwise loop that lies in an even number of others.
+    const int votes = this->VotesForLeft(static_cast<int>(loop));
+    this->LeftInside.push_back(votes != 0 ? votes > 0 : SignedArea(surface.TrimLoops[loop]) > 0);
+  }
+}
+
+int TrimLoops::VotesForLeft(int loop) const
+{
+  constexpr int most = 32;
+  const int first = this->FirstEdge[loop], last = this->FirstEdge[loop + 1];
+  const int stride = 1 + (last - first) / most;
+  int votes = 0;
+  for (int e = first; e < last; e += stride)
+  {
+    const Edge& edge = this->Edges[e];
+    const Vec2 d = edge.To - edge.From;
+    const Vec2 middle = 0.5 * (edge.From + edge.To), normal(-d.y(), d.x());
+    for (double step : { 1e-7, 1e-5, 1e-3 })
     {
-      // Probe beside the middle of the longest edge; this also holds for loops that touch.
-      const auto longest = std::max_element(this->Edges.begin() + this->FirstEdge[loop],
-        this->Edges.begin() + this->FirstEdge[loop + 1],
-        [](const Edge& x, const Edge& y)
-        { return (x.To - x.From).squaredNorm() < (y.To - y.From).squaredNorm(); });
-      const Vec2 d = longest->To - longest->From;
-      const Vec2 middle = 0.5 * (longest->From + longest->To), normal(-d.y(), d.x());
-      for (double step : { 1e-7, 1e-5, 1e-3 })
+      const Vec2 a = middle + step * normal, b = middle - step * normal;
+      const bool insideLeft = this->Inside(a.x(), a.y());
+      if (insideLeft != this->Inside(b.x(), b.y()))
       {
-        const Vec2 a = middle + step * normal, b = middle - step * normal;
-        const bool insideLeft = this->Inside(a.x(), a.y());
-        if (insideLeft != this->Inside(b.x(), b.y()))
-        {
-          left = insideLeft;
-          break;
-        }
+        votes += insideLeft ? 1 : -1;
+        break;
       }
     }
-    this->LeftInside.push_back(left);
   }
+  return votes;
 }
 
 void TrimLoops::BuildBands()

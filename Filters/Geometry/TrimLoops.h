@@ -47,6 +47,8 @@ public:
 
 private:
   void BuildBands();
+  /// Of places beside some of a loop's edges: where loops touch, one alone says nothing.
+  int VotesForLeft(int loop) const;
   /// The band that v lies in, or the one nearest to it.
   int Band(double v) const;
   std::vector<Edge> Edges;

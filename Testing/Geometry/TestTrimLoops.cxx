@@ -422,6 +422,33 @@ void TestSmallLoop()
   }
 }
 
+/// Loops that touch: beside the place where they do nothing tells what is between them.
+void TestTouchingLoops()
+{
+  for (int turn = 0; turn < 20; ++turn)
+  {
+    // The outer one has its longest edge there.
+    std::vector<Vec2> outer = Circle(Vec2(0, 0), 2, 2048);
+    outer[0] = Vec2(2, -1e-5 * (1 + turn));
+    std::vector<Vec2> inner = Circle(Vec2(0.5, 0), 1.5, 2048);
+    const bool turned = turn % 2 == 1, turnedInner = turn % 3 == 1;
+    if (turned)
+    {
+      std::reverse(outer.begin(), outer.end());
+    }
+    if (turnedInner)
+    {
+      std::reverse(inner.begin(), inner.end());
+    }
+    NurbsSurface surface = samples::Plane(Vec3(-3, -3, 0), Vec3(6, 0, 0), Vec3(0, 6, 0));
+    surface.KnotsU = surface.KnotsV = { -3, -3, 3, 3 };
+    surface.TrimLoops = { outer, inner };
+    const TrimLoops loops(surface);
+    check::That(loops.InsideIsLeft(0) == !turned && loops.InsideIsLeft(1) == turnedInner,
+      "the side of loops that touch");
+  }
+}
+
 }
 
 int main()
@@ -438,5 +465,6 @@ int main()
   TestWholeLoops();
   TestWholeRectangle();
   TestSmallLoop();
+  TestTouchingLoops();
   return check::Result();
 }
