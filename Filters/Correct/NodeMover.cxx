@@ -1,5 +1,6 @@
 #include "NodeMover.h"
 
+#include "BandPlace.h"
 #include "Facet.h"
 #include "Status.h"
 
@@ -27,14 +28,20 @@ constexpr double BesideCut = 0.5;
 
 NodeMover::NodeMover(const Band& band, const Columns& columns,
   const nurbs::TrimmingSurface& surface, double precision, bool slidesBehind,
-  std::shared_ptr<MoverMemory> memory)
+  std::shared_ptr<MoverMemory> memory, bool staysInside)
   : TheBand(band)
   , TheColumns(columns)
   , Surface(surface)
   , Precision(precision)
   , AllKept(slidesBehind ? band.NumberOfNodes() : 0, NodeKeep)
   , Memory(memory ? std::move(memory) : std::make_shared<MoverMemory>(band))
+  , StaysInside(staysInside)
 {
+}
+
+bool NodeMover::MayBeAt(int node, const Vec3& place) const
+{
+  return !this->StaysInside || !LiesOutside(this->TheBand, node, place);
 }
 
 double NodeMover::Reach(int node) const
@@ -86,7 +93,8 @@ NodeMove NodeMover::FindProjection(int node) const
     case ConstraintKind::Free:
     {
       const auto foot = this->Surface.ClosestPoint(this->TheBand.Point[node]);
-      move.Found = foot.Kind == nurbs::FootKind::Interior && foot.Distance <= this->Reach(node);
+      move.Found = foot.Kind == nurbs::FootKind::Interior && foot.Distance <= this->Reach(node) &&
+        this->MayBeAt(node, foot.Point);
       move.Target = foot.Point;
       move.By = Correction::Project;
       return move;
@@ -308,7 +316,7 @@ NodeMove NodeMover::Between(int node, NodeFreedom& freedom, const Vec3& through,
   }
   else if (constraint.Kind == ConstraintKind::Free)
   {
-    move.Found = foot.Kind == nurbs::FootKind::Interior;
+    move.Found = foot.Kind == nurbs::FootKind::Interior && this->MayBeAt(node, foot.Point);
     move.Target = foot.Point;
   }
   return move;

@@ -38,11 +38,13 @@ public:
    * @param precision absolute distance to which a position is on the surface.
    * @param slidesBehind nodes behind the cut are held by the border beyond the surface, and slide
    * along it, as the elements there are kept; else that is as if it went with what is cut off.
-   * @param memory of other movers of the same band, columns, surface and precision; null: there are
-   * none.
+   * @param memory of other movers of the same band, columns, surface and precision, with the same
+   * staysInside; null: there are none.
+   * @param staysInside nodes that no face holds go to no place of the surface outside of the mesh.
    */
   NodeMover(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
-    double precision, bool slidesBehind = false, std::shared_ptr<MoverMemory> memory = nullptr);
+    double precision, bool slidesBehind = false, std::shared_ptr<MoverMemory> memory = nullptr,
+    bool staysInside = false);
 
   /// Type II: P1 on the surface, P2 on the skin facet, P3 = line(N, P2) with S (eqs. 16, 17).
   /// Nodes on a ridge slide along it, by type III.
@@ -161,6 +163,8 @@ private:
   NodeMove Between(int node, NodeFreedom& freedom, const Vec3& through, const nurbs::Foot& foot,
     const Vec3& planeNormal) const;
   const SkinRing& RingOf(NodeFreedom& freedom, std::size_t ring) const;
+  /// Whether a node that no face holds may be at a place of the surface.
+  bool MayBeAt(int node, const Vec3& place) const;
   /// Length of the longest edge at a node: no move is longer than a few of these.
   double Reach(int node) const;
 
@@ -172,6 +176,7 @@ private:
   /// behind it; else empty.
   std::vector<unsigned char> AllKept;
   std::shared_ptr<MoverMemory> Memory;
+  bool StaysInside;
 };
 
 }

@@ -175,7 +175,7 @@ bool NodeMover::Constrained(
   if (constraint.Kind == ConstraintKind::Free)
   {
     place = onCut ? this->FootOf(x, freedom).Point : x;
-    return true;
+    return !onCut || this->MayBeAt(node, place);
   }
   if (constraint.Kind == ConstraintKind::Ridge)
   {
@@ -249,7 +249,8 @@ bool NodeMover::MeetCrease(
       return false;
     }
   }
-  return (x - this->TheBand.Point[node]).norm() <= this->Reach(node);
+  return (x - this->TheBand.Point[node]).norm() <= this->Reach(node) &&
+    (kind != ConstraintKind::Free || this->MayBeAt(node, x));
 }
 
 /// The nearest place on the faces that a node may come to lie on, and, if asked for, their normal

@@ -18,6 +18,8 @@ namespace
 constexpr int LongestWalk = 24;
 /// How far outside of a facet, in parameters, still counts as inside.
 constexpr double InsideSlack = 1e-9;
+/// What is farther outside can be seen.
+constexpr double SeenOutside = 0.01;
 
 /// How far a point lies outside of each facet, by the facets' planes, in units of an element's
 /// width: where the point is too far away from a distorted element to have parameters in it.
@@ -44,6 +46,19 @@ std::array<double, 6> OutsideOfPlanes(const ElementPoints& points, int count, co
   return outside;
 }
 
+/// Whether a point is to be seen outside of a facet behind which there is more of the mesh than the
+/// band has.
+bool EndsBand(const Band& band, int element, const std::array<double, 6>& outside)
+{
+  bool ends = false;
+  for (int slot = 0; slot < TopologyOf(band.Elements[element].Count).NumberOfFaces; ++slot)
+  {
+    ends |= outside[slot] > SeenOutside && band.Neighbour(element, slot) < 0 &&
+      !band.Faces[band.Elements[element].Face[slot]].Exterior;
+  }
+  return ends;
+}
+
 }
 
 BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
@@ -52,6 +67,7 @@ BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
   double least = std::numeric_limits<double>::infinity();
   std::array<int, LongestWalk> passed;
   int steps = 0;
+  bool known = true;
   for (int e = start; e >= 0 && steps < LongestWalk;)
   {
     passed[steps++] = e;
@@ -66,6 +82,7 @@ BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
       least = farthest;
       nearest = { e, ClampToElement(count, parameters), farthest <= InsideSlack };
     }
+    known = known && !EndsBand(band, e, outside);
     // On through the facet that it lies farthest outside of, and that leads somewhere.
     double most = InsideSlack;
     int next = -1;
@@ -81,7 +98,17 @@ BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
     }
     e = next;
   }
+  nearest.Beyond = known && steps < LongestWalk && nearest.Element >= 0 && least > SeenOutside;
   return nearest;
+}
+
+bool LiesOutside(const Band& band, int node, const Vec3& point)
+{
+  const Band& mesh = WithoutLayer(band);
+  const auto elements = mesh.ElementsOfNode(NodeWithoutLayer(band, node));
+  // From each of them: where the border bends inwards a walk may end beside the point.
+  return std::all_of(
+    elements.begin(), elements.end(), [&](int e) { return FindBandPlace(mesh, e, point).Beyond; });
 }
 
 }

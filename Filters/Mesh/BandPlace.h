@@ -15,6 +15,7 @@ struct BandPlace
   int Element = -1;               ///< -1: none was found
   Vec3 Parameters = Vec3::Zero(); ///< see ElementMap.h
   bool Inside = false;            ///< the element holds the point
+  bool Beyond = false;            ///< the mesh ends there, a visible way from the point
 };
 
 /**
@@ -23,6 +24,9 @@ struct BandPlace
  * that the walk came nearest to it in.
  */
 BandPlace FindBandPlace(const Band& band, int start, const Vec3& point);
+
+/// Whether a point near a node sticks out of the mesh as it came, to be seen.
+bool LiesOutside(const Band& band, int node, const Vec3& point);
 
 }
 

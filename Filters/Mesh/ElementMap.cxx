@@ -1,5 +1,8 @@
 #include "ElementMap.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 
 namespace trim
@@ -16,6 +19,12 @@ constexpr double SmallStep = 1e-6;
 constexpr double FarthestParameter = 1e3;
 /// Determinant of the map's derivative, of unit columns, below which it is not inverted.
 constexpr double Singular = 1e-9;
+/// How far outside of an element a place that it holds may come out.
+constexpr double Rounding = 1e-9;
+/// So far outside of it the map may come to a place in it once more.
+constexpr double OtherPlace = 1.0;
+/// Parameters near the corners of an element.
+constexpr double NearFirst = 0.05, NearLast = 0.9;
 
 }
 
@@ -65,9 +74,13 @@ Eigen::Matrix3d MapDerivative(const ElementPoints& p, int count, const Vec3& par
   return derivative;
 }
 
-bool FindParameters(const ElementPoints& points, int count, const Vec3& place, Vec3& parameters)
+namespace
 {
-  parameters = count == 8 ? Vec3(0.5, 0.5, 0.5) : Vec3(1.0 / 3.0, 1.0 / 3.0, 0.5);
+
+/// Newton's method; false if it leads nowhere.
+/// @param[in,out] parameters where it begins, and where it has led to.
+bool Iterate(const ElementPoints& points, int count, const Vec3& place, Vec3& parameters)
+{
   double moved = 1.0;
   for (int step = 0; step < MostSteps && moved > SmallestStep; ++step)
   {
@@ -87,6 +100,56 @@ bool FindParameters(const ElementPoints& points, int count, const Vec3& place, V
     moved = change.cwiseAbs().maxCoeff();
   }
   return moved < SmallStep;
+}
+
+/// Within the box of the nodes, which holds the element.
+bool IsInBox(const ElementPoints& points, int count, const Vec3& place)
+{
+  Eigen::AlignedBox3d box;
+  std::for_each(points.begin(), points.begin() + count, [&box](const Vec3& p) { box.extend(p); });
+  return box.exteriorDistance(place) <= Rounding * box.diagonal().norm();
+}
+
+/// How far outside of an element a place is, by the facet that it is farthest outside of.
+double FarthestOutside(int count, const Vec3& parameters)
+{
+  const auto outside = Outside(count, parameters);
+  return *std::max_element(outside.begin(), outside.end());
+}
+
+/// From each corner on; false, with the parameters as they were, if that leads to no place in the
+/// element.
+bool IterateFromCorners(const ElementPoints& points, int count, const Vec3& place, Vec3& parameters)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const auto near = [corner](int axis) { return corner >> axis & 1 ? NearLast : NearFirst; };
+    Vec3 at(near(0), near(1), near(2));
+    const bool isCorner = count == 8 || at[0] + at[1] < 1.0;
+    if (isCorner && Iterate(points, count, place, at) && FarthestOutside(count, at) <= Rounding)
+    {
+      parameters = at;
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+bool FindParameters(const ElementPoints& points, int count, const Vec3& place, Vec3& parameters)
+{
+  parameters = count == 8 ? Vec3(0.5, 0.5, 0.5) : Vec3(1.0 / 3.0, 1.0 / 3.0, 0.5);
+  const bool found = Iterate(points, count, place, parameters);
+  if (found && FarthestOutside(count, parameters) < OtherPlace &&
+    MapDerivative(points, count, parameters).determinant() > 0.0)
+  {
+    return true;
+  }
+  // In a distorted element the way from the middle may lead beyond where its map folds, though the
+  // element holds the place.
+  return (IsInBox(points, count, place) && IterateFromCorners(points, count, place, parameters)) ||
+    found;
 }
 
 std::array<double, 6> Outside(int count, const Vec3& at)

@@ -142,17 +142,24 @@ OwnCells TakeOwnCells(vtkUnstructuredGrid* input, const HexMesh& mesh)
 
 void RestoreOriginalIds(const OwnCells& own, vtkUnstructuredGrid* grid)
 {
-  const auto restore = [&own](
-                         vtkDataSetAttributes* data, const char* name, const std::vector<Id>& ids)
+  const auto restore = [](vtkDataSetAttributes* data, const char* name, const std::vector<Id>& ids)
   {
     auto* array = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
-    for (Id i = 0; own.Selected && array && i < array->GetNumberOfValues(); ++i)
+    if (!array)
+    {
+      return;
+    }
+    for (Id i = 0; i < array->GetNumberOfValues(); ++i)
     {
       array->SetValue(i, ids[array->GetValue(i)]);
     }
+    array->Modified(); // it was told the range of the ids before
   };
-  restore(grid->GetPointData(), "vtkOriginalPointIds", own.Points);
-  restore(grid->GetCellData(), "vtkOriginalCellIds", own.Cells);
+  if (own.Selected)
+  {
+    restore(grid->GetPointData(), "vtkOriginalPointIds", own.Points);
+    restore(grid->GetCellData(), "vtkOriginalCellIds", own.Cells);
+  }
 }
 
 }

@@ -96,8 +96,8 @@ void ReturnForBoth(
 Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const TrimmedBand& kept)
 {
   const Band& band = given.TheBand;
-  const NodeMover mover(
-    band, given.TheColumns, given.Surface, given.Precision, false, given.Memory);
+  const NodeMover mover(band, given.TheColumns, given.Surface, given.Precision, false, given.Memory,
+    options.StaysInside);
   const BandQuality quality(band, options.Treatment, options.QualityFloor);
   const double goal = std::max(options.QualityFloor, SmallestGoal);
   return FitOffcut(band, given.TheColumns, mover, kept, quality, goal);

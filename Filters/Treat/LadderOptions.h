@@ -48,6 +48,7 @@ struct LadderOptions
   /// not move.
   bool KeepsCorners = true;
   bool SlidesBehind = false; ///< see NodeMover
+  bool StaysInside = false;  ///< see NodeMover
   /// Whether a node beyond the surface may slide along the border behind the cut where the one next
   /// to it has left the border: the corner between border and surface may be cut off then.
   bool CutsCorners = true;

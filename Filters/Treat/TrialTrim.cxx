@@ -29,7 +29,7 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
   , Options(options)
   , Quality(given.TheBand, options.Treatment, options.QualityFloor)
   , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind,
-      given.Memory)
+      given.Memory, options.StaysInside)
   , TheDecision(given.TheBand, given.TheColumns, given.Shares, given.Surface,
       options.EliminationFraction, options.CorrectionType != Correction::Eliminate)
 {

@@ -1,14 +1,18 @@
 #include "BandDecision.h"
 
+#include "BandPlace.h"
 #include "BestLayer.h"
 #include "BorderCorners.h"
 #include "BothParts.h"
 #include "ColumnChoices.h"
 #include "ElementsAstray.h"
 #include "MoverMemory.h"
+#include "NodeMover.h"
+#include "Runs.h"
 #include "Shortcomings.h"
 #include "Shortfalls.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -304,7 +308,29 @@ void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
   }
 }
 
-void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
+namespace
+{
+
+/// Whether a node that no face holds was taken along the surface to where that has left the mesh:
+/// what is kept would have a lump there that the part has not.
+bool SticksOut(const TrimBand& near, const BandTask& task)
+{
+  const Band& band = near.Mesh;
+  const NodeMover mover(band, near.Structure, task.Surface, task.Precision);
+  const Moves& moves = near.Trimmed.NodeMoves;
+  const std::vector<int> users = CountUsers(band, near.Trimmed);
+  std::vector<char> outside(band.NumberOfNodes(), 0);
+  ForAll(band.NumberOfNodes(),
+    [&](int n)
+    {
+      outside[n] = users[n] > 0 && moves.Applied[n] != Correction::None &&
+        LiesOutside(band, n, moves.Position[n]) &&
+        mover.FreedomOf(n).Constraint.Kind == ConstraintKind::Free;
+    });
+  return std::any_of(outside.begin(), outside.end(), [](char own) { return own != 0; });
+}
+
+void DecideOnce(TrimBand& near, const BandTask& task, const Progress& progress)
 {
   if (!task.Options.MayInsert())
   {
@@ -335,6 +361,28 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
   {
     near = std::move(*layered);
   }
+}
+
+}
+
+void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
+{
+  const Columns structure = near.Structure;
+  const VolumeShares shares = near.Shares;
+  const std::vector<signed char> axis = near.SheetAxis;
+  DecideOnce(near, task, Part(progress, 0.0, 0.95));
+  if (progress(-1.0) || !SticksOut(near, task))
+  {
+    return;
+  }
+  // It is hardly ever so, and asking it of every place would take all trims time.
+  near = TrimBand(near.Mesh.BeforeLayer ? Band(*near.Mesh.BeforeLayer) : std::move(near.Mesh));
+  near.Structure = structure;
+  near.Shares = shares;
+  near.SheetAxis = axis;
+  BandOptions inside = task.Options;
+  inside.Ladder.StaysInside = true;
+  DecideOnce(near, { task.Surface, task.Precision, inside }, Part(progress, 0.95, 1.0));
 }
 
 }

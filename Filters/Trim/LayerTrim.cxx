@@ -64,7 +64,8 @@ public:
     , TheColumns(ColumnsFor(near.Mesh, isSheet))
     , Reach(LargestOfColumns(near.Shares, this->TheColumns))
     , TheDecision(near.Mesh, this->TheColumns, this->Reach, task.Surface, largestShare, false)
-    , Mover(near.Mesh, this->TheColumns, task.Surface, task.Precision)
+    , Mover(near.Mesh, this->TheColumns, task.Surface, task.Precision, false, nullptr,
+        task.Options.Ladder.StaysInside)
     , Room(near.Mesh, this->TheColumns, this->Reach)
     , Fates(near.Mesh.NumberOfElements(), Fate::ByVolume)
   {
@@ -123,8 +124,9 @@ private:
   {
     Band layered = this->MakeBand(cells);
     const Columns columns = ColumnsFor(layered, this->IsSheet);
-    const NodeMover mover(layered, columns, this->Task.Surface, this->Task.Precision);
     const LadderOptions& options = this->Task.Options.Ladder;
+    const NodeMover mover(layered, columns, this->Task.Surface, this->Task.Precision, false,
+      nullptr, options.StaysInside);
     const BandQuality quality(layered, options.Treatment, options.QualityFloor);
     return RelaxLayer(layered, mover, quality, options.QualityFloor, cells) ? this->MakeBand(cells)
                                                                             : layered;

@@ -18,6 +18,7 @@
 #include <vtkShortArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -150,8 +151,29 @@ void TestAscending()
   CheckTold(some, "ascending ids");
 }
 
-/// All arrays of all outputs; those of the input, whose ranges were asked for, do not pass on
-/// theirs.
+/// All arrays of all outputs.
+void CheckOutputs(const Outcome& outcome)
+{
+  for (vtkUnstructuredGrid* grid :
+    { outcome.Case.Trimmed.Get(), outcome.Case.Whole.Get(), outcome.Offcut.Get() })
+  {
+    for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(grid->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(grid->GetCellData()) })
+    {
+      for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+      {
+        if (vtkDataArray* array = data->GetArray(i))
+        {
+          CheckTold(array, array->GetName());
+        }
+      }
+    }
+    CheckTold(grid->GetPoints()->GetData(), "coordinates");
+    CheckBounds(grid->GetPoints());
+  }
+}
+
+/// Arrays of the input, whose ranges were asked for, do not pass on theirs.
 void TestOutputs()
 {
   const Mesh mesh = MakeMesh("sheet2");
@@ -170,25 +192,23 @@ void TestOutputs()
     options.InvertSide = invert;
     options.RenumberNodes = invert;
     options.ProduceOffcut = true;
-    const auto outcome = RunTrim(mesh, MakeSurface("scurve", mesh.Box, Placement()), options);
-    for (vtkUnstructuredGrid* grid :
-      { outcome.Case.Trimmed.Get(), outcome.Case.Whole.Get(), outcome.Offcut.Get() })
-    {
-      for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(grid->GetPointData()),
-             static_cast<vtkDataSetAttributes*>(grid->GetCellData()) })
-      {
-        for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-        {
-          if (vtkDataArray* array = data->GetArray(i))
-          {
-            CheckTold(array, array->GetName());
-          }
-        }
-      }
-      CheckTold(grid->GetPoints()->GetData(), "coordinates");
-      CheckBounds(grid->GetPoints());
-    }
+    CheckOutputs(RunTrim(mesh, MakeSurface("scurve", mesh.Box, Placement()), options));
   }
+}
+
+/// The ids in the input are others than those among the cells that are not left out.
+void TestLeftOut()
+{
+  Mesh mesh = Sheet(12, 10, 1, Vec3(1, 1, 0.4));
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetNumberOfValues(mesh.Grid->GetNumberOfCells());
+  flags->Fill(0);
+  std::fill_n(flags->GetPointer(0), 20, vtkDataSetAttributes::HIDDENCELL);
+  mesh.Grid->GetCellData()->AddArray(flags);
+  TrimOptions options;
+  options.ProduceOffcut = true;
+  CheckOutputs(RunTrim(mesh, MakeSurface("scurve", mesh.Box, Placement()), options));
 }
 }
 
@@ -207,6 +227,7 @@ int main()
   trim::TellRanges(empty);
   Expect(empty->GetRange()[0] > empty->GetRange()[1], "an empty array has a range");
   TestOutputs();
+  TestLeftOut();
   vtkNew<vtkDoubleArray> nowhere;
   nowhere->SetNumberOfComponents(3);
   CheckNoBounds(trim::MakePoints(nowhere));

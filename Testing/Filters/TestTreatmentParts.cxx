@@ -713,6 +713,27 @@ void CheckGap()
   Expect(!CrossEdge(surface, beyond, kept, 1e-3), "an edge through a wider gap");
 }
 
+/// Places in an element are found there, though the map of a distorted one folds beside it: of one
+/// that three trims have left.
+void CheckParameters()
+{
+  const ElementPoints points = { Vec3(3.202, 15.8181, -0.4), Vec3(3.9806, 16.3985, -0.4),
+    Vec3(4.0133, 16.4498, -0.4), Vec3(3, 17, -0.4), Vec3(3.3839, 15.89, -0.0893),
+    Vec3(3.8829, 16.1356, 0.1043), Vec3(3.9614, 16.3251, 0.0566), Vec3(3, 17, 0) };
+  Expect(MeasureJacobian(points, 8).Bezier > 0.0, "the element is not valid: choose another");
+  constexpr int steps = 40;
+  int lost = 0;
+  for (int i = 0; i < (steps + 1) * (steps + 1) * (steps + 1); ++i)
+  {
+    const Vec3 at =
+      Vec3(i % (steps + 1), i / (steps + 1) % (steps + 1), i / (steps + 1) / (steps + 1)) / steps;
+    Vec3 found;
+    lost +=
+      !(FindParameters(points, 8, MapToSpace(points, 8, at), found) && (found - at).norm() < 1e-9);
+  }
+  Expect(lost == 0, std::to_string(lost) + " places in an element are found elsewhere");
+}
+
 /// Of several shortfalls at one place the gravest counts, in whatever order they come.
 void CheckShortfalls()
 {
@@ -748,6 +769,7 @@ int main()
   CheckSlidingMatters();
   CheckGap();
   CheckShortfalls();
+  CheckParameters();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

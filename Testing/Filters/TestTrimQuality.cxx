@@ -363,6 +363,35 @@ void CheckCutCorners()
   }
 }
 
+/// Surfaces that pass through the skin of a sheet or a block beside elements that are kept: a node
+/// that no face holds went along them, by nine tenths of a layer and a quarter of an element.
+void CheckInside()
+{
+  struct Case
+  {
+    const char *Mesh, *Kind;
+    Placement At;
+    int Correction, Optimization;
+    bool Inverted;
+  };
+  const Case cases[] = { { "wedges", "torus",
+                           { -0.31891208598968551, -0.13670414893735228, 5.8845751215193483,
+                             0.50588239638678345, 0.25104010568473478, 786254, true },
+                           3, 2, false },
+    { "block", "contour", { -0.568, -0.105, 4.556, 0.257, 0.711, 738419, false }, 2, 0, true } };
+  for (const Case& c : cases)
+  {
+    const Mesh mesh = MakeMesh(c.Mesh);
+    TrimOptions options;
+    options.CorrectionType = c.Correction;
+    options.Optimization = c.Optimization;
+    options.InvertSide = c.Inverted;
+    Report report(std::string("out of the ") + c.Mesh);
+    RunAndJudge(mesh, MakeSurface(c.Kind, mesh.Box, c.At), options, report);
+    Expect(report.Failures() == 0, "a node sticks out of the mesh");
+  }
+}
+
 int main()
 {
   CheckTargets();
@@ -372,6 +401,7 @@ int main()
   CheckHardCuts();
   CheckFewLeft();
   CheckShortEdges();
+  CheckInside();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",

@@ -295,8 +295,34 @@ std::vector<char> InShutHoles(const Evidence& e)
 }
 }
 
+namespace
+{
+/// No node sticks out of the mesh's box to be seen: out of a block, or of a flat sheet by its skin.
+void CheckBox(const Evidence& e, Report& report)
+{
+  const Frame& frame = e.Case.Input->Box;
+  const auto turned = [&frame](const Vec3& p) -> Vec3
+  { return frame.Axes.transpose() * (p - frame.Centre); };
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : e.In.Points)
+  {
+    box.extend(turned(p));
+  }
+  const double unseen = 0.02 * frame.ElementSize + e.Exact;
+  for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
+  {
+    const double outside = box.exteriorDistance(turned(e.Out.Points[p]));
+    if (outside > unseen)
+    {
+      report.Fail("in the mesh's box", Point(p) + Where(e.Out.Points[p]), outside, unseen);
+    }
+  }
+}
+}
+
 void CheckBoundary(const Evidence& e, Report& report)
 {
+  CheckBox(e, report);
   if (e.Case.Options.CorrectionType != 1)
   {
     const std::vector<char> skin = SkinPoints(e);
