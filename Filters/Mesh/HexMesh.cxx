@@ -338,7 +338,7 @@ bool HexMesh::OrientHexahedron(std::array<Id, 8>& nodes) const
 Id HexMesh::CountInsideOut() const
 {
   std::atomic<Id> count{ 0 };
-  ParallelFor(0, this->SomeInsideOut ? this->NumberOfCells : 0, 100000,
+  ParallelFor(0, this->NumberOfCells, 100000,
     [&](Id begin, Id end)
     {
       std::array<Id, 8> nodes;

@@ -37,7 +37,7 @@ struct HexMesh
   const vtkTypeInt32* Offsets32 = nullptr;
   Id ConnectivitySize = 0;
   const unsigned char* Types = nullptr;
-  bool SomeInsideOut = false; ///< of the hexahedra; told by MeshBlocks
+  bool TurnsInsideOut = false; ///< OrientedCell looks for hexahedra that are inside out
 
   Vec3 Point(Id i) const
   {
@@ -68,14 +68,14 @@ struct HexMesh
     {
       this->OrientWedge(nodes);
     }
-    else if (this->SomeInsideOut)
+    else if (this->TurnsInsideOut)
     {
       this->OrientHexahedron(nodes);
     }
     return count;
   }
 
-  /// Hexahedra that OrientedCell turns: those that are sound but for the order of their nodes.
+  /// Hexahedra that are sound but for the order of their nodes.
   Id CountInsideOut() const;
 
   /// 8 or 6.

@@ -125,15 +125,17 @@ std::string DescribeLeftOut(const OwnCells& own, const Ranks& ranks)
                    : "";
 }
 
-/// What is to be said of hexahedra that are turned; empty: nothing. Collective.
-std::string DescribeInsideOut(Id own, const Ranks& ranks)
+/// Of the cells: fewer that are inside out are defects of the mesh, which a trim leaves as they
+/// are. More are a part that has its nodes in the other order.
+constexpr double LeastInsideOut = 0.05;
+
+/// What is to be said of hexahedra that are turned.
+std::string DescribeInsideOut(Id count)
 {
-  const Id count = ranks.Sum(own);
-  return count > 0 ? std::to_string(count) +
-      " hexahedra of the grid are inside out, as in a mesh that was mirrored by Transform, and get "
-      "their nodes in the right order in the result: data that goes by the order of an element's "
-      "nodes is not turned. Reflect mirrors a mesh without that."
-                   : "";
+  return std::to_string(count) +
+    " hexahedra of the grid are inside out, as in a mesh that was mirrored by Transform, and get "
+    "their nodes in the right order in the result: data that goes by the order of an element's "
+    "nodes is not turned. Reflect mirrors a mesh without that.";
 }
 
 /// What is to be said of arrays that are too long; empty: nothing. Collective.
@@ -203,8 +205,7 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   {
     return false;
   }
-  this->TheMesh.SomeInsideOut = this->TheBlocks.SomeInsideOut;
-  this->OwnInsideOut = this->TheMesh.CountInsideOut();
+  this->OwnInsideOut = this->TheBlocks.SomeInsideOut ? this->TheMesh.CountInsideOut() : 0;
   this->Grid = grid;
   this->GridTime = grid->GetMTime();
   return true;
@@ -235,7 +236,10 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
     : "";
   this->HiddenRemark = DescribeLeftOut(this->TheOwn, ranks);
   this->SurplusRemark = DescribeSurplus(this->OwnSurplus, ranks);
-  this->InsideOutRemark = DescribeInsideOut(this->OwnInsideOut, ranks);
+  const Id insideOut = ranks.Sum(this->OwnInsideOut);
+  this->TheMesh.TurnsInsideOut =
+    insideOut > LeastInsideOut * ranks.Sum(this->TheMesh.NumberOfCells);
+  this->InsideOutRemark = this->TheMesh.TurnsInsideOut ? DescribeInsideOut(insideOut) : "";
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
   {

@@ -232,7 +232,7 @@ int main(int argc, char* argv[])
     {
       RandomSolid random(seed);
       const TopoDS_Shape made = random.Make();
-      const std::string step = OutputPath("random.step"), iges = OutputPath("random.igs");
+      const std::string step = OutputPath(name + ".step"), iges = OutputPath(name + ".igs");
       TopoDS_Shape shape;
       if (!IsSound(made, step, shape))
       {
@@ -244,6 +244,8 @@ int main(int argc, char* argv[])
       writer.AddShape(made);
       writer.Write(iges.c_str());
       Compare(name + " by IGES", iges, shape, random);
+      std::remove(step.c_str());
+      std::remove(iges.c_str());
     }
     catch (const Standard_Failure&)
     {

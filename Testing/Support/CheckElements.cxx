@@ -98,6 +98,21 @@ bool IsTangledWedge(const Model& model, Id e)
   const auto bezier = BezierJacobians(model.Corners(e), model.Elements[e].Size);
   return model.Elements[e].Size == 6 && *std::min_element(bezier.begin(), bezier.end()) <= 0;
 }
+
+/// Whether a hexahedron has its nodes in the right order where it had them in the other one.
+bool IsTurned(const Evidence& e, Id c)
+{
+  const Element &element = e.Out.Elements[c], &input = e.In.Elements[e.CellOf[c]];
+  const auto corners = e.In.Corners(e.CellOf[c]);
+  bool turned = element.Size == 8;
+  for (int i = 0; i < 8 && turned; ++i)
+  {
+    const Vec3 corner(i % 2, i / 2 % 2, i / 4);
+    turned =
+      e.PointOf[element.Node[i]] == input.Node[(i + 4) % 8] && JacobianAt(corners, 8, corner) <= 0;
+  }
+  return turned;
+}
 }
 
 void CheckElements(const Evidence& e, Report& report)
@@ -133,7 +148,7 @@ void CheckElements(const Evidence& e, Report& report)
       const auto isSame = [&](Id own, Id node) { return e.PointOf[own] == node; };
       if (!std::equal(element.Node.begin(), element.Node.begin() + element.Size, input.Node.begin(),
             isSame) &&
-        !IsTangledWedge(e.In, e.CellOf[c]))
+        !IsTangledWedge(e.In, e.CellOf[c]) && !IsTurned(e, c))
       {
         report.Fail("nodes of an untouched element", Cell(c) + " are in another order");
       }
