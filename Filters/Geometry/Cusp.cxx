@@ -102,7 +102,7 @@ double HeightBeyond(const SurfaceModel& model, const Sector& one, const Sector& 
       {
         break;
       }
-      if ((foot - y).norm() > 10 * gap)
+      if ((foot - y).norm() > gap)
       {
         return normal.dot(foot - y);
       }

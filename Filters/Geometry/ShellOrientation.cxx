@@ -79,7 +79,7 @@ constexpr double LoopPrecision = 0.003;
 
 /// Of the votes of two faces for others so small a share is one of places where they come near to
 /// each other by chance, as where bodies touch.
-constexpr double ChanceVotes = 0.03;
+constexpr double ChanceVotes = 0.1;
 
 /// Cosine of the angle under which a place counts as ahead, not beside.
 constexpr double Ahead = 0.87;
