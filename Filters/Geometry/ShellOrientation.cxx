@@ -5,6 +5,7 @@
 #include "Sectors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -199,36 +200,41 @@ void VoteAt(const SurfaceModel& model, const Vec3& x, int face, Votes& votes)
   }
 }
 
+/// Calls visit(patch, kind, place) for the borders of all patches: by side, and 4 for a loop's
+/// curve.
+template <typename Visit>
+void ForBorders(const SurfaceModel& model, const Visit& visit)
+{
+  const double s[5] = { 0, 1, 0.5, 0.5, 0.5 }, t[5] = { 0.5, 0.5, 0, 1, 0 };
+  for (const BezierPatch& patch : model.Patches)
+  {
+    for (int kind = patch.Curve ? 4 : 0; kind < (patch.Curve ? 5 : 4); ++kind)
+    {
+      if (patch.Curve || (patch.Sides[kind] == SideKind::Border && !patch.Collapsed[kind]))
+      {
+        visit(patch, kind, Vec2(s[kind], t[kind]));
+      }
+    }
+  }
+}
+
 Votes CollectVotes(const SurfaceModel& model)
 {
-  constexpr int CurvesPerFace = 64; // a loop of thousands of points need not vote with each
+  constexpr int most = 64; // a loop of thousands of points need not vote with each
+  std::vector<std::array<int, 5>> count(model.Faces.size()), seen(model.Faces.size());
+  ForBorders(
+    model, [&](const BezierPatch& patch, int kind, const Vec2&) { ++count[patch.Face][kind]; });
   Votes votes;
-  std::vector<int> curves(model.Faces.size(), 0), seen(model.Faces.size(), 0);
-  for (const BezierPatch& patch : model.Patches)
-  {
-    curves[patch.Face] += patch.Curve;
-  }
-  for (const BezierPatch& patch : model.Patches)
-  {
-    const Vec4* net = model.Net(patch);
-    if (patch.Curve)
+  ForBorders(model,
+    [&](const BezierPatch& patch, int kind, const Vec2& place)
     {
-      const int stride = 1 + curves[patch.Face] / CurvesPerFace;
-      if (seen[patch.Face]++ % stride == 0)
+      const int stride = 1 + count[patch.Face][kind] / most;
+      if (seen[patch.Face][kind]++ % stride == 0)
       {
-        VoteAt(model, BezierPoint(patch, net, 0.5, 0), patch.Face, votes);
+        VoteAt(
+          model, BezierPoint(patch, model.Net(patch), place.x(), place.y()), patch.Face, votes);
       }
-      continue;
-    }
-    const double s[4] = { 0, 1, 0.5, 0.5 }, t[4] = { 0.5, 0.5, 0, 1 };
-    for (int side = 0; side < 4; ++side)
-    {
-      if (patch.Sides[side] == SideKind::Border && !patch.Collapsed[side])
-      {
-        VoteAt(model, BezierPoint(patch, net, s[side], t[side]), patch.Face, votes);
-      }
-    }
-  }
+    });
   return votes;
 }
 
