@@ -93,7 +93,7 @@ bool RunsThrough(const SurfaceModel& model, int face, const BorderRay& ray, cons
   return way.norm() <= 4 * model.Resolution || way.dot(ray.Direction) > Ahead * way.norm();
 }
 
-/// A border ray of another face that is the same edge.
+/// A border ray of another face, or of a seam's other side, that is the same edge.
 struct Partner
 {
   int Face;
@@ -139,7 +139,7 @@ bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, co
     {
       const double ahead = std::abs((other.Nearest - x).dot(ray.Direction));
       const bool beside = ahead <= Ahead * other.Away + 4 * model.Resolution;
-      for (int j = 0; j < other.RayCount && beside && other.Face != sector.Face; ++j)
+      for (int j = 0; j < other.RayCount && beside && &other != &sector; ++j)
       {
         if (ShareEdge(sector, ray, other, other.Rays[j], closely))
         {
@@ -167,8 +167,11 @@ bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, co
   for (const Partner& partner : KeepNeighbours(std::move(partners)))
   {
     // Along one direction the inside is left of one face and right of the other.
-    votes[std::minmax(sector.Face, partner.Face)] +=
-      ray.InsideIsLeft != partner.InsideIsLeft ? 1 : -1;
+    if (partner.Face != sector.Face)
+    {
+      votes[std::minmax(sector.Face, partner.Face)] +=
+        ray.InsideIsLeft != partner.InsideIsLeft ? 1 : -1;
+    }
   }
   return nearest < std::numeric_limits<double>::infinity();
 }
