@@ -16,26 +16,23 @@ constexpr double NormalsLeft = 0.02;
 /// Faces whose angles are less than that, in all, end in a tip: no more is known of these angles.
 constexpr double TipAngles = 0.05;
 
-bool NormalsSayNothing(const SurfaceModel& model, const std::vector<Sector>& sectors)
+bool NormalsSayNothing(const std::vector<Sector>& sectors, const Vec3& sum)
 {
-  Vec3 all = Vec3::Zero();
   double lengths = 0;
   for (const Sector& sector : sectors)
   {
-    all += model.Data[sector.Face].Sign * sector.Weighted;
     lengths += sector.Weighted.norm();
   }
-  return all.norm() < NormalsLeft * lengths || lengths < TipAngles;
+  return sum.norm() < NormalsLeft * lengths || lengths < TipAngles;
 }
 
 /// Into a piece of surface from the point, along the surface; of the rays that bound it.
 Vec3 WayInto(const Sector& sector)
 {
-  const Vec3 normal = sector.Weighted.normalized();
   Vec3 way = Vec3::Zero();
   for (int k = 0; k < sector.RayCount; ++k)
   {
-    way += (sector.Rays[k].InsideIsLeft ? 1.0 : -1.0) * normal.cross(sector.Rays[k].Direction);
+    way += InsideOf(sector, sector.Rays[k]);
   }
   return way.normalized();
 }
@@ -113,10 +110,11 @@ double HeightBeyond(const SurfaceModel& model, const Sector& one, const Sector& 
 
 }
 
-Cusp ExamineCusp(const SurfaceModel& model, const std::vector<Sector>& sectors, double gap)
+Cusp ExamineCusp(
+  const SurfaceModel& model, const std::vector<Sector>& sectors, const Vec3& sum, double gap)
 {
   Cusp cusp;
-  if (!NormalsSayNothing(model, sectors))
+  if (!NormalsSayNothing(sectors, sum))
   {
     return cusp;
   }

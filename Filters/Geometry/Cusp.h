@@ -22,8 +22,10 @@ struct Cusp
 };
 
 /// By which of the faces lies beyond the other where they begin to part.
+/// @param sum of the sectors' normals, weighted and oriented.
 /// @param gap what is nearer to each other is one (local coordinates, as all).
-Cusp ExamineCusp(const SurfaceModel& model, const std::vector<Sector>& sectors, double gap);
+Cusp ExamineCusp(
+  const SurfaceModel& model, const std::vector<Sector>& sectors, const Vec3& sum, double gap);
 
 }
 

@@ -69,7 +69,7 @@ Neighbourhood ExamineWithin(const SurfaceModel& model, const Vec3& x, double gap
         IsFree(model, sector, sector.Rays[k], x, gap);
     }
   }
-  if (const Cusp cusp = ExamineCusp(model, sectors, gap); cusp.Side != 0)
+  if (const Cusp cusp = ExamineCusp(model, sectors, result.Normal, gap); cusp.Side != 0)
   {
     result.CuspSide = cusp.Side;
     result.Normal = cusp.Normal;

@@ -33,6 +33,12 @@ struct Sector
   BorderRay Rays[2];
 };
 
+/// The direction across a border ray into its face.
+inline Vec3 InsideOf(const Sector& sector, const BorderRay& ray)
+{
+  return (ray.InsideIsLeft ? 1.0 : -1.0) * sector.Weighted.cross(ray.Direction).normalized();
+}
+
 /// Everything that comes within `gap` of x (local coordinates).
 std::vector<Sector> FindSectors(const SurfaceModel& model, const Vec3& x, double gap);
 

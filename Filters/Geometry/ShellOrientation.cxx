@@ -58,12 +58,6 @@ private:
 /// Votes of all places where two faces share an edge: > 0 if they are oriented alike.
 using Votes = std::map<std::pair<int, int>, int>;
 
-/// The direction across a border ray into its face.
-Vec3 InsideOf(const Sector& sector, const BorderRay& ray)
-{
-  return (ray.InsideIsLeft ? 1.0 : -1.0) * sector.Weighted.cross(ray.Direction).normalized();
-}
-
 /// Whether two rays are one edge of two faces, and do not run on along one free border: beside a
 /// narrow face the next one may be nearer than the gap.
 bool ShareEdge(

@@ -222,7 +222,8 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
     this->TheBlocks = BuildMeshBlocks(this->TheMesh); // they know of the pieces of before
     this->Joined = false;
   }
-  if (ranks.Sum(this->TheMesh.NumberOfCells) == 0)
+  const Id cells = ranks.Sum(this->TheMesh.NumberOfCells);
+  if (cells == 0)
   {
     error = "The input grid has no cells: connect a grid of hexahedra.";
     return false;
@@ -237,8 +238,7 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
   this->HiddenRemark = DescribeLeftOut(this->TheOwn, ranks);
   this->SurplusRemark = DescribeSurplus(this->OwnSurplus, ranks);
   const Id insideOut = ranks.Sum(this->OwnInsideOut);
-  this->TheMesh.TurnsInsideOut =
-    insideOut > LeastInsideOut * ranks.Sum(this->TheMesh.NumberOfCells);
+  this->TheMesh.TurnsInsideOut = insideOut > LeastInsideOut * cells;
   this->InsideOutRemark = this->TheMesh.TurnsInsideOut ? DescribeInsideOut(insideOut) : "";
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
