@@ -29,7 +29,7 @@ struct BandTrim
   TrimmedBand Trimmed;
   Offcut Rest;                                  ///< empty unless it is asked for
   std::vector<std::pair<int, float>> NodesLeft; ///< by ascending node, see DistancesLeft
-  std::shared_ptr<const ClimbMade> Made;        ///< null: all is found
+  std::shared_ptr<const ClimbMade> Made;        ///< null: it is completed
 };
 
 /// The band and everything found on it.

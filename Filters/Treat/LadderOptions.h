@@ -52,6 +52,9 @@ struct LadderOptions
   /// Whether a node beyond the surface may slide along the border behind the cut where the one next
   /// to it has left the border: the corner between border and surface may be cut off then.
   bool CutsCorners = true;
+  /// Whether a climb takes nodes to the sharp edges of the surface, as the offcut has to fit; else
+  /// FollowCreases does, once it is known that no other climb is better.
+  bool FollowsCreases = false;
   Demands ForOffcut;
   FailedReturns* Failures = nullptr; ///< of climbs with other demands; none: there are no others
 

@@ -9,13 +9,13 @@
 namespace trim
 {
 
-void TrialTrim::FollowCreases(
+bool TrialTrim::FollowCreases(
   const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
   if (this->Options.QualityFloor <= 0.0 || this->Options.CorrectionType == Correction::Eliminate ||
     !MayHaveCreases(this->Surface))
   {
-    return;
+    return false;
   }
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   const std::vector<char> missed = this->PutOnCreases(set, {}, aborted, trimmed);
@@ -34,6 +34,7 @@ void TrialTrim::FollowCreases(
       }
     }
   }
+  return true;
 }
 
 /// Drops edges if that lets a node beside them go to a sharp edge.

@@ -90,6 +90,17 @@ public:
     return closer;
   }
 
+  /// See FollowCreases.
+  bool FollowCreases(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  {
+    if (!this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed))
+    {
+      return false;
+    }
+    trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
+    return true;
+  }
+
 private:
   /// Places that were relaxed for other choices may be no good ones for those that it ended with.
   void RelaxAnew(TrimmedBand& trimmed)
@@ -132,7 +143,10 @@ private:
   void Finish(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
   {
     this->TheChoices.Trial.Polish(this->TheChoices.At.Set, trimmed);
-    this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+    if (this->TheChoices.Options.FollowsCreases)
+    {
+      this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+    }
     trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
   }
 
@@ -373,6 +387,18 @@ std::shared_ptr<const TrimmedBand> FindCloser(
   given.Memory = made.Memory;
   LadderPosition end = made.End;
   return Ladder(given, made.Options, end).ReturnToFloor(*trimmed.Unpolished, progress);
+}
+
+bool FollowCreases(TrimCase given, const ClimbMade& made, const std::function<bool()>& aborted,
+  TrimmedBand& trimmed)
+{
+  if (made.Options.FollowsCreases)
+  {
+    return false;
+  }
+  given.Memory = made.Memory;
+  LadderPosition end = made.End;
+  return Ladder(given, made.Options, end).FollowCreases(aborted, trimmed);
 }
 
 }

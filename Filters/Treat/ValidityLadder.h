@@ -10,8 +10,9 @@
  * below the floor. Nodes whose border ends at a corner of the model right beside the surface may
  * end there. What came below the floor is held to 0.2, or exempt if it came below that, too. Then
  * nodes that were left return to the surface, as many as can without elements that fall below what
- * is aimed at, and in a second result without such that fall below the floor. At the end everything
- * is relaxed once more, to a higher goal that binds nobody.
+ * is aimed at, and in a second result without such that fall below the floor. Then everything
+ * is relaxed once more, to a higher goal that binds nobody, and at the end nodes go to the sharp
+ * edges of the surface.
  */
 #ifndef ValidityLadder_h
 #define ValidityLadder_h
@@ -33,8 +34,8 @@ namespace trim
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
   const Progress& progress, LadderPosition& position, const Promise& promises = {});
 
-/// How a climb went whose closer trim is found later, if at all: most of those that are made to
-/// find the best one are not taken.
+/// How a climb went that is completed later, if at all: most of those that are made to find the
+/// best one are not taken.
 struct ClimbMade
 {
   LadderOptions Options;
@@ -51,6 +52,15 @@ struct ClimbMade
  */
 std::shared_ptr<const TrimmedBand> FindCloser(
   TrimCase given, const ClimbMade& made, const Progress& progress, const TrimmedBand& trimmed);
+
+/**
+ * Takes nodes of the new boundary to the sharp edges of the surface that it passes, where the
+ * elements stand it; false, and nothing is done, if that is done, or not to be done.
+ *
+ * @param given as for the climb.
+ */
+bool FollowCreases(TrimCase given, const ClimbMade& made, const std::function<bool()>& aborted,
+  TrimmedBand& trimmed);
 
 }
 

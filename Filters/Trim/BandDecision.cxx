@@ -285,7 +285,6 @@ void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 {
   const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
   const auto closer = FindCloser(given, *near.Made, progress, near.Trimmed);
-  near.Made = nullptr;
   near.Trimmed.Unpolished = nullptr;
   if (!closer)
   {
@@ -305,6 +304,16 @@ void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
     near.Trimmed = std::move(trimmed);
     near.Rest = std::move(rest);
     near.NodesLeft = std::move(left);
+  }
+}
+
+void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progress)
+{
+  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  const auto made = std::exchange(near.Made, nullptr);
+  if (FollowCreases(given, *made, [&progress] { return progress(-1.0); }, near.Trimmed))
+  {
+    near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
   }
 }
 
@@ -334,8 +343,9 @@ void DecideOnce(TrimBand& near, const BandTask& task, const Progress& progress)
 {
   if (!task.Options.MayInsert())
   {
-    DecideWithMesh(near, task, Part(progress, 0.0, 0.9));
-    TakeCloser(near, task, Part(progress, 0.9, 1.0));
+    DecideWithMesh(near, task, Part(progress, 0.0, 0.85));
+    TakeCloser(near, task, Part(progress, 0.85, 0.9));
+    FollowCreases(near, task, Part(progress, 0.9, 1.0));
     return;
   }
   BestLayer layer(near, task);
@@ -360,7 +370,9 @@ void DecideOnce(TrimBand& near, const BandTask& task, const Progress& progress)
   if (layered)
   {
     near = std::move(*layered);
+    return;
   }
+  FollowCreases(near, task, progress);
 }
 
 }

@@ -45,7 +45,8 @@ struct BandTask
  */
 void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress);
 
-/// Kept part and offcut by the structure and shares of a band; what TakeCloser takes is left to it.
+/// Kept part and offcut by the structure and shares of a band; what TakeCloser and FollowCreases
+/// do is left to them.
 /// @param memory of the band, its structure and the surface; null: there is none.
 /// @param promises see ClimbLadder; not asked where the offcut is asked for.
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
@@ -54,6 +55,9 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
 /// Finds what FindCloser does for the climb that was made, and takes it where all in all it leaves
 /// nodes less far off the surface.
 void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress);
+
+/// Completes the climb that was made: takes nodes to the sharp edges of the surface.
+void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progress);
 
 }
 

@@ -233,12 +233,13 @@ std::unique_ptr<TrimBand> ClimbWithLayer(const TrimBand& near, Band mesh, const 
     gaveUp = givesUp && !MayBeRaised(band, task.Options.Ladder, trimmed);
     return !gaveUp;
   };
-  ClimbBand(*layered, task, Part(progress, 0.0, 0.9), nullptr, promises);
+  ClimbBand(*layered, task, Part(progress, 0.0, 0.8), nullptr, promises);
   if (gaveUp)
   {
     return nullptr;
   }
-  TakeCloser(*layered, task, Part(progress, 0.9, 1.0));
+  TakeCloser(*layered, task, Part(progress, 0.8, 0.9));
+  FollowCreases(*layered, task, Part(progress, 0.9, 1.0));
   search.ReturnToSkin(band, layered->Trimmed);
   // Where the layer puts a node counts as a move, also of those that stay there.
   TellInserted(band, layered->Trimmed.NodeMoves);
