@@ -10,10 +10,13 @@
 #include "NodeConstraint.h"
 #include "NodeMove.h"
 #include "Remembered.h"
+#include "RememberedLast.h"
 #include "SkinRing.h"
+#include "TrimmingSurface.h"
 
 #include <atomic>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -38,6 +41,8 @@ struct MoverMemory
     , HeldAsKept(band.NumberOfNodes())
     , AskedOffCut(band.NumberOfNodes())
     , EdgesBefore(band.NumberOfElements())
+    , Starts(band.NumberOfNodes())
+    , Middles(band.NumberOfNodes())
   {
   }
 
@@ -48,6 +53,10 @@ struct MoverMemory
   Remembered<NodeHold> HeldAsKept;            ///< by node, as if there were no cut
   std::vector<std::atomic<char>> AskedOffCut; ///< by node: how it is held behind the cut mattered
   Remembered<EdgeSquares> EdgesBefore;        ///< by element of eight nodes
+  /// By node: the foot of the place from which it was relaxed last.
+  RememberedLast<Vec3, nurbs::Foot> Starts;
+  /// By node: where it was to lie between its neighbours last, in the plane with this normal.
+  RememberedLast<std::pair<Vec3, Vec3>, NodeMove> Middles;
 };
 
 /**

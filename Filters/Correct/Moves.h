@@ -56,7 +56,7 @@ inline Vec3 AsStored(const Band& band, const Vec3& p)
 /**
  * Moves the nodes onto the surface.
  *
- * @param moving see FindMovingNodes.
+ * @param moving see MovingNodes.
  * @param asked Project or Slide.
  * @param choice by pillar (index: smallest node of the pillar).
  */

@@ -298,6 +298,12 @@ NodeMove NodeMover::ProjectOnFaces(int node, NodeFreedom& freedom) const
 
 NodeMove NodeMover::Between(int node, const Vec3& through, const Vec3& planeNormal) const
 {
+  return this->Memory->Middles.At(
+    node, { through, planeNormal }, [&] { return this->FindBetween(node, through, planeNormal); });
+}
+
+NodeMove NodeMover::FindBetween(int node, const Vec3& through, const Vec3& planeNormal) const
+{
   NodeFreedom freedom = this->FreedomOf(node);
   return this->Between(node, freedom, through, this->Surface.ClosestPoint(through), planeNormal);
 }

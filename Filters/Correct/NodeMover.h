@@ -102,7 +102,7 @@ public:
   NodeFreedom FreedomOf(int node, bool onCut = true) const;
 
   /// Tells where a node on the cut is: the feet of places near it are found from there.
-  void StartFrom(const Vec3& x, NodeFreedom& freedom) const;
+  void StartFrom(int node, const Vec3& x, NodeFreedom& freedom) const;
 
   /// Unit directions in which a node at x may step: in its layer, on its ridge, or along the cut.
   std::vector<Vec3> Directions(
@@ -138,6 +138,7 @@ private:
   }
   NodeMove FindProjection(int node) const;
   NodeMove FindSlide(int node, int edge) const;
+  NodeMove FindBetween(int node, const Vec3& through, const Vec3& planeNormal) const;
   std::vector<int> FindSlidingEdges(int node) const;
   nurbs::Foot FootOf(const Vec3& x, const NodeFreedom& freedom) const;
   /// Calls visit(from, to, walked) for the edges of a ridge from a node on, until that returns

@@ -86,9 +86,12 @@ bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
     });
 }
 
-void NodeMover::StartFrom(const Vec3& x, NodeFreedom& freedom) const
+void NodeMover::StartFrom(int node, const Vec3& x, NodeFreedom& freedom) const
 {
-  freedom.Start = this->FootOf(x, freedom);
+  // Most relaxations begin where one before has ended.
+  const auto find = [&] { return this->FootOf(x, freedom); };
+  freedom.Start =
+    freedom.Start.Kind == nurbs::FootKind::None ? this->Memory->Starts.At(node, x, find) : find();
 }
 
 nurbs::Foot NodeMover::FootOf(const Vec3& x, const NodeFreedom& freedom) const

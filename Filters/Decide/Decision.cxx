@@ -2,7 +2,6 @@
 
 #include "Jacobian.h"
 #include "Manifold.h"
-#include "MovingNodes.h"
 #include "SortUnique.h"
 #include "Status.h"
 
@@ -37,6 +36,7 @@ Decision::Decision(const Band& band, const Columns& columns, const VolumeShares&
   , Threshold(threshold)
   , MovesNodes(movesNodes)
   , Members(columns.Elements())
+  , Moving(band, columns)
   , Whole(band.NumberOfElements(), 1)
   , Collapsing(band.NumberOfElements(), Unknown)
 {
@@ -230,7 +230,7 @@ std::vector<int> Decision::FindBacked(const LostSides& lost, const std::vector<c
 /// Kept columns whose nodes all go to the surface and leave nothing between them.
 bool Decision::EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept)
 {
-  const auto moving = FindMovingNodes(this->TheBand, this->TheColumns, kept);
+  const auto moving = this->Moving.Find(kept);
   bool changed = false;
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {

@@ -11,6 +11,7 @@
 
 #include "Band.h"
 #include "Columns.h"
+#include "MovingNodes.h"
 #include "TrimmingSurface.h"
 #include "VolumeShares.h"
 
@@ -50,6 +51,12 @@ public:
   /// @return for each band element whether it is kept.
   std::vector<char> Take(const std::vector<Fate>& fate);
 
+  /// See MovingNodes.
+  std::vector<char> FindMovingNodes(const std::vector<char>& kept)
+  {
+    return this->Moving.Find(kept);
+  }
+
   /// Of a column, ascending.
   Band::Range ElementsOf(int column) const
   {
@@ -81,6 +88,7 @@ private:
   double Threshold;
   bool MovesNodes;
   Band::Lists Members;
+  MovingNodes Moving;
   std::vector<char> Whole;
   std::vector<int> InnerNodes;
   static constexpr signed char Unknown = -1;

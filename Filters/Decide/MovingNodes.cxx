@@ -7,65 +7,96 @@
 
 namespace trim
 {
-namespace
+/// Whether a node beyond the surface has no eliminated element, and nothing else opens it.
+bool MovingNodes::AnyIsShut(const std::vector<char>& touchesEliminated) const
 {
+  const Band& band = this->TheBand;
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    if (band.NodeStatus[n] == NodeEliminate && !touchesEliminated[n] &&
+      !this->TheColumns.IsChosenByCut(n) && !this->TheColumns.IsOnBorder(band, n))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
-/// Nodes beyond the surface in a cut-out of a sheet that holds no whole element, and of which none
-/// goes, nor any beside it: there is no border that they could lie on, and moving them would spoil
-/// the elements for nothing.
-std::vector<char> FindShutCutOuts(
-  const Band& band, const Columns& columns, const std::vector<char>& touchesEliminated)
+void MovingNodes::FindCutOuts()
 {
-  std::vector<char> shut(band.NumberOfNodes(), 0);
-  bool any = false;
-  for (int n = 0; n < band.NumberOfNodes() && !any; ++n)
-  {
-    any = band.NodeStatus[n] == NodeEliminate && !touchesEliminated[n] &&
-      !columns.IsChosenByCut(n) && !columns.IsOnBorder(band, n);
-  }
-  if (!any)
-  {
-    return shut; // as a rule
-  }
+  const Band& band = this->TheBand;
+  const Columns& columns = this->TheColumns;
+  this->CutOut.assign(band.NumberOfNodes(), -1);
+  DisjointSets<int> sets(band.NumberOfNodes());
   std::vector<char> open(band.NumberOfNodes(), 0);
-  DisjointSets<int> cutOuts(band.NumberOfNodes());
+  const auto isBeyond = [&band](int n) { return band.NodeStatus[n] == NodeEliminate; };
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
     const auto& element = band.Elements[e];
-    const bool beside = !columns.HasThickness(e) || band.ElementStatus[e] == ElementEliminate ||
-      std::any_of(element.begin(), element.end(),
-        [&touchesEliminated](int n) { return touchesEliminated[n] != 0; });
-    int first = -1;
-    for (const int n : element)
+    const bool opens = !columns.HasThickness(e) || band.ElementStatus[e] == ElementEliminate;
+    const auto first = std::find_if(element.begin(), element.end(), isBeyond);
+    for (auto node = first; node != element.end(); ++node)
     {
-      if (band.NodeStatus[n] == NodeEliminate)
+      if (isBeyond(*node))
       {
-        open[n] |= beside;
-        first = first < 0 ? n : first;
-        cutOuts.Unite(first, n);
+        open[*node] |= opens || columns.IsChosenByCut(*node) || columns.IsOnBorder(band, *node);
+        sets.Unite(*first, *node);
       }
     }
   }
-  std::vector<char> ofRoot(band.NumberOfNodes(), 0);
+  std::vector<char> ofSet(band.NumberOfNodes(), 0);
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    if (band.NodeStatus[n] == NodeEliminate)
-    {
-      ofRoot[cutOuts.Find(n)] |= open[n] || columns.IsChosenByCut(n) || columns.IsOnBorder(band, n);
-    }
+    ofSet[sets.Find(n)] |= open[n];
   }
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    shut[n] = band.NodeStatus[n] == NodeEliminate && !ofRoot[cutOuts.Find(n)];
+    if (isBeyond(n) && !ofSet[sets.Find(n)])
+    {
+      this->CutOut[n] = sets.Find(n);
+    }
+  }
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    const auto& element = band.Elements[e];
+    const auto node =
+      std::find_if(element.begin(), element.end(), [this](int n) { return this->CutOut[n] >= 0; });
+    if (node != element.end())
+    {
+      this->AtCutOuts.emplace_back(e, this->CutOut[*node]);
+    }
+  }
+}
+
+/// By node: whether it is in a cut-out of which no node goes, nor any beside it.
+std::vector<char> MovingNodes::FindShut(const std::vector<char>& touchesEliminated)
+{
+  std::vector<char> shut(this->TheBand.NumberOfNodes(), 0);
+  if (!this->AnyIsShut(touchesEliminated))
+  {
+    return shut; // as a rule
+  }
+  if (this->CutOut.empty())
+  {
+    this->FindCutOuts();
+  }
+  std::vector<char> open(this->TheBand.NumberOfNodes(), 0);
+  for (const auto& [e, cutOut] : this->AtCutOuts)
+  {
+    const auto& element = this->TheBand.Elements[e];
+    open[cutOut] |= std::any_of(element.begin(), element.end(),
+      [&touchesEliminated](int n) { return touchesEliminated[n] != 0; });
+  }
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    shut[n] = this->CutOut[n] >= 0 && !open[this->CutOut[n]];
   }
   return shut;
 }
 
-}
-
-std::vector<char> FindMovingNodes(
-  const Band& band, const Columns& columns, const std::vector<char>& kept)
+std::vector<char> MovingNodes::Find(const std::vector<char>& kept)
 {
+  const Band& band = this->TheBand;
   std::vector<char> touchesKept(band.NumberOfNodes(), 0), touchesEliminated = touchesKept;
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
@@ -75,7 +106,7 @@ std::vector<char> FindMovingNodes(
       (kept[e] ? touchesKept : touchesEliminated)[element.Node[i]] = 1;
     }
   }
-  const std::vector<char> shut = FindShutCutOuts(band, columns, touchesEliminated);
+  const std::vector<char> shut = this->FindShut(touchesEliminated);
   std::vector<char> moving(band.NumberOfNodes(), 0);
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {

@@ -8,6 +8,7 @@
 #include "Band.h"
 #include "Columns.h"
 
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -18,8 +19,34 @@ namespace trim
  * on either side of the surface, and eliminated nodes of kept elements, but for those in a cut-out
  * of a sheet that is not opened.
  */
-std::vector<char> FindMovingNodes(
-  const Band& band, const Columns& columns, const std::vector<char>& kept);
+class MovingNodes
+{
+public:
+  /// Both must outlive it.
+  MovingNodes(const Band& band, const Columns& columns)
+    : TheBand(band)
+    , TheColumns(columns)
+  {
+  }
+
+  /// By node.
+  /// @param kept by element.
+  std::vector<char> Find(const std::vector<char>& kept);
+
+private:
+  bool AnyIsShut(const std::vector<char>& touchesEliminated) const;
+  void FindCutOuts();
+  std::vector<char> FindShut(const std::vector<char>& touchesEliminated);
+
+  const Band& TheBand;
+  const Columns& TheColumns;
+  /// By node beyond the surface: one node of the cut-out that it is in, if that holds no whole
+  /// element and no border; else -1. If none of its nodes goes, nor any beside it, there is no
+  /// border that they could lie on, and moving them would spoil the elements for nothing. Empty:
+  /// not asked for yet.
+  std::vector<int> CutOut;
+  std::vector<std::pair<int, int>> AtCutOuts; ///< elements with nodes of one
+};
 
 /// A face between a kept element and an eliminated one.
 inline bool IsCutFace(const BandFace& face, const std::vector<char>& kept)

@@ -256,7 +256,7 @@ void RelaxedMesh::TellStart(int node)
 {
   if (this->OnCut[node] && this->Freedoms[node])
   {
-    this->Mover.StartFrom(this->TheMoves.Position[node], *this->Freedoms[node]);
+    this->Mover.StartFrom(node, this->TheMoves.Position[node], *this->Freedoms[node]);
   }
 }
 

@@ -9,14 +9,15 @@
 namespace trim
 {
 
-bool TrialTrim::FollowCreases(
+bool TrialTrim::FollowsCreases(const nurbs::TrimmingSurface& surface, const LadderOptions& options)
+{
+  return options.QualityFloor > 0.0 && options.CorrectionType != Correction::Eliminate &&
+    MayHaveCreases(surface);
+}
+
+void TrialTrim::FollowCreases(
   const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
-  if (this->Options.QualityFloor <= 0.0 || this->Options.CorrectionType == Correction::Eliminate ||
-    !MayHaveCreases(this->Surface))
-  {
-    return false;
-  }
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   const std::vector<char> missed = this->PutOnCreases(set, {}, aborted, trimmed);
   if (this->Options.Treatment == Optimization::Degenerate &&
@@ -34,7 +35,6 @@ bool TrialTrim::FollowCreases(
       }
     }
   }
-  return true;
 }
 
 /// Drops edges if that lets a node beside them go to a sharp edge.

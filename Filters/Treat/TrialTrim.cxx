@@ -129,7 +129,7 @@ TrimmedBand TrialTrim::Make(
   }
   else
   {
-    trimmed.Moving = FindMovingNodes(this->TheBand, this->TheColumns, trimmed.Kept);
+    trimmed.Moving = this->TheDecision.FindMovingNodes(trimmed.Kept);
   }
   set = this->ForDecision(std::move(set), trimmed);
   trimmed.NodeMoves = MoveNodes(

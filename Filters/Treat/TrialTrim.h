@@ -70,9 +70,12 @@ public:
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
 
-  /// Takes nodes of the new boundary to the sharp edges that it passes, where the elements stand it.
-  /// False, and nothing is done, if no floor is asked for or the surface has no such edges.
-  bool FollowCreases(
+  /// Whether there may be sharp edges of a surface to be followed.
+  static bool FollowsCreases(const nurbs::TrimmingSurface& surface, const LadderOptions& options);
+
+  /// Takes nodes of the new boundary to the sharp edges that it passes, where the elements stand
+  /// it.
+  void FollowCreases(
     const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
 
   /// Pillars that should go to the surface, as they lie beyond it, though no facet of the cut is at

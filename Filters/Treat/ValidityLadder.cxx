@@ -19,7 +19,8 @@ class Ladder
 {
 public:
   Ladder(const TrimCase& given, const LadderOptions& options, LadderPosition& position)
-    : TheChoices(given, options, position)
+    : Surface(given.Surface)
+    , TheChoices(given, options, position)
   {
   }
 
@@ -91,14 +92,10 @@ public:
   }
 
   /// See FollowCreases.
-  bool FollowCreases(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  void FollowCreases(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
   {
-    if (!this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed))
-    {
-      return false;
-    }
+    this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
     trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
-    return true;
   }
 
 private:
@@ -143,7 +140,8 @@ private:
   void Finish(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
   {
     this->TheChoices.Trial.Polish(this->TheChoices.At.Set, trimmed);
-    if (this->TheChoices.Options.FollowsCreases)
+    if (this->TheChoices.Options.FollowsCreases &&
+      TrialTrim::FollowsCreases(this->Surface, this->TheChoices.Options))
     {
       this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
     }
@@ -366,6 +364,7 @@ private:
     }
   }
 
+  const nurbs::TrimmingSurface& Surface;
   ColumnChoices TheChoices;
 };
 
@@ -389,16 +388,17 @@ std::shared_ptr<const TrimmedBand> FindCloser(
   return Ladder(given, made.Options, end).ReturnToFloor(*trimmed.Unpolished, progress);
 }
 
-bool FollowCreases(TrimCase given, const ClimbMade& made, const std::function<bool()>& aborted,
-  TrimmedBand& trimmed)
+bool FollowCreases(
+  TrimCase given, const ClimbMade& made, const std::function<bool()>& aborted, TrimmedBand& trimmed)
 {
-  if (made.Options.FollowsCreases)
+  if (made.Options.FollowsCreases || !TrialTrim::FollowsCreases(given.Surface, made.Options))
   {
     return false;
   }
   given.Memory = made.Memory;
   LadderPosition end = made.End;
-  return Ladder(given, made.Options, end).FollowCreases(aborted, trimmed);
+  Ladder(given, made.Options, end).FollowCreases(aborted, trimmed);
+  return true;
 }
 
 }

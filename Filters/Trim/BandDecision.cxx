@@ -311,7 +311,8 @@ void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progres
 {
   const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
   const auto made = std::exchange(near.Made, nullptr);
-  if (FollowCreases(given, *made, [&progress] { return progress(-1.0); }, near.Trimmed))
+  if (FollowCreases(
+        given, *made, [&progress] { return progress(-1.0); }, near.Trimmed))
   {
     near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
   }
