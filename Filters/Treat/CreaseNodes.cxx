@@ -234,7 +234,11 @@ private:
     {
       const RelaxationGoal goal{ CreaseGoal, this->Given.Least, Brief };
       Relax(this->Given.ToRelax, at, goal, this->TheMoves);
-      RelaxJointly(this->Given.ToRelax, at, goal, this->TheMoves);
+      if (this->LowestOf(elements, standards) >= 0.0 ||
+        this->MayStand(at, nodes, elements, standards))
+      {
+        RelaxJointly(this->Given.ToRelax, at, goal, this->TheMoves);
+      }
     }
     if (this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before))
     {
@@ -243,6 +247,23 @@ private:
     this->Restore(before);
     this->SetThere(way.Nodes, false);
     return false;
+  }
+
+  /// Whether nodes may make room together where each alone did not. Most cannot, which shows soon;
+  /// those of elements that are still turned over never did.
+  bool MayStand(const std::vector<int>& at, const std::vector<int>& nodes,
+    const std::vector<int>& elements, const std::vector<Standard>& standards)
+  {
+    if (std::any_of(at.begin(), at.end(), [this](int e) { return this->Quality(e) < 0.0; }))
+    {
+      return false;
+    }
+    const State now = this->StateOf(nodes);
+    const RelaxationGoal least{ this->Given.Least, this->Given.Least, Decisive };
+    RelaxJointly(this->Given.ToRelax, at, least, this->TheMoves);
+    const bool stands = this->LowestOf(elements, standards) >= 0.0;
+    this->Restore(now);
+    return stands;
   }
 
   /// What is on a sharp edge stays there.
