@@ -171,15 +171,23 @@ void CheckPolyline()
   Surface surface;
   surface.Data = ToPolyData(face);
   const Line edge{ corner - Vec3(0, 0, r), corner + Vec3(0, 0, r) };
-  for (const double floor : { 0.2, 0.0 })
+  TrimOptions plain, noFloor, offcut, layer;
+  noFloor.MinimumScaledJacobian = 0.0;
+  offcut.ProduceOffcut = true;
+  layer.InsertLayer = true; // not needed, so that none is
+  for (const TrimOptions& options : { plain, noFloor, offcut, layer })
   {
-    TrimOptions options;
-    options.MinimumScaledJacobian = floor;
     const Outcome outcome = RunTrim(mesh, surface, options);
     Expect(outcome.Clean(), "the polyline does not trim");
     const int nodes = CountNodesOn(outcome.Case.Trimmed, edge);
-    std::printf("polyline, floor %g: %d nodes at the corner\n", floor, nodes);
-    Expect(nodes == (floor > 0.0 ? mesh.Nz + 1 : 0), "nodes at the corner of a polyline");
+    const bool follows = options.MinimumScaledJacobian > 0.0;
+    std::printf("polyline, floor %g%s%s: %d nodes at the corner\n", options.MinimumScaledJacobian,
+      options.ProduceOffcut ? ", offcut" : "", options.InsertLayer ? ", layer" : "", nodes);
+    Expect(nodes == (follows ? mesh.Nz + 1 : 0), "nodes at the corner of a polyline");
+    if (options.ProduceOffcut)
+    {
+      Expect(CountNodesOn(outcome.Offcut, edge) == nodes, "the offcut misses the corner");
+    }
   }
 }
 
