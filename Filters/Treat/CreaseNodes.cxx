@@ -235,7 +235,7 @@ private:
       const RelaxationGoal goal{ CreaseGoal, this->Given.Least, Brief };
       Relax(this->Given.ToRelax, at, goal, this->TheMoves);
       if (this->LowestOf(elements, standards) >= 0.0 ||
-        this->MayStand(at, nodes, elements, standards))
+        this->StandTogether(at, nodes, elements, standards))
       {
         RelaxJointly(this->Given.ToRelax, at, goal, this->TheMoves);
       }
@@ -249,15 +249,11 @@ private:
     return false;
   }
 
-  /// Whether nodes may make room together where each alone did not. Most cannot, which shows soon;
-  /// those of elements that are still turned over never did.
-  bool MayStand(const std::vector<int>& at, const std::vector<int>& nodes,
+  /// Whether nodes make room together where each alone did not, as far as it is needed. Most do
+  /// not, which shows sooner than how far they raise all.
+  bool StandTogether(const std::vector<int>& at, const std::vector<int>& nodes,
     const std::vector<int>& elements, const std::vector<Standard>& standards)
   {
-    if (std::any_of(at.begin(), at.end(), [this](int e) { return this->Quality(e) < 0.0; }))
-    {
-      return false;
-    }
     const State now = this->StateOf(nodes);
     const RelaxationGoal least{ this->Given.Least, this->Given.Least, Decisive };
     RelaxJointly(this->Given.ToRelax, at, least, this->TheMoves);
