@@ -33,8 +33,10 @@ constexpr int DeepBandRings = 12;
 constexpr double PlacePrecision = 1e-9;
 constexpr double FarPlacePrecision = 64.0 * std::numeric_limits<double>::epsilon();
 /// Rounding of a distance, in units of the largest coordinate: what is nearer than that is on the
-/// surface, whatever tolerance is asked for.
+/// surface, whatever tolerance is asked for. Nodes that a trim moved there and that were stored as
+/// float are off by up to 0.87 of that epsilon, and have to be on it for the next trim.
 constexpr double DistanceRounding = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double DistanceRoundingOfFloats = std::numeric_limits<float>::epsilon();
 /// A smaller tolerance leaves no node where it can be seen.
 constexpr double FinestCoarseTolerance = 1e-6;
 
@@ -111,10 +113,9 @@ std::string FindRepeatedElement(const Band& band, const Piece& piece)
 
 /// The same band on all ranks; false with an error if there can be none.
 bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
-  const nurbs::TrimmingSurface& surface, std::vector<Id> nearRuns, const std::vector<Id>& seeds,
-  TrimResult& result)
+  const nurbs::TrimmingSurface& surface, bool singlePrecision, std::vector<Id> nearRuns,
+  const std::vector<Id>& seeds, TrimResult& result)
 {
-  const bool singlePrecision = piece.All.Any(mesh.PointsFloat != nullptr);
   auto& near = result.Near;
   for (const int rings : { BandRings, DeepBandRings })
   {
@@ -257,7 +258,8 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const double diagonal = blocks.Bounds.diagonal().norm();
   const double largest = LargestCoordinateOf(blocks.Bounds);
   const double precision = std::max(PlacePrecision * diagonal, FarPlacePrecision * largest);
-  const double rounding = DistanceRounding * largest;
+  const bool singlePrecision = piece.All.Any(mesh.PointsFloat != nullptr);
+  const double rounding = (singlePrecision ? DistanceRoundingOfFloats : DistanceRounding) * largest;
   const double tolerance = std::max(options.Tolerance * diagonal, rounding);
 
   // Classify.
@@ -280,7 +282,8 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const auto seeds = FindSeeds(mesh, result);
   if (piece.All.Any(!seeds.empty()))
   {
-    if (!BuildBand(mesh, blocks, piece, surface, std::move(nearRuns), seeds, result) ||
+    if (!BuildBand(
+          mesh, blocks, piece, surface, singlePrecision, std::move(nearRuns), seeds, result) ||
       aborted(0.3))
     {
       return result;

@@ -207,7 +207,8 @@ public:
   /**
    * Distance under which a node counts as on the surface where it is, relative to the diagonal of
    * the grid's bounding box. Nodes that are moved to the surface come to lie on it to 1e-9 of the
-   * diagonal, whatever is set here. Default: 1e-9.
+   * diagonal, whatever is set here. In a grid whose points are float both are no less than the
+   * rounding of its largest coordinate. Default: 1e-9.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

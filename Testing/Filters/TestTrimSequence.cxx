@@ -1,8 +1,12 @@
 /**
  * @file TestTrimSequence.cxx
- * @brief Fig. 9: one trim outside, then holes, each on the result of the one before.
+ * @brief Fig. 9: one trim outside, then holes, each on the result of the one before; and the same
+ * trim again, which finds nothing to do.
  */
 #include "RunTrim.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 
 #include <cstdio>
 
@@ -55,6 +59,45 @@ int RunSequence(const char* meshName, int correction, int optimization)
   }
   return failures;
 }
+
+// Where the first trim had nothing to tell: all its nodes are on the surface, as the mesh stores
+// their places.
+int TrimAgain(const char* meshName)
+{
+  const Mesh mesh = MakeMesh(meshName);
+  int failures = 0, compared = 0;
+  for (const std::string& kind : AllSurfaceKinds())
+  {
+    Placement at;
+    at.Size = 0.6;
+    const Surface surface = MakeSurface(kind, mesh.Box, at);
+    const Outcome first = RunTrim(mesh, surface, TrimOptions());
+    if (!first.Clean() || !first.Warnings.empty())
+    {
+      continue;
+    }
+    ++compared;
+    Mesh trimmed = mesh;
+    trimmed.Grid = first.Case.Trimmed;
+    const Outcome again = RunTrim(trimmed, surface, TrimOptions());
+    const auto number = [&again](const char* name)
+    { return again.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+    const bool onlyTouches = again.Warnings.size() == 1 &&
+      again.Warnings[0].find("touches the grid, but does not part it") != std::string::npos;
+    if (!again.Clean() || !onlyTouches || number("Eliminated") > 0 || number("MovedNodes") > 0)
+    {
+      std::printf("FAIL %s by %s again: %g elements eliminated, %g nodes moved, %zu warnings\n",
+        meshName, kind.c_str(), number("Eliminated"), number("MovedNodes"), again.Warnings.size());
+      ++failures;
+    }
+  }
+  if (compared < 5)
+  {
+    std::printf("FAIL %s again: compared in %d trims only\n", meshName, compared);
+    ++failures;
+  }
+  return failures;
+}
 }
 
 int main()
@@ -72,6 +115,10 @@ int main()
   }
   failures += RunSequence("wedges", 2, 2);
   failures += RunSequence("irregular", 2, 1);
+  for (const char* mesh : { "sheet2", "float", "far" })
+  {
+    failures += TrimAgain(mesh);
+  }
   std::printf("%d failures\n", failures);
   return failures > 0;
 }
