@@ -20,6 +20,8 @@ namespace
 {
 /// Chords of trim loops deviate by at most this share of the face's size.
 constexpr double ChordTolerance = 1e-6;
+/// What rounding leaves of a parameter.
+constexpr double Rounding = 1e-13;
 
 /// Divides stretches of wires until their chords lie close enough to the surface's own curve.
 class LoopSampler
@@ -259,7 +261,10 @@ std::string FindRange(const std::vector<BoundaryWire>& wires, const Handle(Geom_
       return "it has no bounds";
     }
   }
-  return (range.Last - range.First).minCoeff() > 0.0 ? "" : "its parameter range is empty";
+  const double reach =
+    std::max(range.First.cwiseAbs().maxCoeff(), range.Last.cwiseAbs().maxCoeff());
+  return (range.Last - range.First).minCoeff() > Rounding * reach ? ""
+                                                                  : "its parameter range is empty";
 }
 
 void Scale(NurbsSurface& surface, double scale)
