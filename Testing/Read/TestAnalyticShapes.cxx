@@ -142,6 +142,14 @@ TopoDS_Shape Ring()
   return Revolved(BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(edge).Wire()), 2 * M_PI);
 }
 
+/// A sphere with a hole that is away from its seam and its poles.
+TopoDS_Shape Drilled(const gp_Ax2& axis, double radius)
+{
+  return BRepAlgoAPI_Cut(
+    BRepPrimAPI_MakeSphere(15).Shape(), BRepPrimAPI_MakeCylinder(axis, radius, 30).Shape())
+    .Shape();
+}
+
 TopoDS_Shape Moved(const TopoDS_Shape& shape)
 {
   gp_Trsf turn, shift;
@@ -185,7 +193,10 @@ std::vector<Case> Cases()
   return { { "box", box }, { "cylinder", cylinder },
     { "frustum", BRepPrimAPI_MakeCone(Leaning(), 12, 5, 30).Shape() },
     { "cone", BRepPrimAPI_MakeCone(Leaning(), 12, 0, 30).Shape() }, { "sphere", sphere },
-    { "torus", torus }, { "ring", Ring() }, { "rounded-box", RoundedBox() }, { "drilled", drilled },
+    { "torus", torus }, { "ring", Ring() },
+    { "bowl", Drilled(gp_Ax2(gp_Pnt(-1, 0, 0), gp_Dir(-1, 0, 0)), 14) },
+    { "drilled-sphere", Moved(Drilled(gp_Ax2(gp_Pnt(-1, 0, 0), gp_Dir(-3, 1, 1)), 4)) },
+    { "rounded-box", RoundedBox() }, { "drilled", drilled },
     { "slanted-hole",
       BRepAlgoAPI_Cut(upright, BRepPrimAPI_MakeCylinder(slanted, 6, 60).Shape()).Shape() },
     { "part-of-cylinder", BRepPrimAPI_MakeCylinder(Leaning(), 10, 35, 4.0).Shape() },
