@@ -477,6 +477,23 @@ void CheckStrayingCurves()
     "half a cone with a straying edge has area " << Area(surface) << ", not " << expected);
 }
 
+/// The tip of a cone that the digits of a file leave open by a ring is no border.
+void CheckRoundedTip()
+{
+  constexpr double ring = 5e-6;
+  const gp_Ax3 axes(Leaning());
+  const Handle(Geom_Surface) cone = new Geom_ConicalSurface(axes, M_PI / 4, ring);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(cone, 0.0, 2 * M_PI, 0.0, 20.0, 1e-7);
+  std::vector<NurbsSurface> surfaces;
+  const std::string reason = nurbs::ConvertFace(face, {}, 1.0, surfaces);
+  CHECK(reason.empty() && surfaces.size() == 1, "a cone: " << reason);
+  const nurbs::TrimmingSurface trimming(surfaces, 1e-4);
+  const gp_XYZ before = axes.Location().XYZ() - axes.Direction().XYZ();
+  const nurbs::Foot foot = trimming.ClosestPoint(Vec3(before.X(), before.Y(), before.Z()));
+  CHECK(std::abs(foot.Distance - 1.0) < 1e-5, "the tip is at " << foot.Distance);
+  CHECK(foot.Kind == nurbs::FootKind::Interior, "the tip of a cone is a border");
+}
+
 /// Whatever is thrown over one face is the reason why that one is left out.
 void CheckReasons()
 {
@@ -661,6 +678,7 @@ int main(int argc, char* argv[])
     CheckUnits();
     CheckOpenApex();
     CheckStrayingCurves();
+    CheckRoundedTip();
     CheckReasons();
     CheckSlit();
     CheckWinding();

@@ -228,6 +228,32 @@ bool KeepTurn(NurbsSurface& surface)
   return !loops.empty();
 }
 
+/// Makes a side one point where the digits of a file leave no more of it: at the tip of a cone or a
+/// dome a ring would be a border.
+void CloseTips(NurbsSurface& surface)
+{
+  const double tolerance = ChordTolerance * SizeOf(surface);
+  const int nu = surface.CountU, nv = surface.CountV;
+  const int first[] = { 0, nu - 1, 0, (nv - 1) * nu };
+  for (int side = 0; side < 4; ++side)
+  {
+    const int step = side < 2 ? nu : 1, count = side < 2 ? nv : nu;
+    const auto point = [&](int k) -> Vec4&
+    { return surface.ControlPoints[first[side] + k * step]; };
+    Vec3 mean = Vec3::Zero();
+    double farthest = 0.0;
+    for (int k = 0; k < count; ++k)
+    {
+      mean += point(k).head<3>() / count;
+      farthest = std::max(farthest, (point(k) - point(0)).head<3>().norm());
+    }
+    for (int k = 0; k < count && farthest <= tolerance; ++k)
+    {
+      point(k).head<3>() = mean;
+    }
+  }
+}
+
 /// Wires of some files shrink to a point or a slit, and bound nothing.
 void DropEmptyLoops(NurbsSurface& surface)
 {
@@ -313,6 +339,7 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
       surface = ReverseU(surface);
     }
     DropEmptyLoops(surface);
+    CloseTips(surface);
     Scale(surface, scale);
     const std::string defect = FindDefect(surface);
     if (!defect.empty())
