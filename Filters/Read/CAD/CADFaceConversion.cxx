@@ -267,14 +267,7 @@ void DropEmptyLoops(NurbsSurface& surface)
 std::string FindRange(const std::vector<BoundaryWire>& wires, const Handle(Geom_Surface) & surface,
   const std::vector<double>& limits, ParameterRange& range)
 {
-  if (wires.empty())
-  {
-    surface->Bounds(range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
-  }
-  else
-  {
-    range = EnclosedRange(wires, surface);
-  }
+  range = wires.empty() ? BoundsOf(surface) : EnclosedRange(wires, surface);
   if (limits.size() == 4)
   {
     range.First = range.First.cwiseMax(Vec2(limits[0], limits[2]));

@@ -1,12 +1,11 @@
 #include "CADWires.h"
 
 #include "CADIsolines.h"
+#include "CADSeams.h"
 
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
-#include <Geom2d_Line.hxx>
-#include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -14,7 +13,6 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
-#include <gp_Dir2d.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +26,6 @@ namespace
 constexpr double MostTurns = 1000;
 /// A wire that is longer than so many periods winds on, as a thread's does.
 constexpr double WindingShare = 1.0 + 1e-6;
-/// What counts as nothing, as a share of the range of a surface, and of its size.
-constexpr double SeamShare = 1e-6;
-constexpr double PoleShare = 1e-6;
 
 /// The edges of a wire in the order they follow each other.
 std::vector<TopoDS_Edge> OrderedEdges(const TopoDS_Wire& wire, const TopoDS_Face& face)
@@ -131,102 +126,14 @@ struct WireExtent
       std::min(this->Corners.First[axis], this->Curves.First[axis]);
   }
 };
+}
 
+//------------------------------------------------------------------------------
 ParameterRange BoundsOf(const Handle(Geom_Surface) & surface)
 {
   ParameterRange range;
   surface->Bounds(range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
   return range;
-}
-
-/// Whether all of a line of constant parameter is one point.
-bool IsPole(const Handle(Geom_Surface) & surface, const ParameterRange& bounds, int axis, double at)
-{
-  const auto place = [&](double share)
-  {
-    Vec2 uv = bounds.First + share * (bounds.Last - bounds.First);
-    uv[axis] = at;
-    return surface->Value(uv.x(), uv.y());
-  };
-  const Vec2 middle = 0.5 * (bounds.First + bounds.Last);
-  const double size = surface->Value(middle.x(), middle.y()).Distance(place(0.0));
-  return place(0.0).Distance(place(0.3)) <= PoleShare * size &&
-    place(0.0).Distance(place(0.7)) <= PoleShare * size;
-}
-
-/// Whether a surface ends in seams and poles only, as a sphere and a torus do.
-bool HasNoBorder(const Handle(Geom_Surface) & surface, const ParameterRange& bounds)
-{
-  const bool closed[] = { surface->IsUClosed() == Standard_True,
-    surface->IsVClosed() == Standard_True };
-  for (int axis : { 0, 1 })
-  {
-    const double first = bounds.First[axis], last = bounds.Last[axis];
-    if (Precision::IsInfinite(first) || Precision::IsInfinite(last) ||
-      !(closed[axis] ||
-        (IsPole(surface, bounds, axis, first) && IsPole(surface, bounds, axis, last))))
-    {
-      return false;
-    }
-  }
-  return closed[0] || closed[1];
-}
-
-/// Whether a wire only runs along a whole seam, there and back.
-bool RunsAlongSeam(const BoundaryWire& wire, const ParameterRange& bounds)
-{
-  const WireExtent extent(wire);
-  const Vec2 size = bounds.Last - bounds.First;
-  for (int axis : { 0, 1 })
-  {
-    const double turns = (extent.Corners.First[axis] - bounds.First[axis]) / size[axis];
-    if (extent.Length(axis) <= SeamShare * size[axis] &&
-      std::abs(turns - std::round(turns)) <= SeamShare &&
-      extent.Length(1 - axis) >= (1.0 - SeamShare) * size[1 - axis])
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// The border of the whole range of a surface.
-BoundaryWire BorderOf(const ParameterRange& bounds)
-{
-  const Vec2 corners[] = { bounds.First, Vec2(bounds.Last.x(), bounds.First.y()), bounds.Last,
-    Vec2(bounds.First.x(), bounds.Last.y()) };
-  BoundaryWire wire;
-  for (int i = 0; i < 4; ++i)
-  {
-    const Vec2 way = corners[(i + 1) % 4] - corners[i];
-    BoundaryCurve side;
-    side.Curve =
-      new Geom2d_Line(gp_Pnt2d(corners[i].x(), corners[i].y()), gp_Dir2d(way.x(), way.y()));
-    side.First = 0.0;
-    side.Last = way.norm();
-    wire.push_back(side);
-  }
-  return wire;
-}
-
-/// A wire along the seam of a surface that ends nowhere else bounds all of it. Of some files no
-/// more is left of the border of a whole sphere or torus: neither the seam's other side nor the
-/// poles, nor the second seam.
-void CompleteSeams(const Handle(Geom_Surface) & surface, std::vector<BoundaryWire>& wires)
-{
-  const ParameterRange bounds = BoundsOf(surface);
-  if (!HasNoBorder(surface, bounds))
-  {
-    return;
-  }
-  for (BoundaryWire& wire : wires)
-  {
-    if (RunsAlongSeam(wire, bounds))
-    {
-      wire = BorderOf(bounds);
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
