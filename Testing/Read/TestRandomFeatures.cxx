@@ -37,6 +37,7 @@
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Curve.hxx>
+#include <IGESControl_Reader.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
@@ -379,11 +380,25 @@ bool CrossesItself(const TopoDS_Shape& shape)
   return !BRepAlgoAPI_Check(shape, false, true).IsValid();
 }
 
-void WriteIges(const TopoDS_Shape& shape, const std::string& path, int mode)
+/// @return false where curves are written that are not on their surfaces, as OpenCASCADE turns some
+/// ellipses about their centres.
+bool WriteIges(const TopoDS_Shape& shape, const std::string& path, int mode)
 {
+  constexpr double widest = 1e-3; // more than any rounded edge leaves
   IGESControl_Writer writer("MM", mode);
   writer.AddShape(shape);
   writer.Write(path.c_str());
+  IGESControl_Reader reader;
+  reader.ReadFile(path.c_str());
+  reader.TransferRoots();
+  const TopoDS_Shape read = reader.OneShape();
+  const TopTools_IndexedMapOfShape edges = PartsOf(read, TopAbs_EDGE);
+  bool exact = !read.IsNull();
+  for (int i = 1; i <= edges.Extent(); ++i)
+  {
+    exact = exact && BRep_Tool::Tolerance(TopoDS::Edge(edges(i))) < widest;
+  }
+  return exact;
 }
 }
 
@@ -402,19 +417,20 @@ int main(int argc, char* argv[])
       const TopoDS_Shape made = random.Make(seed);
       const std::string step = OutputPath(name + ".step"), solid = OutputPath(name + ".igs");
       TopoDS_Shape shape;
-      if (!IsSound(made, step, shape) || CrossesItself(made))
+      if (!IsSound(made, step, shape) || CrossesItself(made) || CrossesItself(shape))
       {
         continue;
       }
       ++compared;
       const std::vector<Vec3> points = random.DrawPoints(shape);
       CheckSides(name + " by STEP", step, shape, points);
-      WriteIges(made, solid, 1);
-      CheckSides(name + " by IGES", solid, shape, points);
-      const std::string trimmed = OutputPath(name + "-trimmed.igs");
-      if (seed % Kinds != Hollow)
+      if (WriteIges(made, solid, 1))
       {
-        WriteIges(made, trimmed, 0);
+        CheckSides(name + " by IGES", solid, shape, points);
+      }
+      const std::string trimmed = OutputPath(name + "-trimmed.igs");
+      if (seed % Kinds != Hollow && WriteIges(made, trimmed, 0))
+      {
         CheckSameDistances(name + " by trimmed surfaces of IGES", trimmed, step, points);
       }
       for (const std::string& file : { step, solid, trimmed })
