@@ -116,7 +116,7 @@ bool IsCollapsed(const BezierPatch& patch, const Vec4* net, int side, double tol
 /// @param reach at least the extent of the patch.
 void FindCollapsedSides(BezierPatch& patch, const Vec4* net, double reach)
 {
-  constexpr double Share = 1e-9; // of the patch, which a collapsed side may extend
+  constexpr double Share = 1e-8; // of the patch, which a collapsed side may extend
   double tolerance = -1;         // known when it is needed
   for (int side = 0; side < 4; ++side)
   {

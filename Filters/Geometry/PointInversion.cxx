@@ -24,8 +24,18 @@ double SnapToBounds(double x, double low, double high)
   return x <= low + Rounding ? low : (x >= high - Rounding ? high : x);
 }
 
+/// At a pole nothing moves along one parameter: what rounding leaves of its derivative is no way to
+/// go.
+bool IsAtPole(const Vec3& derivative, const SurfaceJet& jet)
+{
+  constexpr double Rounding = 1e-10; // of the other end of the patch, where the side is open
+  return derivative.norm() <= Rounding * jet.Suv.norm();
+}
+
 Step NewtonStep(const SurfaceJet& jet, const Vec3& r, bool heldS, bool heldT)
 {
+  heldS = heldS || IsAtPole(jet.Su, jet);
+  heldT = heldT || IsAtPole(jet.Sv, jet);
   const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
   const double e = jet.Su.squaredNorm(), h = jet.Sv.squaredNorm();
   const double a = e + r.dot(jet.Suu), c = h + r.dot(jet.Svv);

@@ -283,6 +283,36 @@ void TestFreeBorders()
     std::sqrt(2.0), 1e-12, "mean normal on an edge");
 }
 
+/// Two quarters of a drop, sheared: along their common edge each finds the other, close to the pole
+/// as well, where rounding leaves a little of the derivative that vanishes.
+void TestEdgeToPole()
+{
+  const std::vector<Eigen::Vector3d> profile = { { 0, -3, 1 }, { 1.5, -2.5, 1 }, { 2.4, 0.3, 1 },
+    { 1.7, 2.2, 1 }, { 0, 3.4, 1 } };
+  const NurbsSurface quarter = samples::Revolve(4, samples::UniformKnots(4, 5), profile, 1);
+  int border = 0, places = 0;
+  for (int k = 0; k < 20; ++k)
+  {
+    Eigen::Matrix3d turn;
+    turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    Eigen::Matrix3d shear = Eigen::Matrix3d::Identity();
+    shear.col(0) += 0.4 * RandomVector();
+    shear.col(1) += 0.4 * RandomVector();
+    const NurbsSurface first = samples::Transformed(quarter, shear, RandomVector());
+    const Vec3 shift = Evaluate(first, 0, 0) - shear * Evaluate(quarter, 0, 0);
+    const TrimmingSurface drop({ first, samples::Transformed(quarter, shear * turn, shift) }, 1e-4);
+    for (int i = 0; i < 200; ++i, ++places)
+    {
+      const double away = 0.0003 + 0.01 * Uniform(0, 1); // free edges end at the pole itself
+      const double v = i % 2 == 0 ? 1 - away : away;
+      border += drop.ClosestPoint(Evaluate(first, 1, v)).Kind != FootKind::Interior;
+    }
+  }
+  check::That(border == 0,
+    "an edge to a pole: " + std::to_string(border) + " of " + std::to_string(places) +
+      " places on a border");
+}
+
 void TestOrientation()
 {
   // The largest face decides: the four big planes look outwards, so do all.
@@ -691,6 +721,7 @@ int main()
   TestBodiesThatTouch();
   TestGaps();
   TestFreeBorders();
+  TestEdgeToPole();
   TestOrientation();
   TestOrientationOfStrips();
   TestOrientationOfTinyFillets();

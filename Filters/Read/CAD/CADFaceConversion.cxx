@@ -20,6 +20,8 @@ namespace
 {
 /// Chords of trim loops deviate by at most this share of the face's size.
 constexpr double ChordTolerance = 1e-6;
+/// What rounding leaves of a parameter.
+constexpr double Rounding = 1e-13;
 
 /// Divides stretches of wires until their chords lie close enough to the surface's own curve.
 class LoopSampler
@@ -226,6 +228,32 @@ bool KeepTurn(NurbsSurface& surface)
   return !loops.empty();
 }
 
+/// Makes a side one point where the digits of a file leave no more of it: at the tip of a cone or a
+/// dome a ring would be a border.
+void CloseTips(NurbsSurface& surface)
+{
+  const double tolerance = ChordTolerance * SizeOf(surface);
+  const int nu = surface.CountU, nv = surface.CountV;
+  const int first[] = { 0, nu - 1, 0, (nv - 1) * nu };
+  for (int side = 0; side < 4; ++side)
+  {
+    const int step = side < 2 ? nu : 1, count = side < 2 ? nv : nu;
+    const auto point = [&](int k) -> Vec4&
+    { return surface.ControlPoints[first[side] + k * step]; };
+    Vec3 mean = Vec3::Zero();
+    double farthest = 0.0;
+    for (int k = 0; k < count; ++k)
+    {
+      mean += point(k).head<3>() / count;
+      farthest = std::max(farthest, (point(k) - point(0)).head<3>().norm());
+    }
+    for (int k = 0; k < count && farthest <= tolerance; ++k)
+    {
+      point(k).head<3>() = mean;
+    }
+  }
+}
+
 /// Wires of some files shrink to a point or a slit, and bound nothing.
 void DropEmptyLoops(NurbsSurface& surface)
 {
@@ -239,14 +267,7 @@ void DropEmptyLoops(NurbsSurface& surface)
 std::string FindRange(const std::vector<BoundaryWire>& wires, const Handle(Geom_Surface) & surface,
   const std::vector<double>& limits, ParameterRange& range)
 {
-  if (wires.empty())
-  {
-    surface->Bounds(range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
-  }
-  else
-  {
-    range = EnclosedRange(wires, surface);
-  }
+  range = wires.empty() ? BoundsOf(surface) : EnclosedRange(wires, surface);
   if (limits.size() == 4)
   {
     range.First = range.First.cwiseMax(Vec2(limits[0], limits[2]));
@@ -259,7 +280,10 @@ std::string FindRange(const std::vector<BoundaryWire>& wires, const Handle(Geom_
       return "it has no bounds";
     }
   }
-  return (range.Last - range.First).minCoeff() > 0.0 ? "" : "its parameter range is empty";
+  const double reach =
+    std::max(range.First.cwiseAbs().maxCoeff(), range.Last.cwiseAbs().maxCoeff());
+  return (range.Last - range.First).minCoeff() > Rounding * reach ? ""
+                                                                  : "its parameter range is empty";
 }
 
 void Scale(NurbsSurface& surface, double scale)
@@ -308,6 +332,7 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
       surface = ReverseU(surface);
     }
     DropEmptyLoops(surface);
+    CloseTips(surface);
     Scale(surface, scale);
     const std::string defect = FindDefect(surface);
     if (!defect.empty())

@@ -65,18 +65,21 @@ bool Strays(const EdgeCurve& edge, const Handle(Geom_Surface) & surface,
     });
 }
 
-/// Whether the edge is what the surface has between two places along a straight line.
+/// Whether the edge is what the surface has between two places along a straight line: as far, too,
+/// as a closed edge ends where it begins.
 bool IsAlong(const EdgeCurve& edge, const Handle(Geom_Surface) & surface, const Vec2& first,
   const Vec2& last, double tolerance)
 {
-  return PointAt(surface, first).Distance(edge.At(0.0)) <= tolerance &&
-    PointAt(surface, last).Distance(edge.At(1.0)) <= tolerance &&
+  const auto at = [&](double share) { return PointAt(surface, first + share * (last - first)); };
+  double reach = 0.0;
+  for (const double share : Shares)
+  {
+    reach = std::max(reach, at(share).Distance(at(0.0)));
+  }
+  return reach > 0.5 * edge.Size() && at(0.0).Distance(edge.At(0.0)) <= tolerance &&
+    at(1.0).Distance(edge.At(1.0)) <= tolerance &&
     std::all_of(std::begin(Shares), std::end(Shares),
-      [&](double share)
-      {
-        const Vec2 uv = first + share * (last - first);
-        return edge.DistanceOf(PointAt(surface, uv)) <= tolerance;
-      });
+      [&](double share) { return edge.DistanceOf(at(share)) <= tolerance; });
 }
 }
 

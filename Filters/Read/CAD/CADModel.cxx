@@ -4,6 +4,9 @@
 #include "IgesConics.h"
 #include "IgesWeights.h"
 
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
@@ -31,7 +34,10 @@
 #include <TColStd_MapOfTransient.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -210,6 +216,7 @@ struct ShapeNote
 {
   std::string Name;
   std::vector<double> Range;
+  bool IsTrimmedSurface = false; ///< of IGES (type 144): one face with holes
 };
 using NoteMap = std::unordered_map<const TopoDS_TShape*, ShapeNote>;
 
@@ -267,19 +274,60 @@ NoteMap CollectNotes(const Handle(Transfer_TransientProcess) & process)
       {
         known.Range = IgesRange(iges);
       }
+      known.IsTrimmedSurface =
+        known.IsTrimmedSurface || !Handle(IGESGeom_TrimmedSurface)::DownCast(entity).IsNull();
     }
   }
   return notes;
 }
 
-void CollectShapes(const TopoDS_Shape& shape, const NoteMap& notes, const std::string& owner,
+/// One face with the wires of all; none if they are not of one surface and alike. Where OpenCASCADE
+/// does not see that the holes lie within the outer wire, as within the seam of a sphere, it makes
+/// a face of each.
+TopoDS_Shape JoinFaces(const TopoDS_Shape& faces)
+{
+  const BRep_Builder builder;
+  TopoDS_Face joined;
+  Handle(Geom_Surface) surface;
+  TopLoc_Location location;
+  for (TopExp_Explorer it(faces, TopAbs_FACE); it.More(); it.Next())
+  {
+    const TopoDS_Face face = TopoDS::Face(it.Current());
+    TopLoc_Location own;
+    const Handle(Geom_Surface) ownSurface = BRep_Tool::Surface(face, own);
+    if (joined.IsNull())
+    {
+      surface = ownSurface;
+      location = own;
+      builder.MakeFace(joined, surface, location, BRep_Tool::Tolerance(face));
+      joined.Orientation(face.Orientation());
+    }
+    if (ownSurface != surface || own != location || face.Orientation() != joined.Orientation())
+    {
+      return TopoDS_Shape();
+    }
+    for (TopExp_Explorer wire(face.Oriented(TopAbs_FORWARD), TopAbs_WIRE); wire.More(); wire.Next())
+    {
+      builder.Add(joined, wire.Current());
+    }
+  }
+  return joined;
+}
+
+void CollectShapes(const TopoDS_Shape& given, const NoteMap& notes, const std::string& owner,
   TopTools_MapOfShape& seen, CADModel& model)
 {
-  auto found = notes.find(shape.TShape().get());
+  auto found = notes.find(given.TShape().get());
   const ShapeNote note = found == notes.end() ? ShapeNote() : found->second;
+  TopoDS_Shape shape = given;
+  if (note.IsTrimmedSurface && given.ShapeType() != TopAbs_FACE)
+  {
+    const TopoDS_Shape joined = JoinFaces(given);
+    shape = joined.IsNull() ? given : joined;
+  }
   if (shape.ShapeType() == TopAbs_FACE)
   {
-    if (seen.Add(shape))
+    if (seen.Add(given))
     {
       model.Faces.push_back(CADFace{ shape, note.Name, owner, note.Range });
     }

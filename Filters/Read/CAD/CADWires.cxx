@@ -1,6 +1,7 @@
 #include "CADWires.h"
 
 #include "CADIsolines.h"
+#include "CADSeams.h"
 
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
@@ -128,6 +129,14 @@ struct WireExtent
 }
 
 //------------------------------------------------------------------------------
+ParameterRange BoundsOf(const Handle(Geom_Surface) & surface)
+{
+  ParameterRange range;
+  surface->Bounds(range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
+  return range;
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> SmoothPieces(const BoundaryCurve& boundary)
 {
   const double low = std::min(boundary.First, boundary.Last);
@@ -194,6 +203,7 @@ std::vector<BoundaryWire> CollectWires(
       wires.push_back(wire);
     }
   }
+  CompleteSeams(surface, wires);
   return wires;
 }
 
@@ -210,8 +220,7 @@ ParameterRange EnclosedRange(
     extent.Add(own);
   }
   const auto& [corners, curves] = extent;
-  double bounds[4];
-  surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  const ParameterRange bounds = BoundsOf(surface);
   ParameterRange range = corners;
   for (int axis : { 0, 1 })
   {
@@ -228,8 +237,8 @@ ParameterRange EnclosedRange(
     const double slack = 1e-7 * size;
     if (period == 0.0)
     {
-      const double low = bounds[2 * axis];
-      const double high = bounds[2 * axis + 1];
+      const double low = bounds.First[axis];
+      const double high = bounds.Last[axis];
       range.First[axis] = range.First[axis] < low + slack ? low : range.First[axis];
       range.Last[axis] = range.Last[axis] > high - slack ? high : range.Last[axis];
     }

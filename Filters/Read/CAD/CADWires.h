@@ -32,6 +32,9 @@ struct BoundaryCurve
 };
 using BoundaryWire = std::vector<BoundaryCurve>;
 
+/// The whole range of a surface; infinite where it does not end.
+ParameterRange BoundsOf(const Handle(Geom_Surface) & surface);
+
 /// Parameters between which the curve is smooth, in the direction of the wire.
 std::vector<double> SmoothPieces(const BoundaryCurve& boundary);
 

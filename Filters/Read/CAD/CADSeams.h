@@ -1,0 +1,20 @@
+/**
+ * @file CADSeams.h
+ * @brief The border of faces that are whole spheres, tori and the like.
+ */
+#ifndef CADSeams_h
+#define CADSeams_h
+
+#include "CADWires.h"
+
+namespace nurbs
+{
+/**
+ * A wire that only runs along a seam, there and back, bounds all of a surface that ends in seams
+ * and poles only: it gets the border of the whole range. Of IGES files OpenCASCADE may read no more
+ * of it, neither the seam's other side nor the poles, nor the second seam.
+ */
+void CompleteSeams(const Handle(Geom_Surface) & surface, std::vector<BoundaryWire>& wires);
+}
+
+#endif

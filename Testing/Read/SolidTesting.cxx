@@ -1,0 +1,171 @@
+#include "SolidTesting.h"
+
+#include "ReadTesting.h"
+#include "SurfaceGaps.h"
+#include "TrimmingSurface.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepGProp.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <IGESControl_Controller.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_PrinterOStream.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <cmath>
+#include <list>
+
+using nurbs::Vec3;
+
+namespace
+{
+/// Of solids smaller than that there is nothing to see.
+constexpr double LeastVolume = 0.3;
+
+double VolumeOf(const TopoDS_Shape& shape)
+{
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
+/// Whether points are in a shape; 2: it is not certain.
+class Judge
+{
+public:
+  explicit Judge(const TopoDS_Shape& shape)
+  {
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+    {
+      this->Solids.emplace_back(solid.Current());
+    }
+  }
+  int Has(const Vec3& p)
+  {
+    int state = 0;
+    for (BRepClass3d_SolidClassifier& solid : this->Solids)
+    {
+      solid.Perform(gp_Pnt(p[0], p[1], p[2]), 1e-6);
+      state = solid.State() == TopAbs_ON ? 2 : solid.State() == TopAbs_IN ? 1 : state;
+    }
+    return state;
+  }
+
+private:
+  std::list<BRepClass3d_SolidClassifier> Solids;
+};
+
+/// Asked again beside the point: on axes of cones and circles the classifier errs. And not where
+/// bodies cross each other, which OpenCASCADE failed to unite.
+bool IsWrong(const TopoDS_Shape& shape, const Vec3& p, const nurbs::Foot& foot)
+{
+  const auto isInside = [&shape](const Vec3& place) { return Judge(shape).Has(place) == 1; };
+  const bool asInside = foot.SignedDistance < 0.0;
+  const Vec3 step = 1e-3 * foot.Normal;
+  return isInside(p + 1e-5 * Vec3(0.3, 0.7, 0.5)) != asInside &&
+    isInside(p + 1e-5 * Vec3(-0.6, 0.2, -0.4)) != asInside &&
+    !(isInside(foot.Point + step) && isInside(foot.Point - step));
+}
+
+std::vector<nurbs::NurbsSurface> ReadWhole(const std::string& name, const std::string& path)
+{
+  const ReadResult result = ReadFile(path);
+  CHECK(result.Errors.empty() && result.Warnings.empty() && !result.Surfaces.empty(),
+    name << ": it is not read whole");
+  return result.Surfaces;
+}
+}
+
+//------------------------------------------------------------------------------
+void SilenceTranslators()
+{
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
+  STEPControl_Controller::Init();
+  IGESControl_Controller::Init();
+}
+
+//------------------------------------------------------------------------------
+bool IsSound(const TopoDS_Shape& shape, const std::string& path, TopoDS_Shape& read)
+{
+  if (shape.IsNull() || !BRepCheck_Analyzer(shape).IsValid() || VolumeOf(shape) < LeastVolume)
+  {
+    return false;
+  }
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  writer.Write(path.c_str());
+  STEPControl_Reader reader;
+  reader.ReadFile(path.c_str());
+  reader.TransferRoots();
+  read = reader.OneShape();
+  return !read.IsNull() && BRepCheck_Analyzer(read).IsValid() &&
+    std::abs(VolumeOf(read) - VolumeOf(shape)) < 1e-3 * VolumeOf(shape);
+}
+
+//------------------------------------------------------------------------------
+double SizeOf(const TopoDS_Shape& shape, Vec3& low, Vec3& high)
+{
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
+  return std::sqrt(box.SquareExtent());
+}
+
+//------------------------------------------------------------------------------
+void CheckSides(const std::string& name, const std::string& path, const TopoDS_Shape& shape,
+  const std::vector<Vec3>& points)
+{
+  Vec3 low, high;
+  const double size = SizeOf(shape, low, high);
+  const std::vector<nurbs::NurbsSurface> faces = ReadWhole(name, path);
+  if (faces.empty())
+  {
+    return;
+  }
+  const nurbs::TrimmingSurface surface(faces, nurbs::GapShare * size, nurbs::WidestGapShare * size);
+  Judge judge(shape);
+  int wrong = 0;
+  Vec3 at = Vec3::Zero();
+  for (const Vec3& p : points)
+  {
+    const nurbs::Foot foot = surface.AmongTouching(p, surface.ClosestPoint(p));
+    const int asInside = foot.SignedDistance < 0.0 ? 1 : 0;
+    if (foot.Distance > 1e-4 && judge.Has(p) == 1 - asInside && IsWrong(shape, p, foot))
+    {
+      at = p;
+      ++wrong;
+    }
+  }
+  CHECK(
+    wrong == 0, name << ": " << wrong << " points on the wrong side, one at " << at.transpose());
+}
+
+//------------------------------------------------------------------------------
+void CheckSameDistances(const std::string& name, const std::string& path, const std::string& other,
+  const std::vector<Vec3>& points)
+{
+  const std::vector<nurbs::NurbsSurface> faces = ReadWhole(name, path);
+  const std::vector<nurbs::NurbsSurface> otherFaces = ReadWhole(name, other);
+  if (faces.empty() || otherFaces.empty())
+  {
+    return;
+  }
+  const nurbs::TrimmingSurface surface(faces, 0.0), otherSurface(otherFaces, 0.0);
+  const double size = otherSurface.Bounds().diagonal().norm();
+  double largest = 0.0;
+  for (const Vec3& p : points)
+  {
+    const double distance = surface.ClosestPoint(p).Distance;
+    largest = std::max(largest, std::abs(distance - otherSurface.ClosestPoint(p).Distance));
+  }
+  // Of rounded edges of changing radius the writer leaves as much.
+  CHECK(largest < 1e-3 * size, name << ": the surface is off by " << largest);
+}

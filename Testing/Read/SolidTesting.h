@@ -1,0 +1,35 @@
+/**
+ * @file SolidTesting.h
+ * @brief What the tests of random solids share: whether OpenCASCADE can write and read one, and
+ * whether a file's surface has the points on the sides on which the solid has them.
+ */
+#ifndef SolidTesting_h
+#define SolidTesting_h
+
+#include "NurbsSurface.h"
+
+#include <string>
+#include <vector>
+
+class TopoDS_Shape;
+
+/// Lets no translator print.
+void SilenceTranslators();
+
+/// Whether a shape is one that OpenCASCADE itself reads as it wrote it.
+/// @param path of the STEP file that it writes.
+/// @param read the shape of the file.
+bool IsSound(const TopoDS_Shape& shape, const std::string& path, TopoDS_Shape& read);
+
+/// Checks that each point is on the side of the surface read on which the solids have it.
+void CheckSides(const std::string& name, const std::string& path, const TopoDS_Shape& shape,
+  const std::vector<nurbs::Vec3>& points);
+
+/// Checks that the surfaces of two files are as far from each point.
+void CheckSameDistances(const std::string& name, const std::string& path, const std::string& other,
+  const std::vector<nurbs::Vec3>& points);
+
+/// The length of the box from corner to corner.
+double SizeOf(const TopoDS_Shape& shape, nurbs::Vec3& low, nurbs::Vec3& high);
+
+#endif
