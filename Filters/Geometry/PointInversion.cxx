@@ -24,20 +24,18 @@ double SnapToBounds(double x, double low, double high)
   return x <= low + Rounding ? low : (x >= high - Rounding ? high : x);
 }
 
-/// At a pole nothing moves along one parameter: what rounding leaves of its derivative is no way to
-/// go.
-bool IsAtPole(const Vec3& derivative, const SurfaceJet& jet)
-{
-  constexpr double Rounding = 1e-10; // of the other end of the patch, where the side is open
-  return derivative.norm() <= Rounding * jet.Suv.norm();
-}
+/// What rounding leaves of a derivative at a pole, as a share of what it is where the side at the
+/// other end of the patch is open.
+constexpr double PoleRounding = 1e-10;
 
 Step NewtonStep(const SurfaceJet& jet, const Vec3& r, bool heldS, bool heldT)
 {
-  heldS = heldS || IsAtPole(jet.Su, jet);
-  heldT = heldT || IsAtPole(jet.Sv, jet);
   const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
   const double e = jet.Su.squaredNorm(), h = jet.Sv.squaredNorm();
+  // At a pole nothing moves along one parameter: that is no way to go.
+  const double pole = PoleRounding * PoleRounding * jet.Suv.squaredNorm();
+  heldS = heldS || e <= pole;
+  heldT = heldT || h <= pole;
   const double a = e + r.dot(jet.Suu), c = h + r.dot(jet.Svv);
   Step step;
   // Where the Hessian is not positive the part without curvature (Gauss-Newton) still descends.
