@@ -19,6 +19,7 @@
 #include "NodeGrid.h"
 #include "NodeMover.h"
 #include "Remembered.h"
+#include "RememberedLast.h"
 #include "SampleSurfaces.h"
 #include "Status.h"
 #include "Team.h"
@@ -662,6 +663,39 @@ void CheckRemembered()
     "what is remembered is the same for all");
 }
 
+// Of the last key the value is known, of another one it is worked out; for all threads.
+void CheckRememberedLast()
+{
+  const RememberedLast<int, int> products(3);
+  int found = 0;
+  const auto product = [&](int item, int key)
+  {
+    return products.At(item, key,
+      [&]
+      {
+        ++found;
+        return item * key;
+      });
+  };
+  Expect(product(2, 5) == 10 && product(2, 5) == 10 && found == 1, "the last key is not known");
+  Expect(product(1, 5) == 5 && found == 2, "the key of another item is taken");
+  Expect(product(2, 7) == 14 && product(2, 5) == 10 && found == 4, "another key is taken");
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(5);
+  std::atomic<int> wrong{ 0 };
+  vtkSMPTools::For(0, 1000, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const int key = static_cast<int>(i % 2);
+        wrong += products.At(0, key, [key] { return 3 + key; }) != 3 + key;
+      }
+    });
+  vtkSMPTools::SetBackend("Sequential");
+  Expect(wrong == 0, "what is remembered of a key is that of another one");
+}
+
 // Sliding behind the cut is another trim only where the border beyond the surface is asked for.
 void CheckSlidingMatters()
 {
@@ -766,6 +800,7 @@ int main()
   CheckWorth();
   CheckCrease();
   CheckRemembered();
+  CheckRememberedLast();
   CheckSlidingMatters();
   CheckGap();
   CheckShortfalls();
