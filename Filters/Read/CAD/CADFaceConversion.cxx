@@ -5,7 +5,6 @@
 #include "ParameterPolygon.h"
 
 #include <BRep_Tool.hxx>
-#include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -273,12 +272,9 @@ std::string FindRange(const std::vector<BoundaryWire>& wires, const Handle(Geom_
     range.First = range.First.cwiseMax(Vec2(limits[0], limits[2]));
     range.Last = range.Last.cwiseMin(Vec2(limits[1], limits[3]));
   }
-  for (double bound : { range.First.x(), range.First.y(), range.Last.x(), range.Last.y() })
+  if (!IsFinite(range))
   {
-    if (!std::isfinite(bound) || Precision::IsInfinite(bound))
-    {
-      return "it has no bounds";
-    }
+    return "it has no bounds";
   }
   const double reach =
     std::max(range.First.cwiseAbs().maxCoeff(), range.Last.cwiseAbs().maxCoeff());

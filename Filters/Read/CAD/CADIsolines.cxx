@@ -2,11 +2,9 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
-#include <Geom2d_Line.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <TopoDS_Edge.hxx>
-#include <gp_Dir2d.hxx>
 
 #include <algorithm>
 #include <iterator>
@@ -107,12 +105,9 @@ BoundaryCurve WithoutStraying(
       Vec2 first = ends[0];
       Vec2 last = ends[1];
       first[axis] = last[axis] = fixed[axis];
-      const double length = (last - first).norm();
-      if (length > 0.0 && IsAlong(own, surface, first, last, Fitting * size))
+      if (first != last && IsAlong(own, surface, first, last, Fitting * size))
       {
-        const Vec2 way = last - first;
-        const gp_Pnt2d start(first.x(), first.y());
-        return { new Geom2d_Line(start, gp_Dir2d(way.x(), way.y())), 0.0, length };
+        return StraightBetween(first, last);
       }
     }
   }

@@ -1,10 +1,5 @@
 #include "CADSeams.h"
 
-#include <Geom2d_Line.hxx>
-#include <Precision.hxx>
-#include <gp_Dir2d.hxx>
-
-#include <algorithm>
 #include <cmath>
 
 namespace nurbs
@@ -14,26 +9,6 @@ namespace
 /// What counts as nothing, as a share of the range of a surface, and of its size.
 constexpr double SeamShare = 1e-6;
 constexpr double PoleShare = 1e-6;
-
-ParameterRange RangeOf(const BoundaryWire& wire)
-{
-  const Vec2 start = wire.front()(wire.front().First);
-  ParameterRange range{ start, start };
-  for (const BoundaryCurve& boundary : wire)
-  {
-    const std::vector<double> ends = SmoothPieces(boundary);
-    for (size_t i = 0; i + 1 < ends.size(); ++i)
-    {
-      for (double share : { 0.0, 0.25, 0.5, 0.75, 1.0 })
-      {
-        const Vec2 uv = boundary(ends[i] + share * (ends[i + 1] - ends[i]));
-        range.First = range.First.cwiseMin(uv);
-        range.Last = range.Last.cwiseMax(uv);
-      }
-    }
-  }
-  return range;
-}
 
 /// Whether a wire is a line along all of one parameter, where the other one begins or ends.
 bool IsLineAtBound(const BoundaryWire& wire, const ParameterRange& bounds)
@@ -89,13 +64,7 @@ BoundaryWire BorderOf(const ParameterRange& bounds)
   BoundaryWire wire;
   for (int i = 0; i < 4; ++i)
   {
-    const Vec2 way = corners[(i + 1) % 4] - corners[i];
-    BoundaryCurve side;
-    side.Curve =
-      new Geom2d_Line(gp_Pnt2d(corners[i].x(), corners[i].y()), gp_Dir2d(way.x(), way.y()));
-    side.First = 0.0;
-    side.Last = way.norm();
-    wire.push_back(side);
+    wire.push_back(StraightBetween(corners[i], corners[(i + 1) % 4]));
   }
   return wire;
 }
@@ -105,12 +74,9 @@ BoundaryWire BorderOf(const ParameterRange& bounds)
 void CompleteSeams(const Handle(Geom_Surface) & surface, std::vector<BoundaryWire>& wires)
 {
   const ParameterRange bounds = BoundsOf(surface);
-  for (double bound : { bounds.First.x(), bounds.First.y(), bounds.Last.x(), bounds.Last.y() })
+  if (!IsFinite(bounds))
   {
-    if (Precision::IsInfinite(bound))
-    {
-      return;
-    }
+    return;
   }
   for (BoundaryWire& wire : wires)
   {

@@ -6,6 +6,8 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -13,6 +15,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Dir2d.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -129,11 +132,35 @@ struct WireExtent
 }
 
 //------------------------------------------------------------------------------
+BoundaryCurve StraightBetween(const Vec2& first, const Vec2& last)
+{
+  const Vec2 way = last - first;
+  return { new Geom2d_Line(gp_Pnt2d(first.x(), first.y()), gp_Dir2d(way.x(), way.y())), 0.0,
+    way.norm() };
+}
+
+//------------------------------------------------------------------------------
+ParameterRange RangeOf(const BoundaryWire& wire)
+{
+  const WireExtent extent(wire);
+  return Joined(extent.Corners, extent.Curves);
+}
+
+//------------------------------------------------------------------------------
 ParameterRange BoundsOf(const Handle(Geom_Surface) & surface)
 {
   ParameterRange range;
   surface->Bounds(range.First.x(), range.Last.x(), range.First.y(), range.Last.y());
   return range;
+}
+
+//------------------------------------------------------------------------------
+bool IsFinite(const ParameterRange& range)
+{
+  const auto isFinite = [](double bound)
+  { return std::isfinite(bound) && !Precision::IsInfinite(bound); };
+  return isFinite(range.First.x()) && isFinite(range.First.y()) && isFinite(range.Last.x()) &&
+    isFinite(range.Last.y());
 }
 
 //------------------------------------------------------------------------------

@@ -32,8 +32,16 @@ struct BoundaryCurve
 };
 using BoundaryWire = std::vector<BoundaryCurve>;
 
+/// The straight stretch between two places, which are not the same.
+BoundaryCurve StraightBetween(const Vec2& first, const Vec2& last);
+
+/// How far a wire reaches.
+ParameterRange RangeOf(const BoundaryWire& wire);
+
 /// The whole range of a surface; infinite where it does not end.
 ParameterRange BoundsOf(const Handle(Geom_Surface) & surface);
+
+bool IsFinite(const ParameterRange& range);
 
 /// Parameters between which the curve is smooth, in the direction of the wire.
 std::vector<double> SmoothPieces(const BoundaryCurve& boundary);
