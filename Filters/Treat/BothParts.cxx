@@ -117,7 +117,7 @@ BothParts ClimbForBothParts(
   parts.Made.Memory = given.Memory;
   parts.Made.Failures = std::make_shared<FailedReturns>();
   LadderOptions& demanding = parts.Made.Options;
-  demanding.FollowsCreases = true;
+  demanding.FollowsCreases = TrialTrim::MayFollowCreases(given.Surface, options);
   demanding.ForOffcut.KeepColumn.assign(band.NumberOfElements(), 0);
   demanding.ForOffcut.LeavePillar.assign(band.NumberOfNodes(), 0);
   demanding.Failures = parts.Made.Failures.get();

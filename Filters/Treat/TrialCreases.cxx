@@ -9,7 +9,8 @@
 namespace trim
 {
 
-bool TrialTrim::FollowsCreases(const nurbs::TrimmingSurface& surface, const LadderOptions& options)
+bool TrialTrim::MayFollowCreases(
+  const nurbs::TrimmingSurface& surface, const LadderOptions& options)
 {
   return options.QualityFloor > 0.0 && options.CorrectionType != Correction::Eliminate &&
     MayHaveCreases(surface);

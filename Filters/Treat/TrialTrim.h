@@ -71,7 +71,7 @@ public:
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
 
   /// Whether there may be sharp edges of a surface to be followed.
-  static bool FollowsCreases(const nurbs::TrimmingSurface& surface, const LadderOptions& options);
+  static bool MayFollowCreases(const nurbs::TrimmingSurface& surface, const LadderOptions& options);
 
   /// Takes nodes of the new boundary to the sharp edges that it passes, where the elements stand
   /// it.

@@ -19,8 +19,7 @@ class Ladder
 {
 public:
   Ladder(const TrimCase& given, const LadderOptions& options, LadderPosition& position)
-    : Surface(given.Surface)
-    , TheChoices(given, options, position)
+    : TheChoices(given, options, position)
   {
   }
 
@@ -140,8 +139,7 @@ private:
   void Finish(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
   {
     this->TheChoices.Trial.Polish(this->TheChoices.At.Set, trimmed);
-    if (this->TheChoices.Options.FollowsCreases &&
-      TrialTrim::FollowsCreases(this->Surface, this->TheChoices.Options))
+    if (this->TheChoices.Options.FollowsCreases)
     {
       this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
     }
@@ -364,7 +362,6 @@ private:
     }
   }
 
-  const nurbs::TrimmingSurface& Surface;
   ColumnChoices TheChoices;
 };
 
@@ -391,7 +388,7 @@ std::shared_ptr<const TrimmedBand> FindCloser(
 bool FollowCreases(
   TrimCase given, const ClimbMade& made, const std::function<bool()>& aborted, TrimmedBand& trimmed)
 {
-  if (made.Options.FollowsCreases || !TrialTrim::FollowsCreases(given.Surface, made.Options))
+  if (made.Options.FollowsCreases || !TrialTrim::MayFollowCreases(given.Surface, made.Options))
   {
     return false;
   }

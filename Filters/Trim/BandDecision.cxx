@@ -35,6 +35,14 @@ constexpr std::size_t ManyAslant = 100;
 /// cut by planes and waves, and in an O-grid, it was 0.027 to 0.24.
 constexpr double SquaresAslant = 0.02;
 
+/// @param memory see TrimCase.
+TrimCase CaseOf(
+  const TrimBand& near, const BandTask& task, std::shared_ptr<MoverMemory> memory = nullptr)
+{
+  return { near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision,
+    std::move(memory) };
+}
+
 ElementsAstray FindAstray(const TrimBand& near, const BandTask& task)
 {
   return FindElementsAstray(near, task.Surface, task.Options.Ladder.CorrectionType);
@@ -246,7 +254,7 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
   {
     return 0;
   }
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  const TrimCase given = CaseOf(near, task);
   LadderPosition foot;
   ColumnChoices choices(given, task.Options.Ladder, foot);
   return choices.Trial.Make(choices.At.Set, choices.Quality).Invalid.size();
@@ -261,8 +269,7 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
   {
     memory = std::make_shared<MoverMemory>(near.Mesh);
   }
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision,
-    memory };
+  const TrimCase given = CaseOf(near, task, memory);
   if (task.Options.ProduceOffcut)
   {
     BothParts parts = ClimbForBothParts(given, task.Options.Ladder, progress);
@@ -283,7 +290,7 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
 
 void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  const TrimCase given = CaseOf(near, task);
   const auto closer = FindCloser(given, *near.Made, progress, near.Trimmed);
   near.Trimmed.Unpolished = nullptr;
   if (!closer)
@@ -309,7 +316,7 @@ void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 
 void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const TrimCase given{ near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision };
+  const TrimCase given = CaseOf(near, task);
   const auto made = std::exchange(near.Made, nullptr);
   if (FollowCreases(
         given, *made, [&progress] { return progress(-1.0); }, near.Trimmed))
