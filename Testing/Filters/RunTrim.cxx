@@ -100,6 +100,11 @@ Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& opt
   return outcome;
 }
 
+double Number(vtkUnstructuredGrid* grid, const char* name)
+{
+  return grid->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
 int CountWarned(const Outcome& outcome, const std::string& phrase)
 {
   for (const std::string& warning : outcome.Warnings)

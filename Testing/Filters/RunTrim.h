@@ -38,6 +38,9 @@ void SetOptions(vtkTrimHexahedralGrid* filter, const TrimOptions& options);
 /// One run with a fresh filter; outputs are detached from it.
 Outcome RunTrim(const Mesh& mesh, const Surface& surface, const TrimOptions& options);
 
+/// An entry of the summary in a grid's field data.
+double Number(vtkUnstructuredGrid* grid, const char* name);
+
 /// The number that the warning with this phrase begins with; 0 without such a warning.
 int CountWarned(const Outcome& outcome, const std::string& phrase);
 

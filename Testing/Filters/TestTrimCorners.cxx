@@ -107,8 +107,7 @@ Tally TrimWithRectangle(const Mesh& mesh, const Placement& at, const TrimOptions
   {
     const double inside = std::abs(area) * 2 * mesh.Box.HalfZ;
     const double whole = 8 * mesh.Box.HalfX * mesh.Box.HalfY * mesh.Box.HalfZ;
-    const double volume =
-      outcome.Case.Trimmed->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
+    const double volume = Number(outcome.Case.Trimmed, "Volume");
     Expect(std::min(std::abs(volume - inside), std::abs(volume - (whole - inside))) < 1e-9 * whole,
       "the volume is not that of the rectangle");
     Expect(CountWarned(outcome, "where the surface has an edge") == 0 &&

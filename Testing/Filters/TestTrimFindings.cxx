@@ -220,8 +220,7 @@ void TestSmallHoles()
   ExpectOnly("hole round a node", sheet, RoundHole(sheet, 15, 15, 0.45), NotOpened, 2 * 4);
   // Nothing moves for a hole that is not there.
   const Outcome shut = RunTrim(sheet, RoundHole(sheet, 15, 15, 0.45), TrimOptions());
-  Expect(shut.Case.Trimmed->GetFieldData()->GetArray("MovedNodes")->GetComponent(0, 0) == 0,
-    "hole round a node: nodes moved");
+  Expect(Number(shut.Case.Trimmed, "MovedNodes") == 0, "hole round a node: nodes moved");
   TrimOptions stepped;
   stepped.CorrectionType = 1;
   ExpectOnly(
@@ -644,8 +643,7 @@ void TestFolded()
   options.ProduceOffcut = true;
   const Outcome outcome = RunTrim(mesh, MakeSurface("plane", mesh.Box, Placement()), options);
   ExpectWarned("folded", outcome);
-  const auto number = [&](const char* name)
-  { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  const auto number = [&](const char* name) { return Number(outcome.Case.Trimmed, name); };
   Expect(number("TouchedElements") > 20 && number("CertifiedElements") == 0 &&
       CountWarned(outcome, ShortfallPhrases[4]) == number("TouchedElements"),
     "folded: touched elements");

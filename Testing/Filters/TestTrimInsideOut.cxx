@@ -104,8 +104,7 @@ void TestMirrored(const std::string& name, const std::string& surface)
   mesh.Box.Centre[2] *= -1.0;
   const Outcome outcome = RunTrim(mesh, MakeSurface(surface, mesh.Box, Placement()), TrimOptions());
   vtkUnstructuredGrid* trimmed = outcome.Case.Trimmed;
-  const auto number = [&](const char* entry)
-  { return trimmed->GetFieldData()->GetArray(entry)->GetComponent(0, 0); };
+  const auto number = [&](const char* entry) { return Number(trimmed, entry); };
   Expect(number("TouchedElements") > 20 && number("CertifiedElements") == number("TouchedElements"),
     name + ", mirrored: certified elements");
   for (vtkIdType c = 0; c < trimmed->GetNumberOfCells(); ++c)

@@ -8,7 +8,6 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -26,11 +25,6 @@ struct Tally
 {
   int Left = 0, LeftWithLayer = 0, Taken = 0;
 };
-
-double Number(vtkUnstructuredGrid* grid, const char* name)
-{
-  return grid->GetFieldData()->GetArray(name)->GetComponent(0, 0);
-}
 
 /// Of what lies on the kept side, by places spread evenly over all elements.
 double VolumeInside(const Mesh& mesh, const Surface& surface)

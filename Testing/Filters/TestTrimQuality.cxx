@@ -10,7 +10,6 @@
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -33,8 +32,7 @@ double LowestOf(const Mesh& mesh, const Surface& surface, bool invert, const cha
   filter->SetInputDataObject(1, surface.Data);
   filter->Update();
   auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  const auto number = [output](const char* name)
-  { return output->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  const auto number = [output](const char* name) { return Number(output, name); };
   Expect(number("TouchedElements") > 0 && number("MaximumDistanceToSurface") < 1e-7,
     "a node is off the surface");
   Expect(number("CertifiedElements") == number("TouchedElements"), "an element is not certified");
@@ -161,8 +159,7 @@ Trimmed TrimAt(double floor)
   filter->SetInputDataObject(1, surface.Data);
   filter->Update();
   auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  const auto number = [output](const char* name)
-  { return output->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  const auto number = [output](const char* name) { return Number(output, name); };
   Trimmed result{ number("MinimumScaledJacobian"), number("MaximumDistanceToSurface"),
     number("RescuedByRelaxation") };
   auto* applied = output->GetPointData()->GetArray("CorrectionApplied");
@@ -261,8 +258,7 @@ void CheckFewLeft()
       left += distance->GetComponent(i, 0) > 0;
       farthest = std::max(farthest, distance->GetComponent(i, 0));
     }
-    const double lowest =
-      output->GetFieldData()->GetArray("MinimumScaledJacobian")->GetComponent(0, 0);
+    const double lowest = Number(output, "MinimumScaledJacobian");
     const double edge = MeasureEdges(output, mesh).AtLeft;
     std::printf("%s, %s%s: %d nodes left, by %.3f at most, lowest %.3f, edges %.4f\n", c.Mesh,
       c.Kind, c.Offcut ? ", with offcut" : "", left, farthest, lowest, edge);

@@ -5,9 +5,6 @@
  */
 #include "RunTrim.h"
 
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-
 #include <cstdio>
 
 using namespace judge;
@@ -80,8 +77,7 @@ int TrimAgain(const char* meshName)
     Mesh trimmed = mesh;
     trimmed.Grid = first.Case.Trimmed;
     const Outcome again = RunTrim(trimmed, surface, TrimOptions());
-    const auto number = [&again](const char* name)
-    { return again.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+    const auto number = [&again](const char* name) { return Number(again.Case.Trimmed, name); };
     const bool onlyTouches = again.Warnings.size() == 1 &&
       again.Warnings[0].find("touches the grid, but does not part it") != std::string::npos;
     if (!again.Clean() || !onlyTouches || number("Eliminated") > 0 || number("MovedNodes") > 0)

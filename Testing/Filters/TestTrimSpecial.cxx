@@ -252,7 +252,7 @@ void TestLeaningCore()
       options.InvertSide = true;
       const Outcome outside = RunTrim(mesh, cylinder, options);
       const auto volume = [](const Outcome& outcome)
-      { return outcome.Case.Trimmed->GetFieldData()->GetArray("Volume")->GetComponent(0, 0); };
+      { return Number(outcome.Case.Trimmed, "Volume"); };
       const double lost = VolumeOf(mesh) - volume(inside) - volume(outside);
       Expect(std::abs(lost) < 0.1 * volume(inside),
         std::string(name) + ": the two sides of a leaning cylinder lack " + std::to_string(lost));

@@ -9,7 +9,6 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
@@ -88,11 +87,6 @@ void AddElements(vtkUnstructuredGrid* grid, Elements& elements)
     }
     elements.push_back(std::move(element));
   }
-}
-
-double Number(vtkUnstructuredGrid* grid, const char* name)
-{
-  return grid->GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 
 /// What the trims did in all, so that a test of nothing is seen.

@@ -8,8 +8,6 @@
  */
 #include "RunTrim.h"
 
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -101,8 +99,7 @@ class Outcomes
 public:
   void Add(const Draw& draw, const Outcome& outcome, const Report& report)
   {
-    const auto number = [&outcome](const char* name)
-    { return outcome.Case.Trimmed->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+    const auto number = [&outcome](const char* name) { return Number(outcome.Case.Trimmed, name); };
     const bool wedges = outcome.Clean() && draw.Options.CorrectionType != 1 &&
       draw.Options.Optimization == 2 && number("TouchedElements") > 0;
     this->Touched += wedges ? number("TouchedElements") : 0;
