@@ -111,6 +111,14 @@ bool IsSound(const TopoDS_Shape& shape, const std::string& path, TopoDS_Shape& r
 }
 
 //------------------------------------------------------------------------------
+double AreaOf(const TopoDS_Shape& shape)
+{
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties);
+  return properties.Mass();
+}
+
+//------------------------------------------------------------------------------
 double SizeOf(const TopoDS_Shape& shape, Vec3& low, Vec3& high)
 {
   Bnd_Box box;

@@ -29,6 +29,8 @@ void CheckSides(const std::string& name, const std::string& path, const TopoDS_S
 void CheckSameDistances(const std::string& name, const std::string& path, const std::string& other,
   const std::vector<nurbs::Vec3>& points);
 
+double AreaOf(const TopoDS_Shape& shape);
+
 /// The length of the box from corner to corner.
 double SizeOf(const TopoDS_Shape& shape, nurbs::Vec3& low, nurbs::Vec3& high);
 

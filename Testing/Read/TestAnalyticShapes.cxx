@@ -6,6 +6,7 @@
 #include "CADFaceConversion.h"
 #include "CADModel.h"
 #include "ReadTesting.h"
+#include "SolidTesting.h"
 #include "TrimmingSurface.h"
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -19,7 +20,6 @@
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -29,7 +29,6 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
@@ -231,13 +230,6 @@ size_t CountFaces(const TopoDS_Shape& shape)
     ++count;
   }
   return count;
-}
-
-double AreaOf(const TopoDS_Shape& shape)
-{
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties);
-  return properties.Mass();
 }
 
 /// The solid of a shape that is closest to a point.

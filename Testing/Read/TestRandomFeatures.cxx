@@ -21,7 +21,6 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
-#include <BRepGProp.hxx>
 #include <BRepOffsetAPI_MakePipe.hxx>
 #include <BRepOffsetAPI_MakeThickSolid.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
@@ -35,7 +34,6 @@
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
-#include <GProp_GProps.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Curve.hxx>
@@ -380,13 +378,6 @@ private:
 bool CrossesItself(const TopoDS_Shape& shape)
 {
   return !BRepAlgoAPI_Check(shape, false, true).IsValid();
-}
-
-double AreaOf(const TopoDS_Shape& shape)
-{
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties);
-  return properties.Mass();
 }
 
 /// @return false where OpenCASCADE does not write what it was given: it turns some ellipses about

@@ -157,7 +157,6 @@ int main(int argc, char* argv[])
       // OpenCASCADE cannot make it.
     }
   }
-  CHECK(2 * compared > number, compared << " of " << number << " solids compared");
   std::printf("%d solids compared\n", compared);
   return Failures;
 }
