@@ -4,6 +4,14 @@
 
 namespace trim
 {
+namespace
+{
+
+/// Runs until threads are tried again: a tenth of a second, about.
+constexpr int MostRunsAlone = 100;
+std::atomic<int> RunsAlone{ 0 };
+
+}
 
 Wavefront::Wavefront(Band::Lists met)
   : Met(std::move(met))
@@ -20,6 +28,20 @@ Wavefront::Wavefront(Band::Lists met)
   std::iota(this->Order.begin(), this->Order.end(), 0);
   std::stable_sort(
     this->Order.begin(), this->Order.end(), [&level](int a, int b) { return level[a] < level[b]; });
+}
+
+bool Wavefront::TakesTurnAlone()
+{
+  int left = RunsAlone;
+  while (left > 0 && !RunsAlone.compare_exchange_weak(left, left - 1))
+  {
+  }
+  return left > 0;
+}
+
+void Wavefront::TellHeldUp()
+{
+  RunsAlone = MostRunsAlone;
 }
 
 }

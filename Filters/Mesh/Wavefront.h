@@ -5,6 +5,9 @@
  * Level scheduling, as for sparse triangular systems (E. Anderson, Y. Saad, Solving Sparse
  * Triangular Linear Systems on Parallel Computers, 1989): a task waits for those before it that it
  * meets, and for no others, so that the outcome is that of the order itself.
+ *
+ * Where other programs want the processors too, a thread may have to give its own up within a task
+ * for longer than all tasks take, and then the next one waits for it: one thread is the fastest.
  */
 #ifndef Wavefront_h
 #define Wavefront_h
@@ -28,10 +31,15 @@ public:
   /// @param met by task: the tasks before it that touch what it touches.
   explicit Wavefront(Band::Lists met);
 
-  /// Calls work(task) for all tasks.
+  /// Calls work(task) for all tasks; by the calling thread alone, if threads were held up lately.
   template <typename Work>
   void Run(const Work& work) const
   {
+    if (TakesTurnAlone())
+    {
+      std::for_each(this->Order.begin(), this->Order.end(), work);
+      return;
+    }
     const int count = static_cast<int>(this->Order.size());
     std::vector<std::atomic<char>> done(count);
     std::atomic<int> next{ 0 };
@@ -56,6 +64,9 @@ public:
 private:
   /// Tasks that a thread takes at once.
   static constexpr int AtOnce = 8;
+  /// How often a thread asks for another's task, which takes less than a millisecond, until it
+  /// knows that one for held up. Yielding at once would hold up both in turn.
+  static constexpr int Patience = 1000000;
 
   /// Tells those that wait for a task, also if it throws: else they would wait for ever.
   struct Release
@@ -68,12 +79,21 @@ private:
   {
     for (const int* other = this->Met.begin(task); other != this->Met.end(task); ++other)
     {
-      while (!done[*other].load(std::memory_order_acquire))
+      const auto& isDone = done[*other];
+      for (int asked = 0; asked < Patience && !isDone.load(std::memory_order_acquire); ++asked)
       {
+      }
+      while (!isDone.load(std::memory_order_acquire))
+      {
+        TellHeldUp();
         std::this_thread::yield();
       }
     }
   }
+
+  /// Of all wavefronts: whether one of the runs after a thread was held up is due.
+  static bool TakesTurnAlone();
+  static void TellHeldUp();
 
   Band::Lists Met;
   std::vector<int> Order; ///< tasks that wait for nobody first, then those that wait for these

@@ -199,16 +199,6 @@ StretchTrims::StretchTrims(TrimBand& whole)
   }
 }
 
-double StretchTrims::ShareBefore(int stretch) const
-{
-  std::size_t before = 0;
-  for (int s = 0; s < stretch; ++s)
-  {
-    before += this->Stretches[s].Elements.size();
-  }
-  return static_cast<double>(before) / this->Whole.Mesh.NumberOfElements();
-}
-
 void StretchTrims::Join()
 {
   if (this->Own.empty())

@@ -23,8 +23,8 @@ public:
   int Count() const { return static_cast<int>(this->Stretches.size()); }
   TrimBand& operator[](int stretch) { return this->Own.empty() ? this->Whole : this->Own[stretch]; }
 
-  /// Share of all elements that the stretches before one have.
-  double ShareBefore(int stretch) const;
+  /// Of all of them, without layers.
+  int NumberOfElements() const { return this->Whole.Mesh.NumberOfElements(); }
 
   /// Puts the trims together to one of the whole band, which has the layers that were inserted.
   void Join();

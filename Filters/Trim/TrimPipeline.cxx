@@ -7,6 +7,7 @@
 #include "GatherBand.h"
 #include "InputScale.h"
 #include "KeptSide.h"
+#include "Runs.h"
 #include "Shortfalls.h"
 #include "Status.h"
 #include "StretchTrims.h"
@@ -16,6 +17,7 @@
 #include "TrimWarnings.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <utility>
 
@@ -39,6 +41,8 @@ constexpr double DistanceRounding = 16.0 * std::numeric_limits<double>::epsilon(
 constexpr double DistanceRoundingOfFloats = std::numeric_limits<float>::epsilon();
 /// A smaller tolerance leaves no node where it can be seen.
 constexpr double FinestCoarseTolerance = 1e-6;
+/// A stretch with more of the band than this is decided before the others, not beside them.
+constexpr double MostSideBySide = 0.75;
 
 /// Whether the surface has to be turned round for its normal to point to what goes.
 bool MustTurn(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
@@ -172,6 +176,40 @@ void MeasureStretches(const Piece& piece, const nurbs::TrimmingSurface& surface,
   result.Error = piece.All.FirstText(result.Error);
 }
 
+/// Decides each stretch by itself: side by side, as that is what keeps threads busy, but for one
+/// that the others would be through with long before, whose loops the threads share.
+void DecideStretches(StretchTrims& stretches, const BandTask& task, const Progress& progress)
+{
+  std::atomic<int> decided{ 0 }; // elements
+  const double all = stretches.NumberOfElements();
+  const auto decide = [&](int s)
+  {
+    TrimBand& near = stretches[s];
+    const int own = near.Mesh.NumberOfElements();
+    DecideBand(near, task,
+      [&](double done) { return progress(done < 0.0 ? done : (decided + done * own) / all); });
+    decided += own;
+  };
+  std::vector<int> others;
+  for (int s = 0; s < stretches.Count(); ++s)
+  {
+    if (stretches[s].Mesh.NumberOfElements() > MostSideBySide * all)
+    {
+      decide(s);
+    }
+    else
+    {
+      others.push_back(s);
+    }
+  }
+  // Nobody begins with the largest one when the others are through.
+  std::stable_sort(others.begin(), others.end(),
+    [&](int a, int b)
+    { return stretches[a].Mesh.NumberOfElements() > stretches[b].Mesh.NumberOfElements(); });
+  ForAll(
+    static_cast<int>(others.size()), [&](int i) { decide(others[i]); }, 1);
+}
+
 /// Inserted nodes of this rank get the ids after those of the mesh.
 void NumberInserted(Id next, Band& band)
 {
@@ -295,12 +333,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
       return result;
     }
     const BandTask task{ surface, precision, options.OfBand };
-    const Progress part = Part(progress, 0.4, 0.6);
-    for (int s = 0; s < stretches.Count(); ++s)
-    {
-      DecideBand(
-        stretches[s], task, Part(part, stretches.ShareBefore(s), stretches.ShareBefore(s + 1)));
-    }
+    DecideStretches(stretches, task, Part(progress, 0.4, 0.6));
     stretches.Join();
     NumberInserted(mesh.NumberOfPoints, result.Near->Mesh);
   }

@@ -530,6 +530,72 @@ void CheckWavefront()
   vtkSMPTools::SetBackend("Sequential");
 }
 
+/// Whether another thread than the caller's takes tasks that wait for no other, if it can.
+bool TakesTwoThreads()
+{
+  const Wavefront apart(BuildLists(64, [](auto&&) {}));
+  const auto caller = std::this_thread::get_id();
+  std::atomic<bool> came{ false };
+  std::atomic<int> waited{ 0 }; // milliseconds
+  apart.Run(
+    [&](int)
+    {
+      came = came || std::this_thread::get_id() != caller;
+      while (!came && waited++ < 500)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+  return came;
+}
+
+// Where a thread was kept within a task for long, the next runs are the caller's alone.
+void CheckHeldUp()
+{
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(2);
+  {
+    const Team team(Team::SizeForBackend());
+    const Wavefront chain(BuildLists(64,
+      [](auto&& add)
+      {
+        for (int task = 1; task < 64; ++task)
+        {
+          add(task, task - 1);
+        }
+      }));
+    const auto runAll = [&chain]
+    {
+      for (int run = 0; run < 100; ++run)
+      {
+        chain.Run([](int) {});
+      }
+    };
+    // On a busy machine the runs themselves may be held up.
+    bool before = false, alone = false, after = false;
+    for (int attempt = 0; attempt < 20 && !(before && alone && after); ++attempt)
+    {
+      runAll();
+      before = TakesTwoThreads();
+      chain.Run(
+        [](int task)
+        {
+          if (task == 3)
+          {
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+          }
+        });
+      alone = !TakesTwoThreads();
+      runAll();
+      after = TakesTwoThreads();
+    }
+    Expect(before, "two threads take tasks in turn");
+    Expect(alone, "one thread after one was held up");
+    Expect(after, "two threads again, later");
+  }
+  vtkSMPTools::SetBackend("Sequential");
+}
+
 // Each item once, whatever the pieces, and the caller does not sleep.
 void CheckLoopsOfTeam()
 {
@@ -789,6 +855,7 @@ int main()
 {
   CheckNodeGrid();
   CheckWavefront();
+  CheckHeldUp();
   CheckLoopsOfTeam();
   CheckFailureInTeam();
   CheckSizeOfTeam();
