@@ -9,6 +9,13 @@
 
 namespace trim
 {
+namespace
+{
+
+/// A band with so many is a large one.
+constexpr int ManyElements = 10000;
+
+}
 
 BestLayer::BestLayer(const TrimBand& near, const BandTask& task)
   : Near(near)
@@ -27,17 +34,19 @@ std::unique_ptr<TrimBand> BestLayer::Find(const Shortcomings& limit, const Progr
   }
   const bool isNew = std::none_of(
     this->Trims.begin(), this->Trims.end(), [](const auto& made) { return made.has_value(); });
-  if (isNew && Team::Current())
-  {
-    this->MakeAhead(progress);
-  }
   constexpr auto count = static_cast<double>(Shares.size());
+  // In a large band threads share the work on one, and none need be made in vain.
+  const std::size_t ahead = this->Near.Mesh.NumberOfElements() < ManyElements ? 0 : 1;
   std::unique_ptr<TrimBand> best;
   std::size_t ofBest = 0;
   for (std::size_t i = 0; i < Shares.size() && !(best && best->NodesLeft.empty()) &&
        !progress(static_cast<double>(i) / count);
        ++i)
   {
+    if (isNew && i == ahead && Team::Current())
+    {
+      this->MakeAhead(i, progress);
+    }
     const double done = static_cast<double>(i) / count;
     auto& made = this->Trims[i];
     std::unique_ptr<TrimBand> own =
@@ -62,13 +71,13 @@ std::unique_ptr<TrimBand> BestLayer::Make(std::size_t trim, const Progress& prog
   return TrimWithLayer(this->Near, this->Before, Shares[trim], this->GivesUp, this->Task, progress);
 }
 
-/// Makes all of them at once, by threads; those after one that leaves nothing end, as hardly
-/// anybody will ask for them.
-void BestLayer::MakeAhead(const Progress& progress)
+/// Makes all of them from one on at once, by threads; those after one that leaves nothing end, as
+/// hardly anybody will ask for them.
+void BestLayer::MakeAhead(std::size_t first, const Progress& progress)
 {
   const Id count = static_cast<Id>(Shares.size());
   std::atomic<Id> last{ count };
-  ParallelFor(0, count, 1,
+  ParallelFor(static_cast<Id>(first), count, 1,
     [&](Id begin, Id end)
     {
       for (Id trim = begin; trim < end; ++trim)

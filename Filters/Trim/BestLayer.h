@@ -31,7 +31,7 @@ private:
   static constexpr std::array<double, 3> Shares = { 0.25, 0.5, 0.1 };
 
   std::unique_ptr<TrimBand> Make(std::size_t trim, const Progress& progress) const;
-  void MakeAhead(const Progress& progress);
+  void MakeAhead(std::size_t first, const Progress& progress);
 
   const TrimBand& Near;
   const BandTask& Task;
