@@ -52,7 +52,8 @@ add_library(NURBSTrimStages STATIC
   Treat/ElementWorth.cxx
   Treat/ExposedEdges.cxx
   Treat/FailedReturns.cxx
-  Treat/FloorClimb.cxx
+  Treat/FloorLeave.cxx
+  Treat/FloorRaise.cxx
   Treat/GuardedMesh.cxx
   Treat/InsertedLayer.cxx
   Treat/JointRelaxation.cxx

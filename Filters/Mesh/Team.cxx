@@ -217,4 +217,13 @@ void Team::For(Id first, Id last, Id grain, const Action& action)
   }
 }
 
+int ThreadsForLoops()
+{
+  if (Own)
+  {
+    return InLoop ? 1 : Own->Size;
+  }
+  return vtkSMPTools::IsParallelScope() ? 1 : vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
 }

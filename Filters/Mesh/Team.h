@@ -42,12 +42,16 @@ public:
   void For(Id first, Id last, Id grain, const Action& action);
 
 private:
+  friend int ThreadsForLoops();
   struct Loop;
   class Member;
   class Others;
   std::unique_ptr<Others> Pool;
   int Size;
 };
+
+/// How many threads share a loop that is asked for here.
+int ThreadsForLoops();
 
 /// Calls action(begin, end) for pieces of the range, `grain` long, by all threads; 0: VTK decides.
 template <typename Action>

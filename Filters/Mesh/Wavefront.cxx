@@ -1,5 +1,6 @@
 #include "Wavefront.h"
 
+#include <chrono>
 #include <numeric>
 
 namespace trim
@@ -10,6 +11,10 @@ namespace
 /// Runs until threads are tried again: a tenth of a second, about.
 constexpr int MostRunsAlone = 100;
 std::atomic<int> RunsAlone{ 0 };
+/// A thread that yields and does not come back at once has others on its processor.
+constexpr std::chrono::microseconds LongYield{ 500 };
+/// Hardly any task takes so long but for others on the processor of its thread.
+constexpr std::chrono::milliseconds LongTask{ 20 };
 
 }
 
@@ -39,9 +44,20 @@ bool Wavefront::TakesTurnAlone()
   return left > 0;
 }
 
-void Wavefront::TellHeldUp()
+void Wavefront::Await(const std::atomic<char>& done)
 {
-  RunsAlone = MostRunsAlone;
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  for (auto before = start; !done.load(std::memory_order_acquire);)
+  {
+    std::this_thread::yield();
+    const auto now = Clock::now();
+    if (now - before > LongYield || now - start > LongTask)
+    {
+      RunsAlone = MostRunsAlone;
+    }
+    before = now;
+  }
 }
 
 }

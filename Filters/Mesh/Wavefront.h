@@ -64,9 +64,8 @@ public:
 private:
   /// Tasks that a thread takes at once.
   static constexpr int AtOnce = 8;
-  /// How often a thread asks for another's task, which takes less than a millisecond, until it
-  /// knows that one for held up. Yielding at once would hold up both in turn.
-  static constexpr int Patience = 1000000;
+  /// How often a thread asks for another's task before it yields: that may be for long.
+  static constexpr int Patience = 100000;
 
   /// Tells those that wait for a task, also if it throws: else they would wait for ever.
   struct Release
@@ -79,21 +78,27 @@ private:
   {
     for (const int* other = this->Met.begin(task); other != this->Met.end(task); ++other)
     {
-      const auto& isDone = done[*other];
-      for (int asked = 0; asked < Patience && !isDone.load(std::memory_order_acquire); ++asked)
+      if (!IsSoonDone(done[*other]))
       {
-      }
-      while (!isDone.load(std::memory_order_acquire))
-      {
-        TellHeldUp();
-        std::this_thread::yield();
+        Await(done[*other]);
       }
     }
   }
 
+  static bool IsSoonDone(const std::atomic<char>& done)
+  {
+    int asked = 0;
+    while (!done.load(std::memory_order_acquire) && ++asked < Patience)
+    {
+    }
+    return asked < Patience;
+  }
+
+  /// Waits for a task, and learns whether other programs hold threads up.
+  static void Await(const std::atomic<char>& done);
+
   /// Of all wavefronts: whether one of the runs after a thread was held up is due.
   static bool TakesTurnAlone();
-  static void TellHeldUp();
 
   Band::Lists Met;
   std::vector<int> Order; ///< tasks that wait for nobody first, then those that wait for these

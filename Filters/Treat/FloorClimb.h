@@ -14,11 +14,12 @@ namespace trim
  * Takes other corrections and fates for columns that relaxation could not raise to what is aimed
  * at, where that helps and spoils nothing.
  *
+ * @param given what the choices were made for.
  * @param[in,out] choices its position is what the columns end with.
  * @param aborted true ends the work; the result is then of no use.
  */
-void RaiseToFloor(
-  ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed);
+void RaiseToFloor(const TrimCase& given, ColumnChoices& choices,
+  const std::function<bool()>& aborted, TrimmedBand& trimmed);
 
 /// Leaves nodes off the surface for what is below the floor all the same; parameters as above.
 void LeaveBelowFloor(

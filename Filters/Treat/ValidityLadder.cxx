@@ -19,7 +19,8 @@ class Ladder
 {
 public:
   Ladder(const TrimCase& given, const LadderOptions& options, LadderPosition& position)
-    : TheChoices(given, options, position)
+    : Given(given)
+    , TheChoices(given, options, position)
   {
   }
 
@@ -57,7 +58,7 @@ public:
     {
       return trimmed;
     }
-    RaiseToFloor(this->TheChoices, aborted, trimmed);
+    RaiseToFloor(this->Given, this->TheChoices, aborted, trimmed);
     progress(Raised);
     LeaveBelowFloor(this->TheChoices, aborted, trimmed);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
@@ -362,6 +363,7 @@ private:
     }
   }
 
+  const TrimCase& Given;
   ColumnChoices TheChoices;
 };
 

@@ -1,0 +1,103 @@
+/// @file FloorLeave.cxx
+/// @brief Nodes that are left off the surface for what is below the floor.
+#include "FloorClimb.h"
+
+#include <algorithm>
+
+namespace trim
+{
+namespace
+{
+
+/// An element counts on this much more than the floor from a pillar that is left.
+constexpr double FloorMargin = 1.1;
+/// Rounds in which single pillars are left for the sake of the floor, or all of a column go so
+/// much of their way; then all of a column stay where they were.
+constexpr int GradualRounds = 8;
+constexpr double GradualWay = 0.7;
+
+class FloorLeave
+{
+public:
+  explicit FloorLeave(ColumnChoices& choices)
+    : TheChoices(choices)
+  {
+  }
+
+  /// What is below the floor all the same: of the nodes of such a column one pillar is left off
+  /// the surface, that which helps most, or all of them, little by little, if none does. An element
+  /// that the nodes behind the cut spoil keeps its own where they were.
+  void LeaveBelowFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  {
+    bool anew = false;
+    for (int round = 0; !aborted(); ++round)
+    {
+      const std::vector<int> below = this->TheChoices.Quality.FindBelowFloor(trimmed);
+      bool changed = false;
+      std::vector<char> seen(this->TheChoices.TheBand.NumberOfNodes(), 0);
+      for (const int e : below)
+      {
+        changed |= this->LeaveForFloor(trimmed, e, round, seen);
+      }
+      for (std::size_t i = 0; anew && !changed && i < below.size(); ++i)
+      {
+        changed = this->TheChoices.LeaveWhole(below[i]);
+      }
+      if (!changed && (anew || below.empty()))
+      {
+        return;
+      }
+      // Places that were relaxed for other choices may keep an element below the floor: then from
+      // the start.
+      anew |= !changed;
+      trimmed = this->TheChoices.Trial.Make(
+        this->TheChoices.At.Set, this->TheChoices.Aimed, anew ? nullptr : &trimmed);
+      this->TheChoices.LeaveInvalid(this->TheChoices.Aimed, anew, trimmed, aborted);
+    }
+  }
+
+private:
+  /// Leaves pillars of the column of an element below the floor; false if there is nothing more to
+  /// leave.
+  /// @param seen pillars of columns that had their turn in this round.
+  bool LeaveForFloor(const TrimmedBand& trimmed, int element, int round, std::vector<char>& seen)
+  {
+    const int column = this->TheChoices.TheColumns.Column[element];
+    const std::vector<int> pillars = this->TheChoices.PillarsToLeave(trimmed, column);
+    const bool gradual = round < GradualRounds;
+    // Of neighbours the first one: it may help the others.
+    const bool waits = gradual &&
+      std::any_of(pillars.begin(), pillars.end(), [&](int pillar) { return seen[pillar]; });
+    for (const int pillar : pillars)
+    {
+      seen[pillar] = 1;
+    }
+    if (waits)
+    {
+      return true;
+    }
+    this->TheChoices.At.Rungs[column] = Rung::Left;
+    const double least = FloorMargin * this->TheChoices.Options.QualityFloor;
+    const double aim = this->TheChoices.Aimed.GetFloor();
+    if (gradual &&
+      ((aim > least && this->TheChoices.LeaveBest(trimmed, column, pillars, aim)) ||
+        this->TheChoices.LeaveBest(trimmed, column, pillars, least)))
+    {
+      return true;
+    }
+    this->TheChoices.LeaveOnWay(pillars, gradual ? GradualWay : 0.0);
+    return !pillars.empty() || this->TheChoices.LeaveCorners(element);
+  }
+
+  ColumnChoices& TheChoices;
+};
+
+}
+
+void LeaveBelowFloor(
+  ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed)
+{
+  FloorLeave(choices).LeaveBelowFloor(trimmed, aborted);
+}
+
+}
