@@ -291,6 +291,14 @@ void TestChild()
     "a child that does not go on: " << (capture->Errors.empty() ? "no error" : capture->Errors[0]));
 }
 
+/// The longest time that may be given is one that the clock can count.
+void TestLongestTime()
+{
+  const ReadResult result = ReadFile(std::string(EXAMPLE_DATA) + "/RearDoor.igs", 0, 1e9);
+  CHECK(result.Errors.empty() && result.Surfaces.size() == 12,
+    "the longest time: " << (result.Errors.empty() ? "faces" : result.Errors[0]));
+}
+
 /// A few bytes changed at random: an error, a warning, or surfaces, but nothing else.
 void TestMutated()
 {
@@ -430,6 +438,7 @@ int main()
   TestWeights();
   TestCrash();
   TestChild();
+  TestLongestTime();
   TestMutated();
   TestCanReadFile();
   TestRecovery();
