@@ -28,13 +28,14 @@ public:
   /// @param met by task: the tasks before it that touch what it touches.
   explicit Wavefront(Band::Lists met);
 
-  /// Calls work(task) for all tasks.
+  /// Calls work(task) for all tasks, or until one throws: then none begins any more.
   template <typename Work>
   void Run(const Work& work) const
   {
     const int count = static_cast<int>(this->Order.size());
     std::vector<std::atomic<char>> done(count);
     std::atomic<int> next{ 0 };
+    std::atomic<bool> failed{ false };
     // Whoever runs begins where the last one did: also if one thread has to do all of it. Nobody
     // waits for a task that nobody has begun, as those that it waits for come before it.
     ParallelFor(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
@@ -45,9 +46,20 @@ public:
           for (int i = begin; i < std::min(count, begin + AtOnce); ++i)
           {
             const int task = this->Order[i];
-            this->WaitForMet(task, done);
-            const Release release{ done[task] };
-            work(task);
+            if (!this->WaitForMet(task, done, failed))
+            {
+              return;
+            }
+            try
+            {
+              work(task);
+            }
+            catch (...)
+            {
+              failed.store(true); // what this thread had before it will never be done
+              throw;
+            }
+            done[task].store(1, std::memory_order_release);
           }
         }
       });
@@ -57,22 +69,18 @@ private:
   /// Tasks that a thread takes at once.
   static constexpr int AtOnce = 8;
 
-  /// Tells those that wait for a task, also if it throws: else they would wait for ever.
-  struct Release
-  {
-    std::atomic<char>& Done;
-    ~Release() { this->Done.store(1, std::memory_order_release); }
-  };
-
-  void WaitForMet(int task, const std::vector<std::atomic<char>>& done) const
+  /// False if a task has thrown: those that wait for it would wait for ever.
+  bool WaitForMet(
+    int task, const std::vector<std::atomic<char>>& done, const std::atomic<bool>& failed) const
   {
     for (const int* other = this->Met.begin(task); other != this->Met.end(task); ++other)
     {
-      while (!done[*other].load(std::memory_order_acquire))
+      while (!done[*other].load(std::memory_order_acquire) && !failed.load())
       {
         std::this_thread::yield();
       }
     }
+    return !failed.load();
   }
 
   Band::Lists Met;

@@ -530,6 +530,41 @@ void CheckWavefront()
   vtkSMPTools::SetBackend("Sequential");
 }
 
+// A task that throws ends the others, also those that wait for what its thread had before it.
+void CheckFailureInTurn()
+{
+  constexpr int count = 64;
+  const Band::Lists met = BuildLists(count, [](auto&& add) { add(count - 1, 1); });
+  const Wavefront wavefront(met);
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(2);
+  const Team team(2);
+  std::atomic<bool> waits{ false };
+  bool caught = false;
+  try
+  {
+    wavefront.Run(
+      [&](int task)
+      {
+        waits = waits || task == count - 2;
+        while (task == 0 && !waits)
+        {
+          std::this_thread::yield();
+        }
+        if (task == 0)
+        {
+          throw std::bad_alloc();
+        }
+      });
+  }
+  catch (const std::bad_alloc&)
+  {
+    caught = true;
+  }
+  Expect(caught, "tasks in turn: a failure is lost");
+  vtkSMPTools::SetBackend("Sequential");
+}
+
 // Each item once, whatever the pieces, and the caller does not sleep.
 void CheckLoopsOfTeam()
 {
@@ -789,6 +824,7 @@ int main()
 {
   CheckNodeGrid();
   CheckWavefront();
+  CheckFailureInTurn();
   CheckLoopsOfTeam();
   CheckFailureInTeam();
   CheckSizeOfTeam();
