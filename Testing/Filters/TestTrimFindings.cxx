@@ -771,6 +771,19 @@ void TestToleranceBeside()
   }
 }
 
+// Of a block all nodes are within the tolerance, those too that are farther off than any ring of a
+// band reaches.
+void TestToleranceOfBlock()
+{
+  const Mesh block = Sheet(40, 4, 4, Vec3(1, 1, 1));
+  const Surface plane = PlaneThrough(Vec3(1.3, 2, 0), Vec3(1, 0, 0), 200);
+  TrimOptions options;
+  options.Tolerance = 1.0;
+  const Outcome outcome = RunTrim(block, plane, options);
+  Expect(outcome.Errors.empty() && outcome.Case.Trimmed->GetNumberOfCells() == 4 * 4,
+    "tolerance: elements of a block");
+}
+
 // Less than an element is cut off a corner: the corner's nodes move, and no element is there to
 // take what they leave behind.
 void TestCornerLost()
@@ -828,6 +841,7 @@ int main()
   TestCornerLost();
   TestCoarseTolerance();
   TestToleranceBeside();
+  TestToleranceOfBlock();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
