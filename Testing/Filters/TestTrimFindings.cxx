@@ -11,7 +11,6 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStaticCellLocator.h>
@@ -405,12 +404,8 @@ void TestNothingLostByLeaning()
 Surface TwoHoles(const Mesh& mesh, const Vec3& place, double angle, double radius, double width)
 {
   const Vec3 way = (radius + 0.5 * width) * Vec3(std::cos(angle), std::sin(angle), 0);
-  Surface both;
-  vtkNew<vtkMultiBlockDataSet> faces;
-  faces->SetBlock(0, RoundHole(mesh, place.x() + way.x(), place.y() + way.y(), radius).Data);
-  faces->SetBlock(1, RoundHole(mesh, place.x() - way.x(), place.y() - way.y(), radius).Data);
-  both.Data = faces;
-  return both;
+  return Together(RoundHole(mesh, place.x() + way.x(), place.y() + way.y(), radius).Data,
+    RoundHole(mesh, place.x() - way.x(), place.y() - way.y(), radius).Data);
 }
 
 /// Whether a grid holds all of a straight line.
