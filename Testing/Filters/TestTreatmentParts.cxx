@@ -33,10 +33,13 @@
 #include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -639,6 +642,30 @@ void CheckFailureInTeam()
   }
 }
 
+// The system may have no threads left, here as none has a stack so large: the caller does the work.
+void CheckTeamWithoutThreads()
+{
+  pthread_attr_t usual, huge;
+  pthread_getattr_default_np(&usual);
+  pthread_attr_init(&huge);
+  pthread_attr_setstacksize(&huge, std::size_t{ 1 } << 47);
+  pthread_setattr_default_np(&huge);
+  try
+  {
+    const Team team(3);
+    std::atomic<Id> sum{ 0 };
+    ParallelFor(0, 100, 1, [&sum](Id begin, Id) { sum += begin; });
+    Expect(sum == 4950, "team: without threads some of the work is not done");
+  }
+  catch (const std::exception& failure)
+  {
+    Expect(false, std::string("team: not made without threads: ") + failure.what());
+  }
+  pthread_setattr_default_np(&usual);
+  pthread_attr_destroy(&huge);
+  pthread_attr_destroy(&usual);
+}
+
 // Where VTK would start threads for each loop, and only there.
 void CheckSizeOfTeam()
 {
@@ -827,6 +854,7 @@ int main()
   CheckFailureInTurn();
   CheckLoopsOfTeam();
   CheckFailureInTeam();
+  CheckTeamWithoutThreads();
   CheckSizeOfTeam();
   CheckDirectionBehind();
   CheckDecisionAgain();
