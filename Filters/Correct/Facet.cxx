@@ -127,6 +127,12 @@ Vec3 Facet::NormalAt(int corner) const
     .normalized();
 }
 
+Vec3 Facet::MeanNormal() const
+{
+  const auto& c = this->Corner;
+  return (c[2] - c[0]).cross(c[this->Count - 1] - c[1]).normalized();
+}
+
 FacetSearch::FacetSearch(const Facet& facet)
   : Searched(facet)
   , Middle(Vec3::Zero())
@@ -143,7 +149,7 @@ FacetSearch::FacetSearch(const Facet& facet)
     radius = std::max(radius, (c[i] - this->Middle).squaredNorm());
   }
   this->Radius = std::sqrt(radius);
-  this->Normal = (c[2] - c[0]).cross(c[count - 1] - c[1]).normalized();
+  this->Normal = facet.MeanNormal();
   this->PlaneAndConvex = this->FindPlaneAndConvex();
   for (int i = 0; i < count; ++i)
   {

@@ -46,6 +46,9 @@ public:
   /// Unit normal at a corner.
   Vec3 NormalAt(int corner) const;
 
+  /// Unit normal on the whole: across both diagonals; of a triangle too.
+  Vec3 MeanNormal() const;
+
 private:
   friend class FacetSearch;
 

@@ -1,9 +1,8 @@
 #include "NodeConstraint.h"
 
 #include "AddUnique.h"
+#include "Facet.h"
 #include "Status.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -27,23 +26,16 @@ constexpr int LongestStepsBack = 4;
 /// Nodes of a pillar that are looked at.
 constexpr std::size_t MostLayers = 200;
 
-Vec3 FaceNormal(const Band& band, const BandFace& face)
-{
-  const auto& p = band.Point;
-  const Vec3 normal = face.Count == 4
-    ? (p[face.Node[2]] - p[face.Node[0]]).cross(p[face.Node[3]] - p[face.Node[1]])
-    : (p[face.Node[1]] - p[face.Node[0]]).cross(p[face.Node[2]] - p[face.Node[0]]);
-  return normal.normalized();
-}
-
 /// Edges at the node that faces of a set share under more than an angle.
 void AddCreases(const Band& band, const std::vector<int>& faces, int node, double cosine,
   std::vector<int>& ridgeEdges)
 {
+  std::vector<Vec3> normals;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const auto& a = band.Faces[faces[i]];
     const auto endsOfA = NeighboursOf(a, node);
+    normals.push_back(Facet(band, a).MeanNormal());
     for (std::size_t j = 0; j < i; ++j)
     {
       const auto& b = band.Faces[faces[j]];
@@ -51,7 +43,7 @@ void AddCreases(const Band& band, const std::vector<int>& faces, int node, doubl
       for (const int end : endsOfA)
       {
         if ((end == endsOfB[0] || end == endsOfB[1]) &&
-          TurnCosine(a, FaceNormal(band, a), b, FaceNormal(band, b)) < cosine)
+          TurnCosine(a, normals[i], b, normals[j]) < cosine)
         {
           AddUnique(ridgeEdges, band.FindEdge(node, end));
         }

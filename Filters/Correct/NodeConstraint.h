@@ -12,7 +12,9 @@
 
 #include "Band.h"
 #include "Columns.h"
+#include "Facet.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace trim
@@ -50,6 +52,33 @@ double TurnCosine(
 
 /// Faces that meet under less than 45 degrees belong to one side of the model.
 constexpr double SameSideCosine = 0.7071;
+
+/// Some faces and, behind them, those next to each on the same side of the model.
+/// @param mayFollow mayFollow(face, other): whether that may be one of them, as far as sides go.
+template <typename Test>
+std::vector<int> SideAround(const Band& band, const std::vector<int>& faces, const Test& mayFollow)
+{
+  std::vector<int> around = faces;
+  for (const int f : faces)
+  {
+    const auto& face = band.Faces[f];
+    const Vec3 normal = Facet(band, face).NormalAt(0);
+    for (const int n : face)
+    {
+      for (const int other : band.FacesOfNode(n))
+      {
+        // Not round a ridge: that would be another side of the model.
+        const auto& next = band.Faces[other];
+        if (mayFollow(f, other) && std::find(around.begin(), around.end(), other) == around.end() &&
+          TurnCosine(face, normal, next, Facet(band, next).NormalAt(0)) > SameSideCosine)
+        {
+          around.push_back(other);
+        }
+      }
+    }
+  }
+  return around;
+}
 
 /**
  * The constraint of one node. Exterior faces that lie wholly beyond the surface do not hold a

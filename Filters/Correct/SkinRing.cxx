@@ -15,31 +15,16 @@ namespace
 std::vector<int> FacesAround(
   const Band& band, const Columns& columns, const std::vector<int>& faces)
 {
-  std::vector<int> around = faces;
-  for (const int f : faces)
-  {
-    const auto& face = band.Faces[f];
-    const Vec3 normal = Facet(band, face).NormalAt(0);
-    for (int i = 0; i < face.Count; ++i)
+  return SideAround(band, faces,
+    [&](int f, int other)
     {
-      for (const int other : band.FacesOfNode(face.Node[i]))
-      {
-        const auto& candidate = band.Faces[other];
-        // Nor from the skin between the layers, where a part of the model begins on it.
-        const bool sameKind = columns.HasThickness(face.Element[0])
-          ? columns.IsLayerFace(band, other) && candidate.Exterior == face.Exterior
-          : candidate.Exterior;
-        // Not round a ridge: that would be another side of the model.
-        if (sameKind && columns.InSamePart(face.Element[0], candidate.Element[0]) &&
-          std::find(around.begin(), around.end(), other) == around.end() &&
-          TurnCosine(face, normal, candidate, Facet(band, candidate).NormalAt(0)) > SameSideCosine)
-        {
-          around.push_back(other);
-        }
-      }
-    }
-  }
-  return around;
+      const auto &face = band.Faces[f], &next = band.Faces[other];
+      // Nor from the skin between the layers, where a part of the model begins on it.
+      const bool sameKind = columns.HasThickness(face.Element[0])
+        ? columns.IsLayerFace(band, other) && next.Exterior == face.Exterior
+        : next.Exterior;
+      return sameKind && columns.InSamePart(face.Element[0], next.Element[0]);
+    });
 }
 
 }

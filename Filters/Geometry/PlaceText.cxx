@@ -1,15 +1,18 @@
 #include "PlaceText.h"
 
-#include <cstdio>
+#include <locale>
+#include <sstream>
 
 namespace nurbs
 {
 
 std::string PlaceText(const Vec3& place)
 {
-  char text[128];
-  std::snprintf(text, sizeof(text), "(%.9g, %.9g, %.9g)", place.x(), place.y(), place.z());
-  return text;
+  std::ostringstream text;
+  text.imbue(std::locale::classic()); // commas part the coordinates
+  text.precision(9);
+  text << "(" << place.x() << ", " << place.y() << ", " << place.z() << ")";
+  return text.str();
 }
 
 }

@@ -96,6 +96,11 @@ public:
   {
     return this->BeforeLayer && this->NodeOrigins[node].Inserted;
   }
+  bool HasInsertedNode(int element) const
+  {
+    const BandElement& own = this->Elements[element];
+    return std::any_of(own.begin(), own.end(), [this](int n) { return this->IsInsertedNode(n); });
+  }
 
   int NumberOfNodes() const { return static_cast<int>(this->GlobalNode.size()); }
   int NumberOfElements() const { return static_cast<int>(this->Elements.size()); }

@@ -3,8 +3,9 @@
 #include "PageVector.h"
 #include "Runs.h"
 
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/thread_pool.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +13,9 @@
 #include <exception>
 #include <mutex>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -25,11 +29,49 @@ thread_local bool InLoop = false;
 
 }
 
-/// Those beside the caller.
-class Team::Others : public boost::asio::thread_pool
+/// Those beside the caller: as many as were asked for, or as the system gives. A pool of asio's own
+/// throws where that is none, and waits for ever where it is some.
+class Team::Others
 {
 public:
-  using boost::asio::thread_pool::thread_pool;
+  explicit Others(int most)
+    : Context(most)
+    , Open(Context.get_executor())
+  {
+    this->Threads.reserve(most);
+    try
+    {
+      for (int i = 0; i < most; ++i)
+      {
+        this->Threads.emplace_back([this] { this->Context.run(); });
+      }
+    }
+    catch (const std::system_error&)
+    {
+      // Who is there does the work.
+    }
+  }
+  ~Others()
+  {
+    this->Open.reset();
+    for (std::thread& thread : this->Threads)
+    {
+      thread.join();
+    }
+  }
+  Others(const Others&) = delete;
+  void operator=(const Others&) = delete;
+
+  template <typename Task>
+  void Ask(Task&& task)
+  {
+    boost::asio::post(this->Context, std::forward<Task>(task));
+  }
+
+private:
+  boost::asio::io_context Context;
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> Open;
+  std::vector<std::thread> Threads;
 };
 
 /// This thread's part in a loop.
@@ -172,7 +214,6 @@ Team::~Team()
   if (this->Pool)
   {
     Own = nullptr;
-    this->Pool->join();
   }
 }
 
@@ -207,7 +248,7 @@ void Team::For(Id first, Id last, Id grain, const Action& action)
     const Loop::Closing closing{ *loop };
     for (int i = 1; i < threads; ++i)
     {
-      boost::asio::post(*this->Pool, [loop, this] { loop->Join(this); });
+      this->Pool->Ask([loop, this] { loop->Join(this); });
     }
     loop->Work(this, 0);
   }

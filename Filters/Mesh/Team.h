@@ -22,8 +22,9 @@ namespace trim
 class Team
 {
 public:
-  /// The calling thread with others, for as long as the object is there; several threads may have
-  /// a team each. With less than two threads there is none.
+  /// The calling thread with others, as many as the system gives of those asked for, for as long as
+  /// the object is there; several threads may have a team each. With less than two threads there is
+  /// none.
   explicit Team(int threads);
   ~Team();
   Team(const Team&) = delete;

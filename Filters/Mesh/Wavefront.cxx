@@ -44,11 +44,11 @@ bool Wavefront::TakesTurnAlone()
   return left > 0;
 }
 
-void Wavefront::Await(const std::atomic<char>& done)
+void Wavefront::Await(const std::atomic<char>& done, const std::atomic<bool>& failed)
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  for (auto before = start; !done.load(std::memory_order_acquire);)
+  for (auto before = start; !done.load(std::memory_order_acquire) && !failed.load();)
   {
     std::this_thread::yield();
     const auto now = Clock::now();

@@ -31,7 +31,8 @@ public:
   /// @param met by task: the tasks before it that touch what it touches.
   explicit Wavefront(Band::Lists met);
 
-  /// Calls work(task) for all tasks; by the calling thread alone, if threads were held up lately.
+  /// Calls work(task) for all tasks, or until one throws: then none begins any more. The calling
+  /// thread does so alone, if threads were held up lately.
   template <typename Work>
   void Run(const Work& work) const
   {
@@ -43,6 +44,7 @@ public:
     const int count = static_cast<int>(this->Order.size());
     std::vector<std::atomic<char>> done(count);
     std::atomic<int> next{ 0 };
+    std::atomic<bool> failed{ false };
     // Whoever runs begins where the last one did: also if one thread has to do all of it. Nobody
     // waits for a task that nobody has begun, as those that it waits for come before it.
     ParallelFor(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
@@ -53,9 +55,20 @@ public:
           for (int i = begin; i < std::min(count, begin + AtOnce); ++i)
           {
             const int task = this->Order[i];
-            this->WaitForMet(task, done);
-            const Release release{ done[task] };
-            work(task);
+            if (!this->WaitForMet(task, done, failed))
+            {
+              return;
+            }
+            try
+            {
+              work(task);
+            }
+            catch (...)
+            {
+              failed.store(true); // what this thread had before it will never be done
+              throw;
+            }
+            done[task].store(1, std::memory_order_release);
           }
         }
       });
@@ -67,22 +80,18 @@ private:
   /// How often a thread asks for another's task before it yields: that may be for long.
   static constexpr int Patience = 100000;
 
-  /// Tells those that wait for a task, also if it throws: else they would wait for ever.
-  struct Release
-  {
-    std::atomic<char>& Done;
-    ~Release() { this->Done.store(1, std::memory_order_release); }
-  };
-
-  void WaitForMet(int task, const std::vector<std::atomic<char>>& done) const
+  /// False if a task has thrown: those that wait for it would wait for ever.
+  bool WaitForMet(
+    int task, const std::vector<std::atomic<char>>& done, const std::atomic<bool>& failed) const
   {
     for (const int* other = this->Met.begin(task); other != this->Met.end(task); ++other)
     {
       if (!IsSoonDone(done[*other]))
       {
-        Await(done[*other]);
+        Await(done[*other], failed);
       }
     }
+    return !failed.load();
   }
 
   static bool IsSoonDone(const std::atomic<char>& done)
@@ -94,8 +103,8 @@ private:
     return asked < Patience;
   }
 
-  /// Waits for a task, and learns whether other programs hold threads up.
-  static void Await(const std::atomic<char>& done);
+  /// Waits for a task, or until one has failed, and learns whether other programs hold threads up.
+  static void Await(const std::atomic<char>& done, const std::atomic<bool>& failed);
 
   /// Of all wavefronts: whether one of the runs after a thread was held up is due.
   static bool TakesTurnAlone();

@@ -139,8 +139,10 @@ double TimeLimit(const std::string& path)
   return 10.0 + 100.0 * Megabytes(path);
 }
 
-/// Ten times that by the clock: the machine may be busy, but a child may also wait for ever.
+/// Ten times that by the clock: the machine may be busy, but a child may also wait for ever. No
+/// more than so many seconds, which the clock can still count.
 constexpr double Patience = 10.0;
+constexpr double MostPatience = 1e9;
 
 /// Memory that the child may take beyond what ParaView has, in megabytes: a wrong count in a
 /// file must not take all that the machine has.
@@ -380,7 +382,7 @@ bool ReadInChild(const std::string& path, double seconds, const ChildWork& work,
     RunChild(ends[1], path, timeLimit, *readers, work);
   }
   close(ends[1]);
-  Child child(process, ends[0], Patience * timeLimit);
+  Child child(process, ends[0], std::min(Patience * timeLimit, MostPatience));
   std::string result;
   bool success = false;
   if (child.Receive(result, progress) && UnpackResult(result, success, error, things, unpack))

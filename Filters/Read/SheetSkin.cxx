@@ -79,8 +79,10 @@ vtkIdType AddElements(vtkUnstructuredGrid* grid, NodeSums& sums)
   const vtkIdType count =
     std::min(cells->GetNumberOfCells(), grid->GetCellTypesArray()->GetNumberOfValues());
   const auto numberOfPoints = static_cast<vtkIdType>(sums.Points.size());
+  // Fewer flags than cells are none: the trim refuses such a grid.
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
-  const unsigned char* ghost = ghosts ? ghosts->GetPointer(0) : nullptr;
+  const unsigned char* ghost =
+    ghosts && ghosts->GetNumberOfValues() >= count ? ghosts->GetPointer(0) : nullptr;
   const auto add = [&](auto* offsets, auto* connectivity)
   {
     const auto at = vtk::DataArrayValueRange<1>(offsets);

@@ -13,12 +13,6 @@ namespace trim
 namespace
 {
 
-bool HasInserted(const Band& layered, const BandElement& element)
-{
-  return std::any_of(
-    element.begin(), element.end(), [&layered](int n) { return layered.IsInsertedNode(n); });
-}
-
 /// The scaled Jacobian looks at corners only: the nodes of an element that is spoiled otherwise go
 /// back to where all were.
 void UndoSpoiled(const Band& layered, const BandQuality& quality,
@@ -36,7 +30,7 @@ void UndoSpoiled(const Band& layered, const BandQuality& quality,
     for (std::size_t e = 0; e < elements.size(); ++e)
     {
       const auto& element = elements[e];
-      const bool spoiled = HasInserted(layered, layered.Elements[e]) &&
+      const bool spoiled = layered.HasInsertedNode(static_cast<int>(e)) &&
         quality.Spoils(static_cast<int>(e), PointsAt(moves.Position, element), element.Count);
       for (int i = 0; spoiled && i < element.Count; ++i)
       {
@@ -76,7 +70,7 @@ bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& 
   {
     const BandElement& element = layered.Elements[e];
     elements.push_back({ element.Count, element.Node });
-    if (HasInserted(layered, element) && ScaledJacobian(PointsOf(layered, e), element.Count) < goal)
+    if (layered.HasInsertedNode(e) && ScaledJacobian(PointsOf(layered, e), element.Count) < goal)
     {
       below.push_back(e);
     }

@@ -5,7 +5,6 @@
 #include "Status.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -46,16 +45,15 @@ double SizeAlong(const Band& band, const BandElement& element, const Vec3& direc
 
 }
 
-std::vector<char> NodesOfFate(const TrimBand& near, bool kept)
+std::array<std::vector<char>, 2> NodesByFate(const TrimBand& near)
 {
-  std::vector<char> has(near.Mesh.NumberOfNodes(), 0);
+  std::array<std::vector<char>, 2> has;
+  has.fill(std::vector<char>(near.Mesh.NumberOfNodes(), 0));
   for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
   {
     const auto& element = near.Mesh.Elements[e];
-    if ((near.Trimmed.Kept[e] != 0) == kept)
-    {
-      std::for_each(element.begin(), element.end(), [&has](int n) { has[n] = 1; });
-    }
+    auto& own = has[near.Trimmed.Kept[e] ? 1 : 0];
+    std::for_each(element.begin(), element.end(), [&own](int n) { own[n] = 1; });
   }
   return has;
 }
@@ -102,8 +100,7 @@ ElementsAstray FindElementsAstray(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, Correction type)
 {
   const Band& band = near.Mesh;
-  const std::array<std::vector<char>, 2> has = { NodesOfFate(near, false),
-    NodesOfFate(near, true) };
+  const auto has = NodesByFate(near);
   // By type I the border is no surface.
   ElementsAstray sum = type == Correction::Eliminate ? ElementsAstray() : MeasureVolumeAstray(near);
   for (int e = 0; e < band.NumberOfElements(); ++e)

@@ -10,6 +10,7 @@
 #include "TrimBand.h"
 #include "TrimmingSurface.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -55,8 +56,8 @@ double ExcessOf(const TrimBand& near, int e);
 /// @param without by element those that do not count; empty: all count.
 ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>& without = {});
 
-/// Of each node, whether an element of one fate has it.
-std::vector<char> NodesOfFate(const TrimBand& near, bool kept);
+/// Of each node, whether an eliminated element has it, and whether a kept one.
+std::array<std::vector<char>, 2> NodesByFate(const TrimBand& near);
 
 ElementsAstray FindElementsAstray(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, Correction type);

@@ -210,10 +210,7 @@ bool MayBeRaised(const Band& band, const LadderOptions& options, const TrimmedBa
   std::size_t atLayer = 0;
   for (int e = 0; below > MostBelow && e < band.NumberOfElements(); ++e)
   {
-    const BandElement& element = band.Elements[e];
-    atLayer += trimmed.Kept[e] &&
-      std::any_of(
-        element.begin(), element.end(), [&band](int n) { return band.IsInsertedNode(n); });
+    atLayer += trimmed.Kept[e] && band.HasInsertedNode(e);
   }
   return below <= MostBelow ||
     static_cast<double>(below) <= LargestShareBelow * static_cast<double>(atLayer);

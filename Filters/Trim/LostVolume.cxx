@@ -8,7 +8,6 @@
 #include "Status.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace trim
@@ -27,8 +26,7 @@ bool HasNode(const BandElement& element, const Test& test)
 std::vector<char> FindUnreached(const TrimBand& near)
 {
   const Band& band = near.Mesh;
-  const std::array<std::vector<char>, 2> has = { NodesOfFate(near, false),
-    NodesOfFate(near, true) };
+  const auto has = NodesByFate(near);
   std::vector<char> unreached(band.NumberOfElements(), 0);
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {

@@ -121,13 +121,6 @@ void FindAmongSides(std::vector<Side> sides, std::vector<int>& elements)
   }
 }
 
-/// Across both diagonals; of a triangle too.
-Vec3 NormalOf(const Band& band, const BandFace& face)
-{
-  const auto at = [&](int corner) -> const Vec3& { return band.Point[face.Node[corner]]; };
-  return (at(2) - at(0)).cross(at(face.Count - 1) - at(1)).normalized();
-}
-
 /// Whether each corner of a face is where the other one has a corner.
 bool HaveSameCorners(const Band& band, const BandFace& a, const BandFace& b)
 {
@@ -158,7 +151,7 @@ void ListOpenFaces(const TrimBand& near, int node, std::vector<OpenFace>& open)
     const BandFace& face = band.Faces[f];
     if (IsOpen(band, face))
     {
-      open.push_back({ &face, NormalOf(band, face), IsOnSkin(near, face) });
+      open.push_back({ &face, Facet(band, face).MeanNormal(), IsOnSkin(near, face) });
     }
   }
 }

@@ -4,7 +4,6 @@
 #include "BorderCorners.h"
 #include "Facet.h"
 #include "NodeConstraint.h"
-#include "SortUnique.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -75,31 +74,6 @@ std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
   return found;
 }
 
-/// Some exterior faces and those next to them on the same side of the model.
-std::vector<int> SideAround(const Band& band, const std::vector<int>& faces)
-{
-  std::vector<int> around = faces;
-  for (const int f : faces)
-  {
-    const auto& face = band.Faces[f];
-    const Vec3 normal = Facet(band, face).NormalAt(0);
-    for (const int n : face)
-    {
-      for (const int other : band.FacesOfNode(n))
-      {
-        const auto& next = band.Faces[other];
-        if (next.Exterior &&
-          TurnCosine(face, normal, next, Facet(band, next).NormalAt(0)) > SameSideCosine)
-        {
-          around.push_back(other);
-        }
-      }
-    }
-  }
-  SortUnique(around);
-  return around;
-}
-
 /// Whether a node on an exterior face is still on that side of the model at another place.
 bool StaysOnSide(const Band& band, int face, const Vec3& place, double tolerance)
 {
@@ -117,7 +91,7 @@ bool StaysOnSide(const Band& band, int face, const Vec3& place, double tolerance
     {
       return true;
     }
-    faces = SideAround(band, faces);
+    faces = SideAround(band, faces, [&band](int, int other) { return band.Faces[other].Exterior; });
   }
   return false;
 }

@@ -231,15 +231,15 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
   const auto ids = ranks.Alone() ? nullptr : GlobalIdsOf(this->TheOwn.Grid->GetPointData());
   const bool lacksIds = ranks.Any(this->TheMesh.NumberOfPoints > 0 && !ids);
   const bool useIds = !lacksIds && ids;
-  this->PiecesRemark = lacksIds && ranks.Any(ids != nullptr)
-    ? "Some pieces of the grid have global ids of their points and others have none, so nodes of "
-      "several pieces are known by their places: make new ones, e.g. with Generate Global Ids."
-    : "";
-  this->HiddenRemark = DescribeLeftOut(this->TheOwn, ranks);
-  this->SurplusRemark = DescribeSurplus(this->OwnSurplus, ranks);
   const Id insideOut = ranks.Sum(this->OwnInsideOut);
   this->TheMesh.TurnsInsideOut = insideOut > LeastInsideOut * cells;
-  this->InsideOutRemark = this->TheMesh.TurnsInsideOut ? DescribeInsideOut(insideOut) : "";
+  this->GridRemarks = { DescribeLeftOut(this->TheOwn, ranks),
+    lacksIds && ranks.Any(ids != nullptr)
+      ? "Some pieces of the grid have global ids of their points and others have none, so nodes "
+        "of several pieces are known by their places: make new ones, e.g. with Generate Global Ids."
+      : "",
+    DescribeSurplus(this->OwnSurplus, ranks),
+    this->TheMesh.TurnsInsideOut ? DescribeInsideOut(insideOut) : "" };
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
   {
@@ -331,15 +331,9 @@ bool TrimInputs::Take(
 
 std::vector<std::string> TrimInputs::Remarks() const
 {
-  std::vector<std::string> remarks;
-  for (const std::string& remark : { this->HiddenRemark, this->PiecesRemark, this->SurplusRemark,
-         this->InsideOutRemark, this->SurfaceRemark })
-  {
-    if (!remark.empty())
-    {
-      remarks.push_back(remark);
-    }
-  }
+  std::vector<std::string> remarks = this->GridRemarks;
+  remarks.push_back(this->SurfaceRemark);
+  remarks.erase(std::remove(remarks.begin(), remarks.end(), std::string()), remarks.end());
   return remarks;
 }
 

@@ -66,12 +66,9 @@ private:
   MeshBlocks TheBlocks;
   bool Joined = false; ///< TheBlocks and TheShared know of the other ranks' pieces
   SharedNodes TheShared;
-  std::string PiecesRemark; ///< empty: nothing is to be said
-  std::string HiddenRemark;
-  std::string OwnSurplus; ///< arrays of this rank's piece that are too long
-  std::string SurplusRemark;
-  Id OwnInsideOut = 0; ///< hexahedra of this rank's piece
-  std::string InsideOutRemark;
+  std::string OwnSurplus;               ///< arrays of this rank's piece that are too long
+  Id OwnInsideOut = 0;                  ///< hexahedra of this rank's piece
+  std::vector<std::string> GridRemarks; ///< empty ones: nothing is to be said
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;

@@ -44,6 +44,26 @@ constexpr double FinestCoarseTolerance = 1e-6;
 /// A stretch with more of the band than this is decided before the others, not beside them.
 constexpr double MostSideBySide = 0.75;
 
+/// Distances that count as none, absolute.
+struct Precisions
+{
+  bool Single;      ///< some places are stored as float
+  double Place;     ///< of nodes that are put on the surface
+  double Rounding;  ///< of distances
+  double Tolerance; ///< of nodes that are on the surface where they are
+};
+
+Precisions PrecisionsOf(
+  const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece, double tolerance)
+{
+  const double diagonal = blocks.Bounds.diagonal().norm();
+  const double largest = LargestCoordinateOf(blocks.Bounds);
+  const bool single = piece.All.Any(mesh.PointsFloat != nullptr);
+  const double rounding = (single ? DistanceRoundingOfFloats : DistanceRounding) * largest;
+  return { single, std::max(PlacePrecision * diagonal, FarPlacePrecision * largest), rounding,
+    std::max(tolerance * diagonal, rounding) };
+}
+
 /// Whether the surface has to be turned round for its normal to point to what goes.
 bool MustTurn(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   const nurbs::TrimmingSurface& surface, const TrimOptions& options, double tolerance,
@@ -85,14 +105,14 @@ std::vector<Id> FindSeeds(const HexMesh& mesh, const TrimResult& result)
   return seeds;
 }
 
-/// Runs of cells within so many of the largest elements of the surface, and within the tolerance:
-/// all rings lie among them, as cells of one ring share nodes with the ring before, and those that
-/// the surface meets are the first.
+/// Runs of cells within so many of the largest elements of those that the surface comes to within
+/// the tolerance: all rings lie among them, as cells of one ring share nodes with the ring before,
+/// and those that the surface meets, or has nodes of, are the first.
 std::vector<Id> FindNearRuns(
   const MeshBlocks& blocks, const nurbs::TrimmingSurface& surface, int rings, double tolerance)
 {
-  const Vec3 slack = Vec3::Constant(1e-6 * blocks.LargestDiagonal);
-  const Vec3 margin = (rings * blocks.LargestCell + slack).cwiseMax(tolerance);
+  const Vec3 slack = Vec3::Constant(1e-6 * blocks.LargestDiagonal + tolerance);
+  const Vec3 margin = rings * blocks.LargestCell + slack;
   return FindRuns(
     blocks, [&](const Box3& box) { return surface.MayIntersect(Grown(box, margin)); });
 }
@@ -117,7 +137,7 @@ std::string FindRepeatedElement(const Band& band, const Piece& piece)
 
 /// The same band on all ranks; false with an error if there can be none.
 bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
-  const nurbs::TrimmingSurface& surface, bool singlePrecision, std::vector<Id> nearRuns,
+  const nurbs::TrimmingSurface& surface, const Precisions& within, std::vector<Id> nearRuns,
   const std::vector<Id>& seeds, TrimResult& result)
 {
   auto& near = result.Near;
@@ -125,7 +145,7 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
   {
     if (rings > BandRings)
     {
-      nearRuns = FindNearRuns(blocks, surface, rings, 0.0);
+      nearRuns = FindNearRuns(blocks, surface, rings, within.Tolerance);
     }
     auto cells = CollectBandCells(mesh, seeds, CellsOfRuns(mesh, nearRuns), rings,
       result.Nodes.Status, result.ElementStatus, SpreadAcrossPieces(piece));
@@ -133,7 +153,7 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
     {
       return false;
     }
-    near = std::make_unique<TrimBand>(Band(std::move(cells), rings, singlePrecision));
+    near = std::make_unique<TrimBand>(Band(std::move(cells), rings, within.Single));
     result.Error = FindRepeatedElement(near->Mesh, piece);
     if (!result.Error.empty())
     {
@@ -293,35 +313,29 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   // If one rank stops, all do: the others would wait for it.
   const auto aborted = [&](double done) { return result.Aborted = piece.All.Any(progress(done)); };
   const auto stopped = [&progress] { return progress(-1.0); };
-  const double diagonal = blocks.Bounds.diagonal().norm();
-  const double largest = LargestCoordinateOf(blocks.Bounds);
-  const double precision = std::max(PlacePrecision * diagonal, FarPlacePrecision * largest);
-  const bool singlePrecision = piece.All.Any(mesh.PointsFloat != nullptr);
-  const double rounding = (singlePrecision ? DistanceRoundingOfFloats : DistanceRounding) * largest;
-  const double tolerance = std::max(options.Tolerance * diagonal, rounding);
+  const Precisions within = PrecisionsOf(mesh, blocks, piece, options.Tolerance);
 
   // Classify.
-  std::vector<Id> nearRuns = FindNearRuns(blocks, surface, BandRings, tolerance);
+  std::vector<Id> nearRuns = FindNearRuns(blocks, surface, BandRings, within.Tolerance);
   const bool classified = ClassifyNodes(
-    mesh, blocks, nearRuns, piece, surface, tolerance, stopped, result.Nodes, result.Error);
+    mesh, blocks, nearRuns, piece, surface, within.Tolerance, stopped, result.Nodes, result.Error);
   if (aborted(0.2) || !classified)
   {
     return result;
   }
-  const bool turn = MustTurn(mesh, blocks, piece, surface, options, tolerance, result);
+  const bool turn = MustTurn(mesh, blocks, piece, surface, options, within.Tolerance, result);
   const Turned turned(surface, turn);
   if (turn)
   {
     TurnStatuses(result.Nodes);
   }
-  result.ElementStatus = ClassifyElements(mesh, blocks, surface, rounding, result.Nodes);
+  result.ElementStatus = ClassifyElements(mesh, blocks, surface, within.Rounding, result.Nodes);
 
   // Decide, correct and treat, near the cut.
   const auto seeds = FindSeeds(mesh, result);
   if (piece.All.Any(!seeds.empty()))
   {
-    if (!BuildBand(
-          mesh, blocks, piece, surface, singlePrecision, std::move(nearRuns), seeds, result) ||
+    if (!BuildBand(mesh, blocks, piece, surface, within, std::move(nearRuns), seeds, result) ||
       aborted(0.3))
     {
       return result;
@@ -332,7 +346,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     {
       return result;
     }
-    const BandTask task{ surface, precision, options.OfBand };
+    const BandTask task{ surface, within.Place, options.OfBand };
     DecideStretches(stretches, task, Part(progress, 0.4, 0.6));
     stretches.Join();
     NumberInserted(mesh.NumberOfPoints, result.Near->Mesh);

@@ -99,6 +99,22 @@ std::string FindOptionDefect(int correctionType, int optimization, const trim::T
     : "";
 }
 
+/// Whether so many elements of this rank can be renumbered. Collective.
+/// @param[in,out] warnings get another one where a rank has too many.
+bool CanRenumber(trim::Id cells, const trim::Ranks& ranks, std::vector<std::string>& warnings)
+{
+  const bool can = trim::CanOrderNodes(cells);
+  const std::string lack =
+    ranks.FirstText(can ? ""
+                        : "The nodes keep their order, as " + std::to_string(cells) +
+          " elements are too many to renumber at once: distribute the grid over several ranks.");
+  if (!lack.empty())
+  {
+    warnings.push_back(lack);
+  }
+  return can;
+}
+
 /// @param[in,out] result gets another warning where arrays of the input had to be renamed.
 void WriteOutputs(const trim::TrimInputs& inputs, trim::TrimResult& result,
   const trim::Ranks& ranks, const trim::WriteOptions& options, bool offcut,
@@ -314,7 +330,8 @@ int vtkTrimHexahedralGrid::Trim(
   }
   const std::vector<std::string> remarks = inputs.Remarks();
   result.Warnings.insert(result.Warnings.begin(), remarks.begin(), remarks.end());
-  const bool renumber = this->RenumberNodes && trim::CanOrderNodes(inputs.Mesh().NumberOfCells);
+  const bool renumber =
+    this->RenumberNodes && CanRenumber(inputs.Mesh().NumberOfCells, ranks, result.Warnings);
   WriteOutputs(inputs, result, ranks,
     { renumber, this->QualityOfAllElements, this->MapValues, this->InsertLayer },
     this->ProduceOffcut, progress, outputs);
@@ -338,13 +355,6 @@ void vtkTrimHexahedralGrid::Warn(const trim::Ranks& ranks, const std::vector<std
   for (std::size_t i = 0; ranks.Rank() == 0 && i < warnings.size(); ++i)
   {
     vtkWarningMacro(<< warnings[i]);
-  }
-  const vtkIdType cells = this->Inputs->Mesh().NumberOfCells;
-  if (this->RenumberNodes && !trim::CanOrderNodes(cells))
-  {
-    vtkWarningMacro(<< "The nodes keep their order, as " << cells
-                    << " elements are too many to renumber at once: distribute the grid over "
-                       "several ranks.");
   }
 }
 

@@ -1,4 +1,5 @@
 """The summary that every trim leaves in its field data, as a table."""
+import math
 
 # Column title, array in the field data, format.
 COLUMNS = [
@@ -21,7 +22,9 @@ COLUMNS = [
 def values(trim):
     """The summary of one trim as a dictionary: array name to number."""
     trim.UpdatePipeline()
-    return {name: trim.FieldData[name].GetRange(0)[0] for name in trim.FieldData.keys()}
+    ranges = {name: trim.FieldData[name].GetRange(0) for name in trim.FieldData.keys()}
+    # Upside down, that of NaN: no element was touched that could be measured.
+    return {name: low if low <= high else math.nan for name, (low, high) in ranges.items()}
 
 
 def formatted(value, form):

@@ -55,7 +55,9 @@ def trim(mesh_file, surface, result_file):
     result.UpdatePipeline()
     if result.GetDataInformation().GetNumberOfCells() > 0:
         row["state"] = "trimmed"
-        row.update((name, "%.9g" % result.FieldData[name].GetRange(0)[0]) for name in NUMBERS)
+        ranges = {name: result.FieldData[name].GetRange(0) for name in NUMBERS}
+        # Upside down, that of NaN: no element was touched that could be measured.
+        row.update((name, "%.9g" % low) for name, (low, high) in ranges.items() if low <= high)
         # Not the default mode: Debian 12's ParaView cannot read back its own appended raw data.
         SaveData(result_file, proxy=result, DataMode="Binary")
     elif not messages.errors:

@@ -5,6 +5,8 @@
 #ifndef FadingEdges_h
 #define FadingEdges_h
 
+#include <locale>
+#include <sstream>
 #include <string>
 
 /// Pixels: where no height of a facet's triangles is larger its edges cannot be seen.
@@ -18,14 +20,18 @@ inline constexpr double FullEdges = 10.0;
 /// with it.
 inline std::string FadingEdges()
 {
-  return R"json({"type" : "fragment", "original" : "//VTK::Edges::Impl", )json"
-         R"json("replacement" : "vec3 bareDiffuse = diffuseColor; )json"
-         R"json(vec3 bareAmbient = ambientColor; //VTK::Edges::Impl )json"
-         R"json(float fade = smoothstep()json" +
-    std::to_string(InvisibleEdges) + ", " + std::to_string(FullEdges) +
-    R"json(, edist[0] + edist[1] + edist[2]); )json"
-    R"json(diffuseColor = mix(bareDiffuse, diffuseColor, fade); )json"
-    R"json(ambientColor = mix(bareAmbient, ambientColor, fade);"})json";
+  std::ostringstream text;
+  text.imbue(std::locale::classic()); // a decimal point whatever the user's locale
+  text << std::fixed
+       << R"json({"type" : "fragment", "original" : "//VTK::Edges::Impl", )json"
+          R"json("replacement" : "vec3 bareDiffuse = diffuseColor; )json"
+          R"json(vec3 bareAmbient = ambientColor; //VTK::Edges::Impl )json"
+          R"json(float fade = smoothstep()json"
+       << InvisibleEdges << ", " << FullEdges
+       << R"json(, edist[0] + edist[1] + edist[2]); )json"
+          R"json(diffuseColor = mix(bareDiffuse, diffuseColor, fade); )json"
+          R"json(ambientColor = mix(bareAmbient, ambientColor, fade);"})json";
+  return text.str();
 }
 
 #endif

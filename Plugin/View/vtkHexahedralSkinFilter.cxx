@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -87,6 +88,9 @@ vtkSmartPointer<vtkPoints> GatherPoints(
   }
   return trim::MakePoints(places);
 }
+
+/// So many have all their nodes counted by 32 bits.
+constexpr std::size_t MostFacets = std::numeric_limits<vtkTypeInt32>::max() / 4;
 
 vtkSmartPointer<vtkCellArray> MakePolygons(const trim::HexMesh& mesh,
   const std::vector<trim::SkinFacet>& skin, const std::vector<int>& numberOf)
@@ -176,13 +180,17 @@ int vtkHexahedralSkinFilter::RequestData(
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  output->GetFieldData()->PassData(input->GetFieldData());
-  this->OutlineFlag = 0;
   auto* ranks = vtkMultiProcessController::GetGlobalController();
   std::vector<trim::SkinFacet> skin;
   trim::WithThreads(
     !ranks || ranks->GetNumberOfProcesses() == 1, [&]() { skin = trim::FindSkin(mesh); });
+  if (skin.size() > MostFacets)
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->GetFieldData()->PassData(input->GetFieldData());
+  this->OutlineFlag = 0;
   MakeSkin(vtkUnstructuredGrid::SafeDownCast(input), mesh, skin, output);
   this->LongestEdge = FindLongestEdge(mesh, skin);
   this->CleanupOutputData(output, 1);

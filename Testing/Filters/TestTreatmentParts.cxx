@@ -33,10 +33,13 @@
 #include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -530,6 +533,16 @@ void CheckWavefront()
   vtkSMPTools::SetBackend("Sequential");
 }
 
+/// So many runs that a thread was held up before matters no more.
+void TakeTurnsAgain()
+{
+  const Wavefront one(BuildLists(1, [](auto&&) {}));
+  for (int run = 0; run < 100; ++run)
+  {
+    one.Run([](int) {});
+  }
+}
+
 /// Whether another thread than the caller's takes tasks that wait for no other, if it can.
 bool TakesTwoThreads()
 {
@@ -564,18 +577,11 @@ void CheckHeldUp()
           add(task, task - 1);
         }
       }));
-    const auto runAll = [&chain]
-    {
-      for (int run = 0; run < 100; ++run)
-      {
-        chain.Run([](int) {});
-      }
-    };
     // On a busy machine the runs themselves may be held up.
     bool before = false, alone = false, after = false;
     for (int attempt = 0; attempt < 20 && !(before && alone && after); ++attempt)
     {
-      runAll();
+      TakeTurnsAgain();
       before = TakesTwoThreads();
       chain.Run(
         [](int task)
@@ -586,13 +592,49 @@ void CheckHeldUp()
           }
         });
       alone = !TakesTwoThreads();
-      runAll();
+      TakeTurnsAgain();
       after = TakesTwoThreads();
     }
     Expect(before, "two threads take tasks in turn");
     Expect(alone, "one thread after one was held up");
     Expect(after, "two threads again, later");
   }
+  vtkSMPTools::SetBackend("Sequential");
+}
+
+// A task that throws ends the others, also those that wait for what its thread had before it.
+void CheckFailureInTurn()
+{
+  constexpr int count = 64;
+  const Band::Lists met = BuildLists(count, [](auto&& add) { add(count - 1, 1); });
+  const Wavefront wavefront(met);
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(2);
+  const Team team(2);
+  TakeTurnsAgain();
+  std::atomic<bool> waits{ false };
+  bool caught = false;
+  try
+  {
+    wavefront.Run(
+      [&](int task)
+      {
+        waits = waits || task == count - 2;
+        while (task == 0 && !waits)
+        {
+          std::this_thread::yield();
+        }
+        if (task == 0)
+        {
+          throw std::bad_alloc();
+        }
+      });
+  }
+  catch (const std::bad_alloc&)
+  {
+    caught = true;
+  }
+  Expect(caught, "tasks in turn: a failure is lost");
   vtkSMPTools::SetBackend("Sequential");
 }
 
@@ -668,6 +710,30 @@ void CheckFailureInTeam()
     }
     Expect(caught, "team: what one of its threads throws does not come to the caller");
   }
+}
+
+// The system may have no threads left, here as none has a stack so large: the caller does the work.
+void CheckTeamWithoutThreads()
+{
+  pthread_attr_t usual, huge;
+  pthread_getattr_default_np(&usual);
+  pthread_attr_init(&huge);
+  pthread_attr_setstacksize(&huge, std::size_t{ 1 } << 47);
+  pthread_setattr_default_np(&huge);
+  try
+  {
+    const Team team(3);
+    std::atomic<Id> sum{ 0 };
+    ParallelFor(0, 100, 1, [&sum](Id begin, Id) { sum += begin; });
+    Expect(sum == 4950, "team: without threads some of the work is not done");
+  }
+  catch (const std::exception& failure)
+  {
+    Expect(false, std::string("team: not made without threads: ") + failure.what());
+  }
+  pthread_setattr_default_np(&usual);
+  pthread_attr_destroy(&huge);
+  pthread_attr_destroy(&usual);
 }
 
 // Where VTK would start threads for each loop, and only there.
@@ -856,8 +922,10 @@ int main()
   CheckNodeGrid();
   CheckWavefront();
   CheckHeldUp();
+  CheckFailureInTurn();
   CheckLoopsOfTeam();
   CheckFailureInTeam();
+  CheckTeamWithoutThreads();
   CheckSizeOfTeam();
   CheckDirectionBehind();
   CheckDecisionAgain();

@@ -11,7 +11,6 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStaticCellLocator.h>
@@ -405,12 +404,8 @@ void TestNothingLostByLeaning()
 Surface TwoHoles(const Mesh& mesh, const Vec3& place, double angle, double radius, double width)
 {
   const Vec3 way = (radius + 0.5 * width) * Vec3(std::cos(angle), std::sin(angle), 0);
-  Surface both;
-  vtkNew<vtkMultiBlockDataSet> faces;
-  faces->SetBlock(0, RoundHole(mesh, place.x() + way.x(), place.y() + way.y(), radius).Data);
-  faces->SetBlock(1, RoundHole(mesh, place.x() - way.x(), place.y() - way.y(), radius).Data);
-  both.Data = faces;
-  return both;
+  return Together(RoundHole(mesh, place.x() + way.x(), place.y() + way.y(), radius).Data,
+    RoundHole(mesh, place.x() - way.x(), place.y() - way.y(), radius).Data);
 }
 
 /// Whether a grid holds all of a straight line.
@@ -771,6 +766,19 @@ void TestToleranceBeside()
   }
 }
 
+// Of a block all nodes are within the tolerance, those too that are farther off than any ring of a
+// band reaches.
+void TestToleranceOfBlock()
+{
+  const Mesh block = Sheet(40, 4, 4, Vec3(1, 1, 1));
+  const Surface plane = PlaneThrough(Vec3(1.3, 2, 0), Vec3(1, 0, 0), 200);
+  TrimOptions options;
+  options.Tolerance = 1.0;
+  const Outcome outcome = RunTrim(block, plane, options);
+  Expect(outcome.Errors.empty() && outcome.Case.Trimmed->GetNumberOfCells() == 4 * 4,
+    "tolerance: elements of a block");
+}
+
 // Less than an element is cut off a corner: the corner's nodes move, and no element is there to
 // take what they leave behind.
 void TestCornerLost()
@@ -828,6 +836,7 @@ int main()
   TestCornerLost();
   TestCoarseTolerance();
   TestToleranceBeside();
+  TestToleranceOfBlock();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

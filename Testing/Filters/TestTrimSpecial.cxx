@@ -347,11 +347,7 @@ void TestKeepPointBehindSeveral()
     control->SetComponent(i, 2, control->GetComponent(i, 2) + shift[2]);
   }
   above->SetPolys(nullptr);
-  vtkNew<vtkMultiBlockDataSet> both;
-  both->SetBlock(0, sphere.Data);
-  both->SetBlock(1, above);
-  Surface spheres = sphere;
-  spheres.Data = both;
+  const Surface spheres = Together(sphere.Data, above);
   double box[6];
   vtkPolyData::SafeDownCast(sphere.Data)->GetBounds(box);
   const Vec3 middle(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]));
@@ -809,7 +805,6 @@ void TestNoPolygons()
   }
 }
 
-// A composite of one grid is that grid, whatever blocks without cells are beside it.
 // A hole that touches the plane above it: nodes right over the line where they touch have a foot on
 // both, with opposite normals.
 void TestTouchingFaces()
@@ -820,12 +815,7 @@ void TestTouchingFaces()
     { 2.3, 2.7, 3.1, 3.3 }) // which face has the foot is a matter of rounding
   {
     const double middle = 2.0 - radius;
-    const Surface hole = RoundHole(mesh, 0.0, middle, radius);
-    vtkNew<vtkMultiBlockDataSet> faces;
-    faces->SetBlock(0, hole.Data);
-    faces->SetBlock(1, plane);
-    Surface both = hole;
-    both.Data = faces;
+    const Surface both = Together(RoundHole(mesh, 0.0, middle, radius).Data, plane);
     const Outcome outcome = RunTrim(mesh, both, TrimOptions());
     Expect(outcome.Clean(), "touching faces: " + (outcome.Clean() ? "" : outcome.Errors[0]));
     vtkDataArray* status = outcome.Case.Whole->GetPointData()->GetArray("NodeStatus");
@@ -840,6 +830,7 @@ void TestTouchingFaces()
   }
 }
 
+// A composite of one grid is that grid, whatever blocks without cells are beside it.
 void TestBlockAlone()
 {
   const Mesh mesh = MakeMesh("sheet2");

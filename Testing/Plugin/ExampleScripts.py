@@ -5,7 +5,7 @@ import os
 import shutil
 import subprocess
 
-from paraview.simple import OpenDataFile, PassArrays, SaveData, Sphere
+from paraview.simple import OpenDataFile, PassArrays, SaveData, Sphere, Transform
 
 from Checks import ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet
 
@@ -109,6 +109,21 @@ def check_batch(plane):
         check(not os.path.exists(path("results", name)), "a result of " + name)
 
 
+def check_batch_without_cut(plane):
+    """A mesh that the plane misses stays whole, and has no worst touched element."""
+    for directory in ("meshes", "results"):
+        shutil.rmtree(path(directory))
+    os.makedirs(path("meshes"))
+    far = Transform(Input=sheet())
+    far.Transform.Translate = [-100, 0, 0]
+    SaveData(path("meshes", "far.vtu"), PassArrays(Input=far), DataMode="Binary")
+    run("TrimBatch.py", path("meshes"), plane, path("results"))
+    row = batch_table()["far.vtu"]
+    check_equal(int(row["Kept"]), ELEMENT_COUNT, "Kept of a mesh that is missed")
+    check_equal(row["MinimumScaledJacobian"], "", "worst touched element where there is none")
+    check("misses the grid" in row["messages"], "no word of the miss: " + row["messages"])
+
+
 def check_batch_names(plane):
     """Each of two meshes that differ in the ending alone has its result, and so has one that is
     named as the result of another would be; and no result takes the place of a mesh."""
@@ -142,4 +157,5 @@ plane_file = os.path.join(OUTPUT_DIRECTORY, "plane.igs")  # of WindowInput.py
 check_surface(plane_file)
 check_points()
 check_batch(plane_file)
+check_batch_without_cut(plane_file)
 check_batch_names(plane_file)

@@ -8,7 +8,6 @@
 #include "Pieces.h"
 #include "ThreadRanks.h"
 
-#include <vtkMultiBlockDataSet.h>
 #include <vtkNURBSSurfaceSource.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -68,12 +67,7 @@ Surface TwoWalls(const Mesh& mesh, double end)
   const auto wall = [&mesh](double x) {
     return Swept(mesh, { Vec3(x, -1.3, 0), Vec3(x, 1.3, 0) });
   };
-  vtkNew<vtkMultiBlockDataSet> walls;
-  walls->SetBlock(0, wall(-0.61 * end).Data);
-  walls->SetBlock(1, wall(1.3 * end).Data);
-  Surface surface;
-  surface.Data = walls;
-  return surface;
+  return Together(wall(-0.61 * end).Data, wall(1.3 * end).Data);
 }
 
 void Compare(const std::string& what, const Mesh& mesh, const Surface& surface)

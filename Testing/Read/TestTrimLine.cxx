@@ -7,14 +7,17 @@
 #include "vtkTrimLineSource.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkParametricSpline.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <Eigen/Geometry>
@@ -26,6 +29,7 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 using nurbs::NurbsSurface;
 using nurbs::Vec3;
@@ -401,6 +405,18 @@ size_t CountWarnings(vtkUnstructuredGrid* sheet, double length)
   return capture->Warnings.size();
 }
 
+/// A sheet with flags for its first cell only: what lies behind them in memory is none of them.
+void TestFewFlags()
+{
+  const auto sheet = MakeSheet([](const Vec3& p) { return p; });
+  std::vector<unsigned char> memory(sheet->GetNumberOfCells(), vtkDataSetAttributes::DUPLICATECELL);
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetArray(memory.data(), 1, 1);
+  sheet->GetCellData()->AddArray(flags);
+  CHECK(CountWarnings(sheet, 0.0) == 0, "a sheet with few flags");
+}
+
 /// A sheet of other cells is of no use, which is said if it is asked.
 void TestUselessSheet()
 {
@@ -690,6 +706,7 @@ int main()
   TestAutomaticByLine();
   TestAutomaticBySheet();
   TestCorruptSheet();
+  TestFewFlags();
   TestUselessSheet();
   TestUnusedPoints();
   TestModified();

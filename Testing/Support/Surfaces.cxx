@@ -522,12 +522,19 @@ Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double l
 Surface StripAndHole(const Mesh& sheets)
 {
   const Vec3 first(sheets.Grid->GetPoint(0));
-  vtkNew<vtkMultiBlockDataSet> faces;
-  faces->SetBlock(0, PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100).Data);
-  faces->SetBlock(1, RoundHole(sheets, 4, 5, 0.45).Data);
-  Surface both;
+  Surface both = Together(PlaneThrough(first + Vec3(9.3, 0, 0), Vec3::UnitX(), 100).Data,
+    RoundHole(sheets, 4, 5, 0.45).Data);
   both.Name = "strip and hole";
-  both.Data = faces;
+  return both;
+}
+
+Surface Together(vtkDataObject* one, vtkDataObject* other)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, one);
+  blocks->SetBlock(1, other);
+  Surface both;
+  both.Data = blocks;
   return both;
 }
 

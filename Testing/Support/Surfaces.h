@@ -74,6 +74,8 @@ Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double l
 /// narrow for elements, and makes a hole in the first one, too small to be opened. Without an
 /// oracle.
 Surface StripAndHole(const Mesh& sheets);
+/// Two as one trimming surface, of which no truth is known.
+Surface Together(vtkDataObject* one, vtkDataObject* other);
 
 /// The spline behind a poly data made here: rows of the contract read back.
 SplineSurface ReadSpline(vtkPolyData* data);
