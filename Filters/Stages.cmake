@@ -68,6 +68,7 @@ add_library(NURBSTrimStages STATIC
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
   Treat/StepDirections.cxx
+  Treat/StraightPillars.cxx
   Treat/TrialCreases.cxx
   Treat/TrialReturns.cxx
   Treat/TrialTrim.cxx

@@ -2,6 +2,7 @@
 
 #include "JointRelaxation.h"
 #include "MovingNodes.h"
+#include "StraightPillars.h"
 
 #include <algorithm>
 #include <functional>
@@ -295,6 +296,22 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
       polish(step, step + 1);
     }
   }
+}
+
+void TrialTrim::Straighten(
+  const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+{
+  if (this->Options.QualityFloor <= 0.0 || !this->TheColumns.AnyHasThickness())
+  {
+    return;
+  }
+  const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
+  Shapes shapes = this->ShapesOf(set, trimmed, true);
+  for (std::size_t n = 0; n < trimmed.OnCrease.size(); ++n)
+  {
+    shapes.Fixed[n] = shapes.Fixed[n] || trimmed.OnCrease[n];
+  }
+  StraightenPillars(this->Guard(shapes, this->GoalForLeft(), aborted, trimmed), this->TheColumns);
 }
 
 /// Relaxes what is short of the goal and was not so before.

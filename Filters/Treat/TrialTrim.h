@@ -70,8 +70,13 @@ public:
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
 
+  /// Takes nodes of relaxed pillars together again, where a floor is asked for.
+  void Straighten(
+    const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+
   /// Whether there may be sharp edges of a surface to be followed.
   static bool MayFollowCreases(const nurbs::TrimmingSurface& surface, const LadderOptions& options);
+  bool MayFollowCreases() const { return MayFollowCreases(this->Surface, this->Options); }
 
   /// Takes nodes of the new boundary to the sharp edges that it passes, where the elements stand
   /// it.

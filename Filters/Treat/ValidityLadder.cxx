@@ -95,6 +95,7 @@ public:
   void FollowCreases(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
   {
     this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+    this->TheChoices.Trial.Straighten(this->TheChoices.At.Set, aborted, trimmed);
     trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
   }
 
@@ -143,6 +144,11 @@ private:
     if (this->TheChoices.Options.FollowsCreases)
     {
       this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+    }
+    // At the very end: if nodes go to sharp edges yet, pillars come straight after that.
+    if (this->TheChoices.Options.FollowsCreases || !this->TheChoices.Trial.MayFollowCreases())
+    {
+      this->TheChoices.Trial.Straighten(this->TheChoices.At.Set, aborted, trimmed);
     }
     trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
   }

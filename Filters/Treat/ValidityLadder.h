@@ -11,8 +11,8 @@
  * end there. What came below the floor is held to 0.2, or exempt if it came below that, too. Then
  * nodes that were left return to the surface, as many as can without elements that fall below what
  * is aimed at, and in a second result without such that fall below the floor. Then everything
- * is relaxed once more, to a higher goal that binds nobody, and at the end nodes go to the sharp
- * edges of the surface.
+ * is relaxed once more, to a higher goal that binds nobody, nodes go to the sharp edges of the
+ * surface, and at the end pillars that all this has bent come straight again.
  */
 #ifndef ValidityLadder_h
 #define ValidityLadder_h

@@ -21,6 +21,7 @@ class ChordSearch
 public:
   ChordSearch(const TrimBand& near, const nurbs::TrimmingSurface& surface)
     : Mesh(near.Mesh)
+    , Structure(near.Structure)
     , Trimmed(near.Trimmed)
     , Surface(surface)
   {
@@ -40,8 +41,10 @@ public:
       const bool whole = !wedge ||
         std::none_of(wedge->Dropped.begin(), wedge->Dropped.end(),
           [&face](int n) { return CornerOf(face, n) < face.Count; });
-      // Of the model's border what lay beyond the surface.
-      const bool ofBorder = face.Exterior || IsCutFace(face, this->Trimmed.Kept);
+      // Of the model's border what lay beyond the surface. The skin of a sheet is none: the mouth
+      // of a tab that is one element wide has all its nodes on the surface, too.
+      const bool isSkin = this->Structure.IsLayerFace(this->Mesh, element.Face[slot]);
+      const bool ofBorder = (face.Exterior && !isSkin) || IsCutFace(face, this->Trimmed.Kept);
       if (whole && ofBorder && this->IsLongChord(e, face))
       {
         return true;
@@ -94,6 +97,7 @@ private:
   }
 
   const Band& Mesh;
+  const Columns& Structure;
   const TrimmedBand& Trimmed;
   const nurbs::TrimmingSurface& Surface;
 };

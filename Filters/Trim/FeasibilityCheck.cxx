@@ -37,6 +37,9 @@ constexpr double SmallestSine = 0.05;
 constexpr double SmallestTurnCosine = 0.940;
 constexpr double LargestTurnCosine = -0.5;
 constexpr double RightAngle = 0.5 * M_PI;
+/// A node that went to a sharp edge is that near, in elements, to the planes on either side of it:
+/// more than these bend away within an element.
+constexpr double EdgeReach = 0.5;
 /// Share of a ray within which a hit is its own start.
 constexpr double RayStart = 1e-3;
 
@@ -139,8 +142,7 @@ private:
     {
       return Feasibility::Inclined;
     }
-    return cut && this->IsCurved(probe) && !this->IsAtFollowedEdge(probe) ? Feasibility::Curved
-                                                                          : Feasibility::Fine;
+    return cut && this->IsCurved(probe) ? Feasibility::Curved : Feasibility::Fine;
   }
 
   bool IsInclined(const ElementProbe& probe) const
@@ -149,7 +151,7 @@ private:
   }
 
   /// By the curvature at the feet; and, for sharp edges of the surface and bends that no foot hits,
-  /// by the turn of the normal between two feet.
+  /// by the turn of the normal between two feet. Not where a node went to the edge.
   bool IsCurved(const ElementProbe& probe) const
   {
     Box3 box;
@@ -167,9 +169,13 @@ private:
       {
         continue;
       }
-      if (isSmall(this->RadiusInElements(probe, foot)) ||
+      if ((isSmall(this->RadiusInElements(probe, foot)) && !this->IsAtFollowedEdge(probe)) ||
         std::any_of(inside.begin(), inside.begin() + count,
-          [&](const Foot* other) { return isSmall(MeanRadius(probe, foot, *other)); }))
+          [&](const Foot* other)
+          {
+            return isSmall(MeanRadius(probe, foot, *other)) &&
+              !this->IsFollowedBetween(probe, foot, *other);
+          }))
       {
         return true;
       }
@@ -181,12 +187,36 @@ private:
   /// Whether a node of the element or of one next to it went to a sharp edge of the surface.
   bool IsAtFollowedEdge(const ElementProbe& probe) const
   {
+    return this->HasFollowedEdge(probe, [](int) { return true; });
+  }
+
+  /// The same for the edge between two feet, and no other: a notch has several side by side.
+  bool IsFollowedBetween(const ElementProbe& probe, const Foot& a, const Foot& b) const
+  {
+    return this->HasFollowedEdge(probe,
+      [&](int node)
+      {
+        const Vec3& place = this->Result.Near->Trimmed.NodeMoves.Position[node];
+        const auto isIn = [&](const Foot& foot)
+        {
+          const Vec3 off = foot.Normal * foot.Normal.dot(place - foot.Point);
+          return probe.InElements(off) < EdgeReach;
+        };
+        return isIn(a) && isIn(b);
+      });
+  }
+
+  /// @param isIt isIt(node) says whether the edge that a node went to counts.
+  template <typename IsIt>
+  bool HasFollowedEdge(const ElementProbe& probe, const IsIt& isIt) const
+  {
     const int element = probe.Element;
     if (element < 0 || this->Result.Near->Trimmed.OnCrease.empty())
     {
       return false;
     }
-    const auto isThere = [this](int n) { return this->Result.Near->Trimmed.OnCrease[n] != 0; };
+    const auto isThere = [&](int n)
+    { return this->Result.Near->Trimmed.OnCrease[n] != 0 && isIt(n); };
     return this->HasNode(element,
       [&](int node)
       {

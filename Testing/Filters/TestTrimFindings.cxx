@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 using namespace judge;
 
@@ -238,6 +239,74 @@ Surface Polyline(const std::vector<Vec2>& corners)
   Surface surface;
   surface.Data = ToPolyData(Wall(line));
   return surface;
+}
+
+/// Distance in the plane from the nearest node of a grid.
+double DistanceToNode(vtkUnstructuredGrid* grid, const Vec2& place)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    nearest = std::min(nearest, (Vec3(grid->GetPoint(i)).head<2>() - place).norm());
+  }
+  return nearest;
+}
+
+/// Whether an element in which, or beside which, a place is has a Feasibility.
+bool IsToldAt(vtkUnstructuredGrid* whole, const Vec2& place)
+{
+  vtkDataArray* const found = whole->GetCellData()->GetArray("Feasibility");
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    double box[6];
+    whole->GetCellBounds(c, box);
+    if (found->GetComponent(c, 0) > 0 && box[0] - 1 < place.x() && place.x() < box[1] + 1 &&
+      box[2] - 1 < place.y() && place.y() < box[3] + 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The inner corners of a relief notch that are cut off are told of, also where nodes went to the
+// outer ones right beside them; where all corners are followed nothing is.
+void TestNotches()
+{
+  const Mesh sheet = Sheet(30, 30, 2, Vec3(1, 1, 0.4));
+  int missed = 0, followed = 0;
+  for (int k = 0; k < 120; ++k)
+  {
+    const double x = 20.0 + 0.1 * (k % 10), y = 14.0 + 0.17 * (k % 6), width = 1.3 + 0.1 * (k % 11),
+                 depth = 1.2 + 0.11 * (k % 9);
+    const std::vector<Vec2> inner{ Vec2(x - depth, y), Vec2(x - depth, y + width) };
+    const std::vector<Vec2> outer{ Vec2(x, y), Vec2(x, y + width) };
+    const Surface contour = Polyline({ Vec2(x, 4.3), outer[0], inner[0], inner[1], outer[1],
+      Vec2(x, 26.2), Vec2(5.4, 26.2), Vec2(5.4, 4.3) });
+    TrimOptions options;
+    options.InvertSide = k % 2 != 0; // a notch, or a tab in its place
+    const Outcome outcome = RunTrim(sheet, contour, options);
+    const std::string name = "notch " + std::to_string(k);
+    const auto found = ExpectWarned(name, outcome);
+    bool all = true;
+    for (const std::vector<Vec2>& corners : { inner, outer })
+    {
+      for (const Vec2& corner : corners)
+      {
+        const bool isMissed = DistanceToNode(outcome.Case.Trimmed, corner) > 0.1;
+        all &= !isMissed;
+        missed += isMissed;
+        Expect(!isMissed || IsToldAt(outcome.Case.Whole, corner),
+          name + ": nothing is told of a corner that is cut off");
+      }
+    }
+    followed += all;
+    Expect(!all || found.count(Curved) == 0, name + ": an edge is told of that is followed");
+  }
+  std::printf("notches: %d corners missed, %d whole\n", missed, followed);
+  Expect(missed > 5 && followed > 5,
+    "notches: " + std::to_string(missed) + " corners missed, " + std::to_string(followed) +
+      " whole");
 }
 
 // Two sides of a window lie on lines of the mesh, and run along edges that end at its corners.
@@ -819,6 +888,7 @@ int main()
   TestInclined();
   TestSmallHoles();
   TestAligned();
+  TestNotches();
   TestSlots();
   TestStripLost();
   TestStripLostAmongOthers();
