@@ -1,6 +1,7 @@
 #include "StraightPillars.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <unordered_map>
@@ -15,6 +16,8 @@ namespace
 constexpr double StraightEnough = 0.02;
 /// How much of its scaled Jacobian an element may lose, of which more than enough does not count.
 constexpr double LargestLoss = 0.04, EnoughQuality = 0.6;
+/// What is above one of these does not fall below: straight cuts and round holes reach them.
+constexpr std::array<double, 2> Reached{ 0.5, 0.55 };
 /// A pillar has to come so much nearer to straight.
 constexpr double NearerShare = 0.7;
 /// Of the angle between two edges that are a basis.
@@ -275,7 +278,11 @@ private:
     for (const int e : this->ElementsAt(stack.Nodes))
     {
       const double now = this->Quality(e);
-      const double least = std::max(this->Given.Least, std::min(now, EnoughQuality) - LargestLoss);
+      double least = std::max(this->Given.Least, std::min(now, EnoughQuality) - LargestLoss);
+      for (const double reached : Reached)
+      {
+        least = now >= reached ? std::max(least, reached) : least;
+      }
       this->Held.emplace(e, Standard{ std::min(now, least), this->EdgeShareToKeep(e) });
     }
   }

@@ -20,7 +20,7 @@ namespace trim
  * change evenly from skin to skin, or half-way.
  *
  * No element loses more than 0.04 of its scaled Jacobian, counted from 0.6 down, or falls below
- * the least of `given`.
+ * 0.5, 0.55 or the least of `given`.
  *
  * @param given nodes that are moved get Correction::Relax; pillars with fixed nodes, or such that
  * were left off the surface, stay.

@@ -301,7 +301,9 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
 void TrialTrim::Straighten(
   const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
-  if (this->Options.QualityFloor <= 0.0 || !this->TheColumns.AnyHasThickness())
+  const auto& applied = trimmed.NodeMoves.Applied;
+  if (this->Options.QualityFloor <= 0.0 || !this->TheColumns.AnyHasThickness() ||
+    std::find(applied.begin(), applied.end(), Correction::Relax) == applied.end())
   {
     return;
   }
