@@ -24,13 +24,6 @@ constexpr double NearerShare = 0.7;
 constexpr double SmallestSine = 0.05;
 constexpr int MostSweeps = 5;
 
-/// Nodes of a pillar from skin to skin, with the edges to two pillars beside it.
-struct Stack
-{
-  std::vector<int> Nodes;
-  std::vector<Eigen::Matrix<double, 3, 2>> Edges; ///< as they came, by node
-};
-
 /// Ways of a stack's nodes, in shares of its edges.
 using Shares = std::vector<Eigen::Vector2d>;
 
@@ -82,70 +75,68 @@ double LargestDifference(const Shares& a, const Shares& b)
   return largest;
 }
 
-class Straightener : private GuardedMesh
+Shares SharesOf(const Stack& stack, const Band& band, const Moves& moves)
+{
+  Shares shares;
+  for (std::size_t i = 0; i < stack.Nodes.size(); ++i)
+  {
+    const int node = stack.Nodes[i];
+    const Vec3 way = moves.Position[node] - band.Point[node];
+    const auto& edges = stack.Edges[i];
+    const Eigen::Matrix2d square = edges.transpose() * edges;
+    shares.push_back(square.inverse() * (edges.transpose() * way));
+  }
+  return shares;
+}
+
+/// Looks for bent pillars.
+class StackFinder
 {
 public:
-  Straightener(const GuardedCase& given, const Columns& columns)
-    : GuardedMesh(given)
+  StackFinder(const Band& band, const Columns& columns, const NodeMover& mover, const Moves& moves)
+    : TheBand(band)
     , TheColumns(columns)
+    , Mover(mover)
+    , TheMoves(moves)
   {
   }
 
-  void Run()
+  std::vector<Stack> Find() const
   {
-    const std::vector<Stack> stacks = this->FindStacks();
-    for (int sweep = 0; sweep < MostSweeps && !this->Given.Aborted(); ++sweep)
+    std::vector<char> isRelaxed(this->TheBand.NumberOfNodes(), 0); // by pillar
+    bool any = false;
+    for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
-      bool changed = false;
-      for (const Stack& stack : stacks)
-      {
-        changed |= this->Straighten(stack);
-      }
-      if (!changed)
-      {
-        return;
-      }
+      const bool relaxed = this->TheMoves.Applied[n] == Correction::Relax;
+      isRelaxed[this->TheColumns.Pillar[n]] |= relaxed;
+      any |= relaxed;
     }
-  }
-
-private:
-  /// Bent ones, and what the elements at them are held to.
-  std::vector<Stack> FindStacks()
-  {
     std::vector<Stack> stacks;
-    const Band::Lists pillars = this->TheColumns.Nodes();
-    for (int p = 0; p < this->TheBand.NumberOfNodes(); ++p)
+    const Band::Lists pillars = any ? this->TheColumns.Nodes() : Band::Lists();
+    for (int p = 0; any && p < this->TheBand.NumberOfNodes(); ++p)
     {
-      const std::vector<int> nodes(pillars.begin(p), pillars.end(p));
-      if (nodes.size() < 2 || !this->MayStraighten(nodes))
-      {
-        continue;
-      }
-      auto stack = this->MakeStack(nodes);
+      const std::vector<int> nodes =
+        isRelaxed[p] ? std::vector<int>(pillars.begin(p), pillars.end(p)) : std::vector<int>();
+      auto stack = nodes.size() > 1 && this->MayBend(nodes) ? this->MakeStack(nodes) : std::nullopt;
       if (stack && this->BendOf(*stack) > StraightEnough)
       {
-        this->Hold(*stack);
         stacks.push_back(std::move(*stack));
       }
     }
     return stacks;
   }
 
-  bool MayStraighten(const std::vector<int>& nodes) const
+private:
+  bool MayBend(const std::vector<int>& nodes) const
   {
-    const bool onCut = this->OnCut[nodes.front()] != 0;
-    return std::any_of(nodes.begin(), nodes.end(),
-             [this](int n) { return this->TheMoves.Applied[n] == Correction::Relax; }) &&
-      std::all_of(nodes.begin(), nodes.end(),
-        [this, onCut](int n)
-        {
-          const auto elements = this->TheBand.ElementsOfNode(n);
-          return (this->OnCut[n] != 0) == onCut && !this->Given.Fixed[n] &&
-            !this->TheMoves.Left[n] && !this->TheMoves.Failed[n] && this->Mover.IsInSheet(n) &&
-            this->Mover.MayRelax(n, onCut) && !this->ElementsAt({ n }).empty() &&
-            std::none_of(
-              elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); });
-        });
+    return std::all_of(nodes.begin(), nodes.end(),
+      [this](int n)
+      {
+        const auto elements = this->TheBand.ElementsOfNode(n);
+        return !this->TheMoves.Left[n] && !this->TheMoves.Failed[n] && this->Mover.IsInSheet(n) &&
+          std::none_of(
+            elements.begin(), elements.end(), [this](int e) { return this->TheBand.InHalo(e); });
+      });
   }
 
   /// The neighbour of a node in another pillar; -1: none.
@@ -220,7 +211,8 @@ private:
       {
         continue;
       }
-      const double least = MeanOf(this->SharesOf(stack)).front().minCoeff();
+      const double least =
+        MeanOf(SharesOf(stack, this->TheBand, this->TheMoves)).front().minCoeff();
       if (!best || least > most)
       {
         best = stack;
@@ -253,26 +245,61 @@ private:
     return true;
   }
 
-  Shares SharesOf(const Stack& stack) const
-  {
-    Shares shares;
-    for (std::size_t i = 0; i < stack.Nodes.size(); ++i)
-    {
-      const int node = stack.Nodes[i];
-      const Vec3 way = this->TheMoves.Position[node] - this->TheBand.Point[node];
-      const auto& edges = stack.Edges[i];
-      const Eigen::Matrix2d square = edges.transpose() * edges;
-      shares.push_back(square.inverse() * (edges.transpose() * way));
-    }
-    return shares;
-  }
-
   double BendOf(const Stack& stack) const
   {
-    const Shares shares = this->SharesOf(stack);
+    const Shares shares = SharesOf(stack, this->TheBand, this->TheMoves);
     return LargestDifference(shares, MeanOf(shares));
   }
 
+  const Band& TheBand;
+  const Columns& TheColumns;
+  const NodeMover& Mover;
+  const Moves& TheMoves;
+};
+
+class Straightener : private GuardedMesh
+{
+public:
+  using GuardedMesh::GuardedMesh;
+
+  void Run(std::vector<Stack> stacks)
+  {
+    stacks.erase(std::remove_if(stacks.begin(), stacks.end(),
+                   [this](const Stack& stack) { return !this->MayStraighten(stack.Nodes); }),
+      stacks.end());
+    for (const Stack& stack : stacks)
+    {
+      this->Hold(stack);
+    }
+    for (int sweep = 0; sweep < MostSweeps && !this->Given.Aborted(); ++sweep)
+    {
+      bool changed = false;
+      for (const Stack& stack : stacks)
+      {
+        changed |= this->Straighten(stack);
+      }
+      if (!changed)
+      {
+        return;
+      }
+    }
+  }
+
+private:
+  bool MayStraighten(const std::vector<int>& nodes) const
+  {
+    const bool onCut = this->OnCut[nodes.front()] != 0;
+    return std::all_of(nodes.begin(), nodes.end(),
+      [this, onCut](int n)
+      {
+        return (this->OnCut[n] != 0) == onCut && !this->Given.Fixed[n] &&
+          this->Mover.MayRelax(n, onCut) && !this->ElementsAt({ n }).empty();
+      });
+  }
+
+  Shares WaysOf(const Stack& stack) const { return SharesOf(stack, this->TheBand, this->TheMoves); }
+
+  /// Takes what the elements at it have for what they are held to.
   void Hold(const Stack& stack)
   {
     for (const int e : this->ElementsAt(stack.Nodes))
@@ -289,7 +316,7 @@ private:
 
   bool Straighten(const Stack& stack)
   {
-    const Shares shares = this->SharesOf(stack);
+    const Shares shares = this->WaysOf(stack);
     const Shares mean = MeanOf(shares);
     const double bend = LargestDifference(shares, mean);
     if (bend <= StraightEnough)
@@ -320,7 +347,7 @@ private:
     {
       this->TheMoves.Position[stack.Nodes[i]] += stack.Edges[i] * (to[i] - from[i]);
     }
-    if (this->Settle(stack.Nodes) && good(this->SharesOf(stack)) && this->Stands(stack.Nodes) &&
+    if (this->Settle(stack.Nodes) && good(this->WaysOf(stack)) && this->Stands(stack.Nodes) &&
       !this->HasCoincident(before))
     {
       this->TellMoved(stack.Nodes);
@@ -339,15 +366,20 @@ private:
     return this->LowestOf(elements, standards) >= 0.0;
   }
 
-  const Columns& TheColumns;
   std::unordered_map<int, Standard> Held; ///< by element
 };
 
 }
 
-void StraightenPillars(const GuardedCase& given, const Columns& columns)
+std::vector<Stack> FindBentPillars(
+  const Band& band, const Columns& columns, const NodeMover& mover, const Moves& moves)
 {
-  Straightener(given, columns).Run();
+  return StackFinder(band, columns, mover, moves).Find();
+}
+
+void StraightenPillars(const GuardedCase& given, std::vector<Stack> bent)
+{
+  Straightener(given).Run(std::move(bent));
 }
 
 }

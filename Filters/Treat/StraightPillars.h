@@ -11,11 +11,24 @@
 
 #include "GuardedMesh.h"
 
+#include <vector>
+
 namespace trim
 {
 
+/// Nodes of a pillar from skin to skin, with the edges to two pillars beside it.
+struct Stack
+{
+  std::vector<int> Nodes;
+  std::vector<Eigen::Matrix<double, 3, 2>> Edges; ///< as they came, by node
+};
+
+/// Pillars with relaxed nodes that went different ways, in shares of the edges.
+std::vector<Stack> FindBentPillars(
+  const Band& band, const Columns& columns, const NodeMover& mover, const Moves& moves);
+
 /**
- * Takes the nodes of relaxed pillars to the same place between the pillars beside them, in shares
+ * Takes the nodes of bent pillars to the same place between the pillars beside them, in shares
  * of the edges to those; where the elements do not stand that, as at a leaning cut, to places that
  * change evenly from skin to skin, or half-way.
  *
@@ -25,7 +38,7 @@ namespace trim
  * @param given nodes that are moved get Correction::Relax; pillars with fixed nodes, or such that
  * were left off the surface, stay.
  */
-void StraightenPillars(const GuardedCase& given, const Columns& columns);
+void StraightenPillars(const GuardedCase& given, std::vector<Stack> bent);
 
 }
 

@@ -301,9 +301,13 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
 void TrialTrim::Straighten(
   const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
 {
-  const auto& applied = trimmed.NodeMoves.Applied;
-  if (this->Options.QualityFloor <= 0.0 || !this->TheColumns.AnyHasThickness() ||
-    std::find(applied.begin(), applied.end(), Correction::Relax) == applied.end())
+  if (this->Options.QualityFloor <= 0.0 || !this->TheColumns.AnyHasThickness())
+  {
+    return;
+  }
+  std::vector<Stack> bent =
+    FindBentPillars(this->TheBand, this->TheColumns, this->Mover, trimmed.NodeMoves);
+  if (bent.empty())
   {
     return;
   }
@@ -313,7 +317,7 @@ void TrialTrim::Straighten(
   {
     shapes.Fixed[n] = shapes.Fixed[n] || trimmed.OnCrease[n];
   }
-  StraightenPillars(this->Guard(shapes, this->GoalForLeft(), aborted, trimmed), this->TheColumns);
+  StraightenPillars(this->Guard(shapes, this->GoalForLeft(), aborted, trimmed), std::move(bent));
 }
 
 /// Relaxes what is short of the goal and was not so before.
