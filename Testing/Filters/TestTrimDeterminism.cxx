@@ -212,6 +212,27 @@ void TestSmall()
   }
 }
 
+// Elements below what is aimed at: other corrections and fates are tried, several at once.
+void TestTrials()
+{
+  for (const char* meshName : { "tee", "cup" })
+  {
+    const Mesh mesh = MakeMesh(meshName);
+    for (const double x : { -0.3, 0.2 })
+    {
+      Placement at;
+      at.X = x;
+      at.Size = 0.5;
+      at.Lean = 0.3;
+      for (const char* kind : { "torus", "sphere" })
+      {
+        CompareThreads(std::string(meshName) + " " + kind + " at " + std::to_string(x), mesh,
+          MakeSurface(kind, mesh.Box, at), TrimOptions(), { 2, 5 });
+      }
+    }
+  }
+}
+
 void TestLarge()
 {
   for (const bool permuted : { false, true })
@@ -254,6 +275,7 @@ int main(int argc, char* argv[])
   {
     TestChoiceOfBackend();
     TestSmall();
+    TestTrials();
     TestNumberingOfElements();
   }
   if (part != "small")
