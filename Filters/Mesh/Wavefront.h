@@ -15,8 +15,6 @@
 #include "Band.h"
 #include "Team.h"
 
-#include <vtkSMPTools.h>
-
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -47,7 +45,7 @@ public:
     std::atomic<bool> failed{ false };
     // Whoever runs begins where the last one did: also if one thread has to do all of it. Nobody
     // waits for a task that nobody has begun, as those that it waits for come before it.
-    ParallelFor(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
+    ParallelFor(0, ThreadsForLoops(), 1,
       [&](Id, Id)
       {
         for (int begin; (begin = next.fetch_add(AtOnce)) < count;)

@@ -2,8 +2,6 @@
 
 #include "Wavefront.h"
 
-#include <vtkSMPTools.h>
-
 #include <algorithm>
 #include <atomic>
 #include <iterator>
@@ -54,7 +52,7 @@ public:
       this->AddPillars(part, pillars);
     }
     // For a few nodes threads cost more than they save.
-    if (nodes.size() < LeastForThreads || vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
+    if (nodes.size() < LeastForThreads || ThreadsForLoops() < 2)
     {
       this->Sweep(active,
         [&](const auto& improve) { std::for_each(pillars.begin(), pillars.end(), improve); });
