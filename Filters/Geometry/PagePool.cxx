@@ -18,6 +18,8 @@ namespace
 /// Runs of each user after which what is kept was of no use: a viewer may hold what the one before
 /// gave it until the next.
 constexpr int RunsToKeep = 2;
+/// Bytes of memory at work that are kept: what 2M elements take.
+constexpr std::size_t MostOfWork = std::size_t(1) << 27;
 
 #ifdef __linux__
 
@@ -108,7 +110,7 @@ void* PagePool::Take(std::size_t size)
   return memory;
 }
 
-bool PagePool::Keep(void* memory, std::size_t size)
+bool PagePool::Keep(void* memory, std::size_t size, PageUse use)
 {
   const std::lock_guard<std::mutex> locked(this->Lock);
   if (this->Users == 0)
@@ -116,17 +118,36 @@ bool PagePool::Keep(void* memory, std::size_t size)
     return false;
   }
   OfferToKernel(memory, size);
-  this->Blocks.push_back({ memory, size, 0 });
+  this->Blocks.push_back({ memory, size, use, 0 });
+  std::size_t ofWork = 0;
+  this->Drop(
+    [&ofWork](const Block& block)
+    {
+      const std::size_t size = block.Use == PageUse::Work ? block.Size : 0;
+      const bool isKept = ofWork + size <= MostOfWork;
+      ofWork += isKept ? size : 0;
+      return isKept;
+    });
   return true;
 }
 
 template <typename IsKept>
 void PagePool::Drop(const IsKept& isKept)
 {
-  const auto end = std::partition(this->Blocks.begin(), this->Blocks.end(), isKept);
-  std::for_each(
-    end, this->Blocks.end(), [](const Block& block) { Unmap(block.Memory, block.Size); });
-  this->Blocks.erase(end, this->Blocks.end());
+  std::vector<Block> kept;
+  std::for_each(this->Blocks.rbegin(), this->Blocks.rend(),
+    [&](const Block& block)
+    {
+      if (isKept(block))
+      {
+        kept.push_back(block);
+      }
+      else
+      {
+        Unmap(block.Memory, block.Size);
+      }
+    });
+  this->Blocks.assign(kept.rbegin(), kept.rend());
 }
 
 void PagePool::Empty()
@@ -180,9 +201,9 @@ void* TakeZeroPages(std::size_t bytes)
   return used ? std::memset(used, 0, bytes) : AllocateZeros(bytes, PageSize::Large);
 }
 
-void GivePages(void* memory, std::size_t bytes)
+void GivePages(void* memory, std::size_t bytes, PageUse use)
 {
-  if (!IsMapped(bytes) || !PagePool::Get().Keep(memory, SizeOfMapping(bytes)))
+  if (!IsMapped(bytes) || !PagePool::Get().Keep(memory, SizeOfMapping(bytes), use))
   {
     FreeZeros(memory, bytes);
   }

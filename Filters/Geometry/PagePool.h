@@ -1,9 +1,10 @@
 /**
  * @file PagePool.h
- * @brief Keeps the memory of outputs that were freed for those of the next run.
+ * @brief Keeps memory that was freed, of outputs and of long arrays at work, for the next run.
  *
  * To hand over memory that was never in use takes the kernel longer than most of what is done with
- * it, and a trim that is repeated needs about as much as the outputs before had, which go.
+ * it, on a virtual machine several times as long where the host took it back in between; and a
+ * trim that is repeated needs about as much as the one before had, whose outputs go.
  */
 #ifndef PagePool_h
 #define PagePool_h
@@ -14,6 +15,13 @@
 
 namespace nurbs
 {
+
+/// What memory was for.
+enum class PageUse
+{
+  Output, ///< all of it is kept
+  Work    ///< at 10M elements more than the outputs, one after the other: only the last is kept
+};
 
 /// Mappings that nobody uses. It keeps some only while there are users of it. All threads.
 class PagePool
@@ -26,7 +34,7 @@ public:
   void* Take(std::size_t size);
 
   /// Takes a mapping over; false: the caller has to free it.
-  bool Keep(void* memory, std::size_t size);
+  bool Keep(void* memory, std::size_t size, PageUse use);
 
   /// Gives all that is kept back to the kernel.
   void Empty();
@@ -41,10 +49,11 @@ private:
   {
     void* Memory;
     std::size_t Size;
+    PageUse Use;
     int Age; ///< in runs
   };
 
-  /// Unmaps those for which isKept(block) is false.
+  /// Unmaps those for which isKept(block) is false; the last that came are asked first.
   template <typename IsKept>
   void Drop(const IsKept& isKept);
 
@@ -59,7 +68,7 @@ void* TakePages(std::size_t bytes);
 /// The same, filled with zeros.
 void* TakeZeroPages(std::size_t bytes);
 /// Frees what one of the two gave for so many bytes.
-void GivePages(void* memory, std::size_t bytes);
+void GivePages(void* memory, std::size_t bytes, PageUse use);
 
 /// Something that runs again and again. While it exists, what it frees is kept for it.
 class PageUser

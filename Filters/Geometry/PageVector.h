@@ -7,6 +7,8 @@
 #ifndef PageVector_h
 #define PageVector_h
 
+#include "PagePool.h"
+
 #include <cstddef>
 #include <new>
 #include <utility>
@@ -37,6 +39,7 @@ std::size_t SizeOfMapping(std::size_t bytes);
 void FreeZeros(void* memory, std::size_t bytes);
 
 /// For std::vector: elements that no value is given for are left as they are, zero in new memory.
+/// Large pages are kept for the next one.
 template <typename T, PageSize Pages>
 struct PageAllocator
 {
@@ -55,9 +58,15 @@ struct PageAllocator
   T* allocate(std::size_t count)
   {
     static_assert(alignof(T) <= CacheLine, "of all pieces");
-    return static_cast<T*>(AllocateZeros(count * sizeof(T), Pages));
+    const std::size_t bytes = count * sizeof(T);
+    return static_cast<T*>(
+      Pages == PageSize::Large ? TakeZeroPages(bytes) : AllocateZeros(bytes, Pages));
   }
-  void deallocate(T* memory, std::size_t count) { FreeZeros(memory, count * sizeof(T)); }
+  void deallocate(T* memory, std::size_t count)
+  {
+    Pages == PageSize::Large ? GivePages(memory, count * sizeof(T), PageUse::Work)
+                             : FreeZeros(memory, count * sizeof(T));
+  }
 
   template <typename U>
   void construct(U* item)

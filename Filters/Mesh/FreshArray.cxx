@@ -48,8 +48,9 @@ void FreeOfArray(void* memory)
   if (piece.Bytes > 0)
   {
     // Of what is written to here and there little is in use: not worth to be kept.
-    piece.Pages == nurbs::PageSize::Large ? nurbs::GivePages(memory, piece.Bytes)
-                                          : nurbs::FreeZeros(memory, piece.Bytes);
+    piece.Pages == nurbs::PageSize::Large
+      ? nurbs::GivePages(memory, piece.Bytes, nurbs::PageUse::Output)
+      : nurbs::FreeZeros(memory, piece.Bytes);
   }
   else
   {

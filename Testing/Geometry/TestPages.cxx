@@ -26,11 +26,11 @@ bool IsZero(const void* memory, std::size_t bytes)
 }
 
 /// What was written to and freed.
-void* Used(std::size_t bytes)
+void* Used(std::size_t bytes, PageUse use = PageUse::Output)
 {
   void* const memory = TakePages(bytes);
   std::memset(memory, 7, bytes);
-  GivePages(memory, bytes);
+  GivePages(memory, bytes, use);
   return memory;
 }
 
@@ -42,17 +42,17 @@ void TestReuse()
   check::That(again == before, "what was freed is not used again");
   check::That(IsZero(again, Large), "what is used again is not zero");
   // What is nearly as large becomes it; the rest of a larger one is given back.
-  GivePages(again, Large);
+  GivePages(again, Large, PageUse::Output);
   const std::size_t less = Large - (std::size_t(3) << 20);
   void* const smaller = TakeZeroPages(less);
   check::That(smaller == before && IsZero(smaller, less), "a little less");
-  GivePages(smaller, less);
+  GivePages(smaller, less, PageUse::Output);
   void* const larger = TakeZeroPages(Large);
   check::That(IsZero(larger, Large), "a little more");
-  GivePages(larger, Large);
+  GivePages(larger, Large, PageUse::Output);
   void* const other = TakeZeroPages(4 * Large);
   check::That(other != larger && IsZero(other, 4 * Large), "four times as much");
-  GivePages(other, 4 * Large);
+  GivePages(other, 4 * Large, PageUse::Output);
 }
 
 void TestSparse()
@@ -64,7 +64,21 @@ void TestSparse()
   FreeZeros(sparse, Large);
   void* const next = TakeZeroPages(Large);
   check::That(next == before, "it is kept for what is written to throughout");
-  GivePages(next, Large);
+  GivePages(next, Large, PageUse::Output);
+}
+
+void TestVectors()
+{
+  const PageUser user;
+  void* before;
+  {
+    PageVector<char> vector(Large);
+    before = vector.data();
+    std::fill(vector.begin(), vector.end(), char(7));
+  }
+  const PageVector<char> next(Large);
+  check::That(next.data() == before, "what a vector had is not used again");
+  check::That(IsZero(next.data(), Large), "what a vector has from another one is not zero");
 }
 
 /// Whether memory that was freed is still there for the next.
@@ -72,7 +86,7 @@ bool IsKept(void* memory, std::size_t bytes)
 {
   void* const kept = PagePool::Get().Take(bytes);
   check::That(!kept || kept == memory, "something else is kept");
-  return kept && PagePool::Get().Keep(kept, bytes);
+  return kept && PagePool::Get().Keep(kept, bytes, PageUse::Output);
 }
 
 void TestEnd()
@@ -95,13 +109,32 @@ void TestEnd()
     user.EndRun();
     void* const used = PagePool::Get().Take(size);
     check::That(used == memory, "not kept for the next run but one");
-    check::That(PagePool::Get().Keep(used, size), "not kept once more");
+    check::That(PagePool::Get().Keep(used, size, PageUse::Output), "not kept once more");
     for (int run = 0; run < 3; ++run)
     {
       user.EndRun();
     }
     check::That(!PagePool::Get().Take(size), "kept for good");
   }
+}
+
+/// Of memory at work no more is kept than a sheet of some million elements takes.
+void TestMostOfWork()
+{
+  constexpr std::size_t size = std::size_t(60) << 20;
+  const PageUser user;
+  const std::vector<std::size_t> sizes{ size, 2 * size, size / 2, size / 4 };
+  std::vector<void*> work;
+  void* const output = Used(4 * size);
+  for (const std::size_t each : sizes)
+  {
+    work.push_back(Used(each, PageUse::Work));
+  }
+  check::That(IsKept(output, 4 * size), "an output is not kept beside much work");
+  check::That(IsKept(work[3], sizes[3]), "the last one at work is not kept");
+  check::That(IsKept(work[2], sizes[2]), "the last but one at work is not kept");
+  check::That(!IsKept(work[1], sizes[1]), "more of work is kept than may be");
+  check::That(!IsKept(work[0], sizes[0]), "what was at work first is kept");
 }
 
 void TestThreads()
@@ -123,7 +156,7 @@ void TestThreads()
           const auto* const first = static_cast<const char*>(memory);
           good[t] &= std::all_of(
             first, first + bytes, [t](char byte) { return byte == static_cast<char>(t + 1); });
-          GivePages(memory, bytes);
+          GivePages(memory, bytes, PageUse::Output);
         }
       });
   }
@@ -139,6 +172,8 @@ int main()
 {
   TestReuse();
   TestSparse();
+  TestVectors();
+  TestMostOfWork();
   TestEnd();
   TestThreads();
   return check::Result();
