@@ -44,10 +44,11 @@ FileStamp StampOf(const std::string& path, int lengthUnit)
     std::filesystem::file_size(path, unread), lengthUnit };
 }
 
-/// What the user has to know of a direction that nobody gave; empty: somebody did.
+/// What the user has to know of a direction that nobody gave; empty: somebody did, or what is wrong
+/// is the length.
 std::string DescribeFound(const nurbs::Sweep& wanted, const nurbs::Sweep& used, bool onSheet)
 {
-  if (!wanted.Direction.isZero(0.0))
+  if (!wanted.Direction.isZero(0.0) || !(used.Length > 0.0))
   {
     return {};
   }

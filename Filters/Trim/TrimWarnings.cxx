@@ -256,8 +256,8 @@ bool WarnIfMissed(const Piece& piece, const std::string& unitsHint, TrimResult& 
     return false;
   }
   result.Warnings.push_back("The trimming surface " +
-    std::string(
-      result.Near ? "touches the grid, but does not part it: the grid" : "misses the grid, which") +
+    std::string(result.Near ? "touches the grid, but does not part it, so the grid"
+                            : "misses the grid, which") +
     " is " + (has[ElementKeep] ? "kept" : "eliminated") +
     " whole: move the surface, or turn the side with InvertSide." + unitsHint);
   return true;

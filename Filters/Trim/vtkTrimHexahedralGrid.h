@@ -231,8 +231,8 @@ public:
    * Where nodes would be left off the surface, tries to end the trimmed grid in a layer of new
    * elements along the whole cut instead: they have one face each on the surface, so that solid
    * blocks that are cut aslant to their elements end exactly on it (see Treat/InsertedLayer.h).
-   * Taken where it leaves less off the surface, and not with ProduceOffcut. Default: off, all
-   * elements are the input's.
+   * Taken where it leaves less off the surface, and neither with ProduceOffcut nor with correction
+   * type 1. Default: off, all elements are the input's.
    */
   vtkSetMacro(InsertLayer, bool);
   vtkGetMacro(InsertLayer, bool);

@@ -571,7 +571,7 @@ void TestNothingLeft(const Mesh& mesh)
   const Vec3 corner = box.Centre - Vec3(box.HalfX, box.HalfY, 0);
   const std::pair<const char*, Vec3> cases[] = { { "No element is left",
                                                    corner + 0.1 * box.ElementSize * Vec3::UnitX() },
-    { "touches the grid, but does not part it: the grid is eliminated", corner } };
+    { "touches the grid, but does not part it, so the grid is eliminated", corner } };
   for (const auto& item : cases)
   {
     const Outcome outcome =

@@ -37,10 +37,13 @@ window.python("found = summary(active())\n"
               "check_first_view()")
 window.picture("window-trimmed.png")
 
-# What does not matter is not shown: the optimization with type I, the keep point unless used.
-window.expect_visible("Optimization/ComboBox", True)
+# What does not matter is not shown: the optimization and the layer with type I, the keep point unless
+# used.
+for widget in ("Optimization/ComboBox", "InsertLayer/CheckBox"):
+    window.expect_visible(widget, True)
 window.set_choice("CorrectionType", "Type I: eliminate elements")
-window.expect_visible("Optimization/ComboBox", False)
+for widget in ("Optimization/ComboBox", "InsertLayer/CheckBox"):
+    window.expect_visible(widget, False)
 window.expect_visible("InteractiveHandle/worldPositionX", False)
 window.set_check("UseKeepPoint", True)
 window.expect_visible("InteractiveHandle/worldPositionX", True)

@@ -605,7 +605,8 @@ void TestBadInput()
     [](Source* s) {
       Give(s, { { 0, 0, 0 }, { 0, 0, 2 } }, false);
     });
-  CheckError("Length is -2", [](Source* s) { s->SetLength(-2); });
+  CheckError("Length is -2; it must be positive and reach through the part, or 0 to have it found.",
+    [](Source* s) { s->SetLength(-2); });
   CheckError("Length is nan", [nan](Source* s) { s->SetLength(nan); });
   CheckError("encloses no area",
     [](Source* s) {
