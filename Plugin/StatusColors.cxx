@@ -54,6 +54,12 @@ const char* const Colors = R"json({
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.99, 0.72, 0.26,  0.89, 0.40, 0.10,
         0.84, 0.19, 0.15,  0.60, 0.31, 0.64 ],
       "IndexedOpacities" : [ 1, 1, 1, 1, 1 ] } },
+    "NewBoundary" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "inside, or border of the model", "1", "new border" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71 ],
+      "IndexedOpacities" : [ 1, 1 ] } },
     "CornerLost" : { "PVLookupTable" : {
       "IndexedLookup" : 1,
       "AutomaticRescaleRangeMode" : -1,

@@ -31,6 +31,7 @@
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
  *   surface, 3 invalid, 4 invalid as it came;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
+ * - NewBoundary (unsigned char, points): 1 for nodes of the border that the trim made; 0 elsewhere;
  * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a corner of the model moved or
  *   a node left its border or a fold of its skin, so that the parts do not add up to the whole; 0
  *   elsewhere.

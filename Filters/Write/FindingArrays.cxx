@@ -40,6 +40,7 @@ void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed
 void AddPointFindings(const Findings& findings, const Selection& ids, vtkPointData* pointData)
 {
   AddListed<vtkFloatArray>("DistanceLeft", findings.DistancesLeft, ids, pointData);
+  AddListed<vtkUnsignedCharArray>("NewBoundary", findings.NewBoundary, ids, pointData);
   AddListed<vtkUnsignedCharArray>("CornerLost", findings.CornersLost, ids, pointData);
 }
 

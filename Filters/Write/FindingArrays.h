@@ -14,7 +14,7 @@ class vtkPointData;
 namespace trim
 {
 
-/// DistanceLeft (float) and CornerLost (unsigned char) of the points `ids`.
+/// DistanceLeft (float), NewBoundary and CornerLost (unsigned char) of the points `ids`.
 void AddPointFindings(const Findings& findings, const Selection& ids, vtkPointData* pointData);
 
 /// Feasibility (unsigned char) of the cells `ids`.

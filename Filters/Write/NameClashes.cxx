@@ -40,8 +40,8 @@ constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
 const OwnArrays OfPoints{ { "NodeStatus", VTK_UNSIGNED_CHAR }, { "SignedDistance", VTK_FLOAT },
   { "Displacement", VTK_FLOAT, 3 }, { "CorrectionApplied", VTK_UNSIGNED_CHAR },
-  { "DistanceLeft", VTK_FLOAT }, { "CornerLost", VTK_UNSIGNED_CHAR },
-  { OriginalPoints, VTK_ID_TYPE } };
+  { "DistanceLeft", VTK_FLOAT }, { "NewBoundary", VTK_UNSIGNED_CHAR },
+  { "CornerLost", VTK_UNSIGNED_CHAR }, { OriginalPoints, VTK_ID_TYPE } };
 const OwnArrays OfCells{ { "ElementStatus", VTK_UNSIGNED_CHAR },
   { "EliminatedFraction", VTK_FLOAT }, { "ScaledJacobian", VTK_FLOAT },
   { "Rescue", VTK_UNSIGNED_CHAR }, { "Feasibility", VTK_UNSIGNED_CHAR },

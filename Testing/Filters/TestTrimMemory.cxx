@@ -18,6 +18,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -98,14 +99,27 @@ bool AreSame(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
       3 * points * a->GetPoints()->GetData()->GetDataTypeSize()) == 0;
 }
 
-/// The trim that there is with memory enough; returns its allocations.
-long RunWhole(const std::string& name, ShortTrim& whole)
+/// The trim that there is with memory enough.
+struct Whole
 {
+  std::array<vtkSmartPointer<vtkUnstructuredGrid>, 3> Output;
+  long Allocations;
+};
+
+/// Its filter goes: memory that is kept for that would serve those that are to miss some.
+Whole RunWhole(const Case& trial)
+{
+  Whole whole;
+  ShortTrim trim(trial);
   Listener listener;
-  const long allocations = whole.Run(NoRefusal);
-  Expect(listener.Errors().empty() && whole.Output(0)->GetNumberOfCells() > 0,
-    name + ": no trim to begin with");
-  return allocations;
+  whole.Allocations = trim.Run(NoRefusal);
+  for (int port = 0; port < 3; ++port)
+  {
+    whole.Output[port] = trim.Output(port);
+  }
+  Expect(listener.Errors().empty() && whole.Output[0]->GetNumberOfCells() > 0,
+    trial.Name + ": no trim to begin with");
+  return whole;
 }
 
 /// One error that says so, and nothing in the outputs, which can be saved: ParaView's writers want
@@ -130,20 +144,20 @@ void CheckShort(
 }
 
 /// The same filter with memory enough.
-void CheckAfter(const std::string& name, const ShortTrim& whole, ShortTrim& trim)
+void CheckAfter(const std::string& name, const Whole& whole, ShortTrim& trim)
 {
   Listener listener;
   trim.Run(NoRefusal);
   Expect(listener.Errors().empty(), name + ": an error with memory enough");
   for (int port = 0; port < 3; ++port)
   {
-    Expect(AreSame(trim.Output(port), whole.Output(port)),
+    Expect(AreSame(trim.Output(port), whole.Output[port]),
       name + ": another output " + std::to_string(port) + " afterwards");
   }
 }
 
 /// @return whether memory was missed.
-bool RunShort(const Case& trial, const ShortTrim& whole, const Shortage::Refusal& refusal)
+bool RunShort(const Case& trial, const Whole& whole, const Shortage::Refusal& refusal)
 {
   const std::string name =
     trial.Name + ", allocation " + std::to_string(refusal.First) + (refusal.Lasts ? " and on" : "");
@@ -161,13 +175,12 @@ bool RunShort(const Case& trial, const ShortTrim& whole, const Shortage::Refusal
 
 void TestRefusals(const Case& trial)
 {
-  ShortTrim whole(trial);
-  const long allocations = RunWhole(trial.Name, whole);
+  const Whole whole = RunWhole(trial);
   constexpr int places = 20;
   int missed = 0;
   for (int i = 0; i < places; ++i)
   {
-    const long number = allocations * i / places;
+    const long number = whole.Allocations * i / places;
     missed += RunShort(trial, whole, { number, false, Few });
     missed += RunShort(trial, whole, { number, true, Few });
   }
@@ -198,8 +211,7 @@ private:
 /// The same for all memory of the process, the pages of long arrays among it.
 void TestLimits(const Case& trial)
 {
-  ShortTrim whole(trial);
-  RunWhole(trial.Name, whole);
+  const Whole whole = RunWhole(trial);
   int missed = 0;
   constexpr int places = 40;
   for (int i = 0; i < places; ++i)
@@ -209,7 +221,7 @@ void TestLimits(const Case& trial)
     std::vector<std::string> errors;
     {
       Listener listener;
-      const Limit limit(static_cast<std::size_t>(i) << 20);
+      const Limit limit(static_cast<std::size_t>(i) << 22);
       trim.Run(NoRefusal);
       errors = listener.Errors();
     }

@@ -15,7 +15,8 @@ SECTION = LENGTHS[1] * LENGTHS[2]
 # Contract's arrays: name, VTK type name, components.
 POINT_ARRAYS = [("NodeStatus", "unsigned char", 1), ("SignedDistance", "float", 1),
                 ("Displacement", "float", 3), ("CorrectionApplied", "unsigned char", 1),
-                ("DistanceLeft", "float", 1), ("CornerLost", "unsigned char", 1)]
+                ("DistanceLeft", "float", 1), ("NewBoundary", "unsigned char", 1),
+                ("CornerLost", "unsigned char", 1)]
 CELL_ARRAYS = [("ElementStatus", "unsigned char", 1), ("EliminatedFraction", "float", 1),
                ("Feasibility", "unsigned char", 1), ("Shortfall", "unsigned char", 1)]
 SUMMARY = ["Kept", "Eliminated", "Treated", "MovedNodes", "Pentahedra", "Wedges",

@@ -26,7 +26,7 @@ const std::set<std::string>& OwnNames()
     "Pentahedra", "Wedges", "CertifiedElements", "TouchedElements", "MinimumScaledJacobian",
     "MinimumIntegrationPointJacobian", "MaximumDistanceToSurface", "Volume", "NodeBandwidth",
     "Rescue", "Inserted", "InsertedElements", "Feasibility", "Shortfall", "DistanceLeft",
-    "CornerLost" };
+    "CornerLost", "NewBoundary" };
   return names;
 }
 

@@ -391,4 +391,17 @@ void CheckBoundary(const Evidence& e, Report& report)
   }
 }
 
+void CheckNewBoundary(const Evidence& e, Report& report)
+{
+  vtkDataArray* boundary = e.Case.Trimmed->GetPointData()->GetArray("NewBoundary");
+  for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
+  {
+    const double value = boundary ? boundary->GetComponent(p, 0) : -1.0;
+    if (value != e.OnNewBoundary[p])
+    {
+      report.Fail("NewBoundary", Point(p), value, e.OnNewBoundary[p]);
+    }
+  }
+}
+
 }

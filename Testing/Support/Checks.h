@@ -140,6 +140,8 @@ void CheckBoundary(const Evidence& evidence, Report& report);
 void CheckFloor(const Evidence& evidence, Report& report);
 /// Shortfall of port 0 tells of the elements at nodes left off, and of no others.
 void CheckShortfalls(const Evidence& evidence, Report& report);
+/// NewBoundary against the facets that the input does not have.
+void CheckNewBoundary(const Evidence& evidence, Report& report);
 /// Jacobians, collapse, coincident nodes.
 void CheckElements(const Evidence& evidence, Report& report);
 /// All arrays of the input, by original ids, with attributes and names, on both ports.

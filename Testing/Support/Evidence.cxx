@@ -282,6 +282,7 @@ void JudgeAll(const Evidence& evidence, Report& report)
   CheckElements(evidence, report);
   CheckFloor(evidence, report);
   CheckShortfalls(evidence, report);
+  CheckNewBoundary(evidence, report);
   CheckCarriedArrays(evidence, report);
   CheckSummary(evidence, report);
   CheckNumbering(evidence, report);

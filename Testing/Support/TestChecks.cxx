@@ -132,6 +132,8 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
     grid->GetCellData(), "vtkOriginalCellIds", 1, m, [&](vtkIdType c, int) { return cells[c]; });
   const auto zero = [](vtkIdType, int) { return 0; };
   Fill<vtkFloatArray>(grid->GetPointData(), "DistanceLeft", 1, n, zero);
+  Fill<vtkUnsignedCharArray>(grid->GetPointData(), "NewBoundary", 1, n,
+    [&](vtkIdType i, int) { return positions->GetPoint(i)[0] == CutAt; });
   Fill<vtkUnsignedCharArray>(grid->GetCellData(), "Shortfall", 1, m, zero);
   Fill<vtkFloatArray>(grid->GetCellData(), "ScaledJacobian", 1, m,
     [&](vtkIdType c, int) {
@@ -222,6 +224,11 @@ std::vector<Fault> StatusFaults()
       [](Grid*, Grid* w) { SetValue(w->GetCellData(), "Rescue", 4, 1); } },
     { "Rescue", "a rung that the summary does not have",
       [](Grid*, Grid* w) { SetValue(w->GetCellData(), "Rescue", 5, 4); } },
+    { "NewBoundary", "a node that is not on it",
+      [](Grid* t, Grid*) { SetValue(t->GetPointData(), "NewBoundary", 0, 1); } },
+    { "NewBoundary", "a node of it left out",
+      [](Grid* t, Grid*)
+      { SetValue(t->GetPointData(), "NewBoundary", PointAt(t, CutAt, 0, 0), 0); } },
     { "Shortfall", "a node left off that is not",
       [](Grid* t, Grid*) { SetValue(t->GetCellData(), "Shortfall", 2, 2); } },
     { "Shortfall", "nothing told of a node left off",
