@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <new>
 
 namespace nurbs
 {
@@ -117,8 +118,15 @@ bool PagePool::Keep(void* memory, std::size_t size, PageUse use)
   {
     return false;
   }
+  try
+  {
+    this->Blocks.push_back({ memory, size, use, 0 });
+  }
+  catch (const std::bad_alloc&) // those who free memory do not expect one
+  {
+    return false;
+  }
   OfferToKernel(memory, size);
-  this->Blocks.push_back({ memory, size, use, 0 });
   std::size_t ofWork = 0;
   this->Drop(
     [&ofWork](const Block& block)
@@ -134,20 +142,16 @@ bool PagePool::Keep(void* memory, std::size_t size, PageUse use)
 template <typename IsKept>
 void PagePool::Drop(const IsKept& isKept)
 {
-  std::vector<Block> kept;
-  std::for_each(this->Blocks.rbegin(), this->Blocks.rend(),
-    [&](const Block& block)
+  // Memory is freed where there is none for a second list.
+  for (std::size_t i = this->Blocks.size(); i-- > 0;)
+  {
+    const Block& block = this->Blocks[i];
+    if (!isKept(block))
     {
-      if (isKept(block))
-      {
-        kept.push_back(block);
-      }
-      else
-      {
-        Unmap(block.Memory, block.Size);
-      }
-    });
-  this->Blocks.assign(kept.rbegin(), kept.rend());
+      Unmap(block.Memory, block.Size);
+      this->Blocks.erase(this->Blocks.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
 }
 
 void PagePool::Empty()
