@@ -79,6 +79,9 @@ void TestVectors()
   const PageVector<char> next(Large);
   check::That(next.data() == before, "what a vector had is not used again");
   check::That(IsZero(next.data(), Large), "what a vector has from another one is not zero");
+  constexpr std::size_t much = std::size_t(130) << 20; // of whole large pages
+  PageVector<char>{}.resize(much);
+  check::That(!PagePool::Get().Take(much), "a vector is kept that is more than may be");
 }
 
 /// Whether memory that was freed is still there for the next.
