@@ -57,7 +57,7 @@ const char* const Colors = R"json({
     "NewBoundary" : { "PVLookupTable" : {
       "IndexedLookup" : 1,
       "AutomaticRescaleRangeMode" : -1,
-      "Annotations" : [ "0", "inside, or border of the model", "1", "new border" ],
+      "Annotations" : [ "0", "other", "1", "new border" ],
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71 ],
       "IndexedOpacities" : [ 1, 1 ] } },
     "CornerLost" : { "PVLookupTable" : {

@@ -15,7 +15,7 @@ NAMES = {
                     "6", "open seam"],
     "Shortfall": ["0", "none", "1", "below the quality floor", "2", "left off the surface",
                   "3", "invalid", "4", "invalid as it came"],
-    "NewBoundary": ["0", "inside, or border of the model", "1", "new border"],
+    "NewBoundary": ["0", "other", "1", "new border"],
     "CornerLost": ["0", "none", "1", "corner lost"],
 }
 
