@@ -41,6 +41,21 @@ std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed)
   return users;
 }
 
+std::vector<int> ListBoundaryNodes(const Band& band, const TrimmedBand& trimmed)
+{
+  const std::vector<char> ofBoundary = FindBoundaryNodes(band, trimmed);
+  const std::vector<int> users = CountUsers(band, trimmed);
+  std::vector<int> nodes;
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    if (ofBoundary[n] && users[n] > 0)
+    {
+      nodes.push_back(n);
+    }
+  }
+  return nodes;
+}
+
 FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int element)
 {
   FinalElement final;

@@ -64,6 +64,9 @@ std::vector<int> FindTouchedElements(const Band& band, const TrimmedBand& trimme
 /// wedges have where they dropped an edge.
 std::vector<char> FindBoundaryNodes(const Band& band, const TrimmedBand& trimmed);
 
+/// Those of them that kept elements still have, ascending.
+std::vector<int> ListBoundaryNodes(const Band& band, const TrimmedBand& trimmed);
+
 /// How many kept elements use each band node, with the nodes that wedges dropped left out.
 std::vector<int> CountUsers(const Band& band, const TrimmedBand& trimmed);
 

@@ -279,22 +279,6 @@ std::vector<std::pair<Id, Value>> ById(
   return byId;
 }
 
-/// Nodes of the new boundary, ascending.
-std::vector<std::pair<int, bool>> ListBoundaryNodes(const Band& band, const TrimmedBand& trimmed)
-{
-  const std::vector<char> onBoundary = FindBoundaryNodes(band, trimmed);
-  const std::vector<int> users = CountUsers(band, trimmed);
-  std::vector<std::pair<int, bool>> list;
-  for (int n = 0; n < band.NumberOfNodes(); ++n)
-  {
-    if (onBoundary[n] && users[n] > 0)
-    {
-      list.emplace_back(n, true);
-    }
-  }
-  return list;
-}
-
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
   const TrimOptions& options, const std::string& unitsHint, TrimResult& result)
 {
@@ -305,8 +289,12 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     near.Shortfalls = FindShortfalls(near, near.NodesLeft);
     result.Found.DistancesLeft =
       ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
-    result.Found.NewBoundary = ById(ListBoundaryNodes(near.Mesh, near.Trimmed),
-      [&near](int n) { return near.Mesh.GlobalNode[n]; });
+    std::vector<std::pair<int, bool>> boundary;
+    for (const int n : ListBoundaryNodes(near.Mesh, near.Trimmed))
+    {
+      boundary.emplace_back(n, true);
+    }
+    result.Found.NewBoundary = ById(boundary, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     if (options.Tolerance > FinestCoarseTolerance)
     {
       near.NodesBeside = FindNodesBeside(near, surface);

@@ -132,17 +132,11 @@ void CollectCells(const HexMesh& mesh, const TrimResult& result, GridPart& kept)
 double LargestDistance(const TrimResult& result, const nurbs::TrimmingSurface& surface)
 {
   const auto& near = *result.Near;
-  const std::vector<char> onCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
-  const std::vector<int> users = CountUsers(near.Mesh, near.Trimmed);
-  std::vector<double> distances(near.Mesh.NumberOfNodes(), 0.0);
-  ForAll(near.Mesh.NumberOfNodes(),
-    [&](int n)
-    {
-      if (onCut[n] && users[n] > 0)
-      {
-        distances[n] = surface.ClosestPoint(near.Trimmed.NodeMoves.Position[n]).Distance;
-      }
-    });
+  const std::vector<int> nodes = ListBoundaryNodes(near.Mesh, near.Trimmed);
+  std::vector<double> distances(nodes.size());
+  ForAll(static_cast<int>(nodes.size()),
+    [&](int i)
+    { distances[i] = surface.ClosestPoint(near.Trimmed.NodeMoves.Position[nodes[i]]).Distance; });
   return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
 }
 
