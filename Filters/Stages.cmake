@@ -103,6 +103,7 @@ add_library(NURBSTrimStages STATIC
   Trim/InputTimes.cxx
   Trim/LayerRoom.cxx
   Trim/LayerTrim.cxx
+  Trim/LooseParts.cxx
   Trim/LostVolume.cxx
   Trim/OpenSeams.cxx
   Trim/PartedStrips.cxx

@@ -30,20 +30,22 @@ enum class Feasibility : unsigned char
   OpenSeam = 6   ///< a face of the element lies on another without common nodes
 };
 
-/// The values of the cell array Shortfall: the gravest for each kept element; of the first two the
-/// first, as nodes left off are told of in DistanceLeft too.
+/// The values of the cell array Shortfall: the gravest for each kept element. Below the floor comes
+/// before a node left off, as DistanceLeft tells of that too.
 enum class Shortfall : unsigned char
 {
   None = 0,
-  BelowFloor = 1, ///< valid, but below MinimumScaledJacobian
-  LeftOff = 2,    ///< has a node that was left off the surface
-  Invalid = 3,    ///< distorted beyond repair
-  CameInvalid = 4 ///< inside out or without volume, as it was before the trim
+  BelowFloor = 1,  ///< valid, but below MinimumScaledJacobian
+  LeftOff = 2,     ///< has a node that was left off the surface
+  Invalid = 3,     ///< distorted beyond repair
+  CameInvalid = 4, ///< inside out or without volume, as it was before the trim
+  ShortEdge = 5,   ///< an edge has hardly any of its length left, which a time step follows
+  LoosePart = 6    ///< of a shred that nothing joins to the rest, see LooseParts.h
 };
 
 inline bool IsGraver(Shortfall a, Shortfall b)
 {
-  constexpr int gravity[] = { 0, 2, 1, 3, 4 };
+  constexpr int gravity[] = { 0, 4, 3, 5, 6, 1, 2 };
   return gravity[static_cast<int>(a)] > gravity[static_cast<int>(b)];
 }
 

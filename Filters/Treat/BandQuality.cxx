@@ -113,6 +113,21 @@ std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed)
     { return StaysInvalid(band, e, final.Points, final.Count); });
 }
 
+std::vector<int> FindShortEdged(const Band& band, const TrimmedBand& trimmed)
+{
+  return FindElements(band, trimmed,
+    [&](int e, const FinalElement& final)
+    {
+      if (!band.IsInserted(e))
+      {
+        return ShortestEdgeShare(band, final.Node, final.Points, final.Count) < LeastEdgeShare;
+      }
+      const ElementShape before = ShapeBefore(band, e);
+      return ShortestDistance(final.Points, final.Count) <
+        LeastEdgeShare * ShortestDistance(before.Points, before.Count);
+    });
+}
+
 const BandQuality::Size& BandQuality::SizeBefore(int e) const
 {
   return this->Before->Sizes.At(e,

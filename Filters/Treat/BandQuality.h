@@ -20,6 +20,13 @@ bool StaysInvalid(const Band& band, int element, const ElementPoints& points, in
 /// The touched elements that are invalid as they came, ascending.
 std::vector<int> FindStillInvalid(const Band& band, const TrimmedBand& trimmed);
 
+/**
+ * The touched elements with an edge that has less than LeastEdgeShare of its length left,
+ * ascending. Those of an inserted layer are measured by the nearest two nodes of the element on
+ * which they stand.
+ */
+std::vector<int> FindShortEdged(const Band& band, const TrimmedBand& trimmed);
+
 /// What an element is measured by.
 enum class Measure
 {

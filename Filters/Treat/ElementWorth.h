@@ -18,6 +18,8 @@ namespace trim
 
 /// What an edge is worth that has its whole length, as a scaled Jacobian.
 constexpr double EdgeWorth = 6.0;
+/// No edge is to become shorter than this share of what it was.
+constexpr double LeastEdgeShare = 0.05;
 
 /// How much of its length that edge of an element has left which lost most.
 /// @param node the element's `count` nodes, in VTK's order, which had the band's places.

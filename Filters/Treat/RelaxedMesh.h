@@ -40,8 +40,6 @@ struct RelaxationCase
 
 /// Rings of nodes round the elements below the goal that may move.
 constexpr int RelaxedRings = 3;
-/// No move makes an edge shorter than this share of what it was.
-constexpr double LeastEdgeShare = 0.05;
 /// Elements are raised to a little above the goal, so that rounding does not undo it.
 constexpr double GoalMargin = 1.02;
 

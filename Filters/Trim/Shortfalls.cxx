@@ -35,6 +35,8 @@ struct FaultyElements
   const std::vector<int>& BelowFloor;
   const std::vector<int>& Invalid;
   std::vector<int> CameInvalid;
+  std::vector<int> ShortEdged;
+  std::vector<int> Loose;
 };
 
 /// @param isIn whether an element of the band belongs to the part.
@@ -43,6 +45,14 @@ std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
   const FaultyElements& faulty, const std::vector<std::pair<int, float>>& left, const IsIn& isIn)
 {
   std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
+  for (const int e : faulty.ShortEdged)
+  {
+    values[e] = Shortfall::ShortEdge;
+  }
+  for (const int e : faulty.Loose)
+  {
+    values[e] = Shortfall::LoosePart;
+  }
   for (const auto& node : left)
   {
     for (const int e : near.Mesh.ElementsOfNode(node.first))
@@ -157,18 +167,19 @@ std::vector<std::pair<int, float>> FindNodesBeside(
   return beside;
 }
 
-std::vector<std::pair<int, Shortfall>> FindShortfalls(
-  const TrimBand& near, const std::vector<std::pair<int, float>>& left)
+std::vector<std::pair<int, Shortfall>> FindShortfalls(const TrimBand& near,
+  const std::vector<std::pair<int, float>>& left, const std::vector<int>& loose, bool hasFloor)
 {
   const FaultyElements faulty{ near.Trimmed.BelowFloor, near.Trimmed.Invalid,
-    FindStillInvalid(near.Mesh, near.Trimmed) };
+    FindStillInvalid(near.Mesh, near.Trimmed),
+    hasFloor ? FindShortEdged(near.Mesh, near.Trimmed) : std::vector<int>(), loose };
   return ListShortfalls(near, faulty, left, [&near](int e) { return near.Trimmed.Kept[e] != 0; });
 }
 
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left)
 {
-  FaultyElements faulty{ near.Rest.BelowFloor, near.Rest.Invalid, {} };
+  FaultyElements faulty{ near.Rest.BelowFloor, near.Rest.Invalid, {}, {}, {} };
   std::vector<char> inOffcut(near.Mesh.NumberOfElements(), 0);
   for (const auto& element : near.Rest.Elements)
   {

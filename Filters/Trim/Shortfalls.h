@@ -23,11 +23,18 @@ std::vector<std::pair<int, float>> FindNodesLeft(
 std::vector<std::pair<int, float>> FindNodesBeside(
   const TrimBand& near, const nurbs::TrimmingSurface& surface);
 
-/// By ascending band element. @param left the nodes found before.
-std::vector<std::pair<int, Shortfall>> FindShortfalls(
-  const TrimBand& near, const std::vector<std::pair<int, float>>& left);
+/**
+ * By ascending band element.
+ *
+ * @param left the nodes found before.
+ * @param loose see FindLooseParts.
+ * @param hasFloor whether a quality was asked for: else edges may have any length.
+ */
+std::vector<std::pair<int, Shortfall>> FindShortfalls(const TrimBand& near,
+  const std::vector<std::pair<int, float>>& left, const std::vector<int>& loose, bool hasFloor);
 
-/// The same for the elements of the offcut; none where it was not asked for.
+/// The same for the elements of the offcut, whose short edges and loose parts are not told of;
+/// none where it was not asked for.
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left);
 

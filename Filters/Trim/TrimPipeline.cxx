@@ -7,6 +7,7 @@
 #include "GatherBand.h"
 #include "InputScale.h"
 #include "KeptSide.h"
+#include "LooseParts.h"
 #include "Runs.h"
 #include "Shortfalls.h"
 #include "Status.h"
@@ -279,6 +280,18 @@ std::vector<std::pair<Id, Value>> ById(
   return byId;
 }
 
+/// Of all pieces, inserted elements among them. Collective.
+Id CountKept(const Piece& piece, const TrimResult& result)
+{
+  const Band& band = result.Near->Mesh;
+  Id inserted = 0;
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    inserted += band.IsInserted(e) && result.Near->Trimmed.Kept[e];
+  }
+  return piece.All.Sum(Id(std::count(result.Kept.begin(), result.Kept.end(), 1))) + inserted;
+}
+
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
   const TrimOptions& options, const std::string& unitsHint, TrimResult& result)
 {
@@ -286,7 +299,8 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
   if (result.Near)
   {
     auto& near = *result.Near;
-    near.Shortfalls = FindShortfalls(near, near.NodesLeft);
+    near.Shortfalls = FindShortfalls(near, near.NodesLeft,
+      FindLooseParts(near, CountKept(piece, result)), options.OfBand.Ladder.QualityFloor > 0.0);
     result.Found.DistancesLeft =
       ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
     std::vector<std::pair<int, bool>> boundary;

@@ -62,6 +62,14 @@ constexpr Text<Shortfall> ShortfallTexts[] = {
   { Shortfall::BelowFloor,
     " elements at the cut stay below MinimumScaledJacobian: refine the mesh there or move the "
     "surface." },
+  { Shortfall::LoosePart,
+    " elements at the cut are of small parts that nothing joins to the rest of the trimmed grid, "
+    "which an implicit solver cannot hold: take them away (Connectivity shows them), or move the "
+    "surface." },
+  { Shortfall::ShortEdge,
+    " elements at the cut have an edge with less than a twentieth of its length left, which may "
+    "make an explicit solver's time step short: move the surface a little, or refine the mesh "
+    "there." },
 };
 
 constexpr Text<Shortfall> OffcutTexts[] = {

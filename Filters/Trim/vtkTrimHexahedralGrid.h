@@ -29,7 +29,8 @@
  *   3 narrow hole, 4 edge, face or narrow strip crossed twice, 5 cut-out not opened, 6 a face on
  *   another without common nodes (see Findings.h);
  * - Shortfall (unsigned char, cells): 0 none, 1 below MinimumScaledJacobian, 2 a node left off the
- *   surface, 3 invalid, 4 invalid as it came;
+ *   surface, 3 invalid, 4 invalid as it came, 5 an edge with hardly any of its length left,
+ *   6 of a small part that nothing joins to the rest;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
  * - NewBoundary (unsigned char, points): 1 for nodes of the border that the trim made; 0 elsewhere;
  * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a corner of the model moved or

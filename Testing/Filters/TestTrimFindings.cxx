@@ -39,7 +39,8 @@ enum Feasibility
 const char* const FeasibilityPhrases[] = { "", "bends with a radius", "less than 45 degrees",
   "narrower than three", "crosses more than once", "not opened", "without common nodes" };
 const char* const ShortfallPhrases[] = { "", "below MinimumScaledJacobian", "",
-  "distorted beyond repair", "elements at the cut were inside out" };
+  "distorted beyond repair", "elements at the cut were inside out", "less than a twentieth",
+  "nothing joins to the rest" };
 const char* const LeftPhrase = "left off the surface";
 const char* const TolerancePhrase = "Tolerance takes them for on it";
 const char* const CornerPhrase = "moved for the trimmed grid alone";
@@ -99,7 +100,7 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
       name + ": Feasibility " + std::to_string(value) + " in " +
         std::to_string(feasibility[value]) + " elements, warned of " + std::to_string(warned));
   }
-  for (const int value : { 1, 3, 4 })
+  for (const int value : { 1, 3, 4, 5, 6 })
   {
     Expect(CountWarned(outcome, ShortfallPhrases[value]) == shortfall[value],
       name + ": Shortfall " + std::to_string(value));
@@ -698,6 +699,50 @@ void TestShortfalls()
   Expect(leftOff > 20, "a floor of 0.99 leaves nothing off the surface");
 }
 
+// Behind a good scaled Jacobian an edge may vanish, which is told of where a quality was asked for.
+void TestShortEdges()
+{
+  const Mesh mesh = MakeMesh("cup");
+  Placement at;
+  at.X = -0.228;
+  at.Y = 0.155;
+  at.Angle = 3.113;
+  at.Size = 0.726;
+  at.Seed = 127276;
+  at.Reversed = true;
+  TrimOptions options;
+  options.Optimization = 0;
+  options.InvertSide = true;
+  const auto countShort = [&](double floor)
+  {
+    options.MinimumScaledJacobian = floor;
+    const Outcome outcome = RunTrim(mesh, MakeSurface("arc", mesh.Box, at), options);
+    ExpectWarned("short edges", outcome);
+    return CountValues(outcome.Case.Trimmed->GetCellData()->GetArray("Shortfall"))[5];
+  };
+  const int count = countShort(0.2);
+  Expect(count > 0 && count < 5, "short edges: " + std::to_string(count));
+  Expect(countShort(0) == 0, "short edges are told of though no quality was asked for");
+}
+
+// A hole that reaches both borders at a corner leaves that as a part of its own; a small disc is
+// no more, but all there is.
+void TestLooseParts()
+{
+  const Mesh sheet = Sheet(12, 12, 2, Vec3(1, 1, 0.4));
+  const auto countLoose = [&](double at, double radius, bool invert)
+  {
+    TrimOptions options;
+    options.InvertSide = invert;
+    const Outcome outcome = RunTrim(sheet, RoundHole(sheet, at, at, radius), options);
+    ExpectWarned("loose part", outcome);
+    return CountValues(outcome.Case.Trimmed->GetCellData()->GetArray("Shortfall"))[6];
+  };
+  Expect(countLoose(2.9, 3.2, false) == 2, "the corner that a hole leaves is not loose");
+  Expect(countLoose(6.1, 1.6, false) == 0, "what is round a hole is loose");
+  Expect(countLoose(6.1, 1.6, true) == 0, "a disc that is all there is, is loose");
+}
+
 // Elements that are inside out are not mended by the trim, but told of, and hold what they held.
 void TestFolded()
 {
@@ -900,6 +945,8 @@ int main()
   TestFlatLost();
   TestStretched();
   TestShortfalls();
+  TestShortEdges();
+  TestLooseParts();
   TestFolded();
   TestFlat();
   TestLeft();

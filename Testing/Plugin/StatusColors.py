@@ -14,7 +14,7 @@ NAMES = {
                     "3", "narrow hole", "4", "edge crossed twice", "5", "cut-out not opened",
                     "6", "open seam"],
     "Shortfall": ["0", "none", "1", "below the quality floor", "2", "left off the surface",
-                  "3", "invalid", "4", "invalid as it came"],
+                  "3", "invalid", "4", "invalid as it came", "5", "short edge", "6", "loose part"],
     "NewBoundary": ["0", "other", "1", "new border"],
     "CornerLost": ["0", "none", "1", "corner lost"],
 }

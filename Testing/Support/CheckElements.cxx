@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace judge
@@ -287,24 +288,6 @@ void CheckFloor(const Evidence& e, Report& report)
     if (!(quality >= least * (1 - 1e-9)))
     {
       report.Fail("quality floor", Cell(c), quality, least);
-    }
-  }
-}
-
-void CheckShortfalls(const Evidence& e, Report& report)
-{
-  vtkDataArray* shortfall = e.Case.Trimmed->GetCellData()->GetArray("Shortfall");
-  vtkDataArray* left = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
-  constexpr int leftOff = 2;
-  for (Id c = 0; shortfall && left && c < static_cast<Id>(e.Out.Elements.size()); ++c)
-  {
-    const auto& element = e.Out.Elements[c];
-    const bool hasLeft = std::any_of(element.Node.begin(), element.Node.begin() + element.Size,
-      [left](Id p) { return left->GetComponent(p, 0) > 0; });
-    const double value = shortfall->GetComponent(c, 0);
-    if (hasLeft ? value == 0 : value == leftOff)
-    {
-      report.Fail("Shortfall", Cell(c), value, hasLeft ? leftOff : 0);
     }
   }
 }

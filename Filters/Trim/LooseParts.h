@@ -1,0 +1,26 @@
+/**
+ * @file LooseParts.h
+ * @brief Parts of the trimmed grid that are hardly more than a shred: an implicit solver cannot do
+ * with what nothing holds.
+ */
+#ifndef LooseParts_h
+#define LooseParts_h
+
+#include "TrimBand.h"
+
+#include <vector>
+
+namespace trim
+{
+
+/**
+ * The kept elements of parts that no face joins to the rest, and all of whose elements are at the
+ * new boundary; ascending. A part that is all there is is not loose.
+ *
+ * @param kept how many elements are kept in all, in the band and elsewhere.
+ */
+std::vector<int> FindLooseParts(const TrimBand& near, Id kept);
+
+}
+
+#endif
