@@ -37,24 +37,23 @@ std::vector<int> FindElementsAtCut(const TrimBand& near)
 std::vector<int> FindLooseParts(const TrimBand& near, Id kept)
 {
   const std::vector<int> elements = FindElementsAtCut(near);
-  const auto placeOf = [&elements](int e)
-  {
-    const auto at = std::lower_bound(elements.begin(), elements.end(), e);
-    return at != elements.end() && *at == e ? static_cast<int>(at - elements.begin()) : -1;
-  };
   // What an element away from the cut holds is one set, with the number behind all.
   const int held = static_cast<int>(elements.size());
+  std::vector<int> place(near.Mesh.NumberOfElements(), held);
+  for (int i = 0; i < held; ++i)
+  {
+    place[elements[i]] = i;
+  }
   DisjointSets<int> parts(held + 1);
   for (int i = 0; i < held; ++i)
   {
-    for (int slot = 0; slot < TopologyOf(near.Mesh.Elements[elements[i]].Count).NumberOfFaces;
-         ++slot)
+    const int count = near.Mesh.Elements[elements[i]].Count;
+    for (int slot = 0; slot < TopologyOf(count).NumberOfFaces; ++slot)
     {
       const int other = near.Mesh.Neighbour(elements[i], slot);
       if (other >= 0 && near.Trimmed.Kept[other])
       {
-        const int place = placeOf(other);
-        parts.Unite(i, place < 0 ? held : place);
+        parts.Unite(i, place[other]);
       }
     }
   }
