@@ -95,6 +95,7 @@ add_library(NURBSTrimStages STATIC
   Trim/BestLayer.cxx
   Trim/BorderChords.cxx
   Trim/CutColumns.cxx
+  Trim/DegenerateHexahedra.cxx
   Trim/EdgesCrossedTwice.cxx
   Trim/ElementProbe.cxx
   Trim/ElementsAstray.cxx

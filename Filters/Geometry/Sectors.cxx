@@ -59,6 +59,10 @@ public:
   std::vector<Sector> Find()
   {
     this->FindContacts();
+    // The nearest first: of a face that is narrower than the gap both borders come here as one
+    // place, of which the first is taken.
+    std::stable_sort(this->Contacts.begin(), this->Contacts.end(),
+      [](const Contact& a, const Contact& b) { return a.Foot.Squared < b.Foot.Squared; });
     for (const Contact& contact : this->Contacts)
     {
       if (this->Model.Patches[contact.Patch].Curve)

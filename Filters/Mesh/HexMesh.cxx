@@ -239,8 +239,7 @@ std::string Describe(CellDefect defect, Id c, int type)
     case CellDefect::Range:
       return cell + "uses a node that does not exist: the grid is corrupt, rewrite it.";
     default:
-      return cell +
-        "uses a node twice: a hexahedron that is degenerated to six nodes must come as a wedge.";
+      return cell + "uses a node twice, and is no wedge by that: remove or repair it.";
   }
 }
 

@@ -1,9 +1,9 @@
 #include "CoincidentNodes.h"
 
 #include "Runs.h"
-#include "SortUnique.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace trim
@@ -114,27 +114,37 @@ private:
     return AreTooNear(this->TheBand, this->NodeMoves, a.Node, b.Node, std::min(a.Reach, b.Reach));
   }
 
-  /// Whether a few elements lead from one node to the other.
+  /// Whether a few elements lead from one node to the other. At a slit they do not, and a search
+  /// from one end alone would have been through some thousand elements before it says so.
   bool AreNear(int a, int b) const
   {
-    std::vector<int> reached{ a };
+    std::vector<char> end(this->TheBand.NumberOfNodes(), 0); // from which a node was reached
+    std::array<std::vector<int>, 2> last = { std::vector<int>{ a }, std::vector<int>{ b } };
+    end[a] = 1;
+    end[b] = 2;
     for (int step = 0; step < MostElementsBetween; ++step)
     {
+      const char own = static_cast<char>(1 + step % 2);
       std::vector<int> next;
-      for (const int from : reached)
+      for (const int from : last[step % 2])
       {
         for (const int e : this->TheBand.ElementsOfNode(from))
         {
-          const auto& element = this->TheBand.Elements[e];
-          next.insert(next.end(), element.begin(), element.end());
+          for (const int node : this->TheBand.Elements[e])
+          {
+            if (end[node] == 0)
+            {
+              end[node] = own;
+              next.push_back(node);
+            }
+            else if (end[node] != own)
+            {
+              return true;
+            }
+          }
         }
       }
-      SortUnique(next);
-      if (std::binary_search(next.begin(), next.end(), b))
-      {
-        return true;
-      }
-      reached = std::move(next);
+      last[step % 2] = std::move(next);
     }
     return false;
   }

@@ -1,6 +1,7 @@
 #include "TrimInputs.h"
 
 #include "ChangeTime.h"
+#include "DegenerateHexahedra.h"
 #include "InputScale.h"
 #include "NURBSFieldData.h"
 #include "SharedBounds.h"
@@ -138,6 +139,16 @@ std::string DescribeInsideOut(Id count)
     "nodes is not turned. Reflect mirrors a mesh without that.";
 }
 
+/// What is to be said of hexahedra that are wedges; empty: nothing. Collective.
+std::string DescribeWedges(Id own, const Ranks& ranks)
+{
+  const Id count = ranks.Sum(own);
+  return count > 0 ? std::to_string(count) +
+      " hexahedra of the grid have two pairs of corners in one node each, and come as the wedges "
+      "that they are: data that goes by the order of an element's nodes is not turned."
+                   : "";
+}
+
 /// What is to be said of arrays that are too long; empty: nothing. Collective.
 std::string DescribeSurplus(const std::string& own, const Ranks& ranks)
 {
@@ -194,6 +205,7 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   }
   this->Grid = nullptr;
   this->Joined = false;
+  this->OwnWedges = 0;
   const auto plain = WithoutSurplus(WithPointsInOneArray(grid), this->OwnSurplus);
   // Most grids have no defect: only others are looked at for which is the first.
   if (!HasGhosts(plain) && ViewUnchecked(plain, this->TheMesh) &&
@@ -201,7 +213,7 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   {
     this->TheOwn = TakeOwnCells(plain, this->TheMesh);
   }
-  else if (!this->TakeChecked(plain, error))
+  else if (!this->TakeChecked(WithWedges(plain, this->OwnWedges), error))
   {
     return false;
   }
@@ -239,7 +251,8 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
         "of several pieces are known by their places: make new ones, e.g. with Generate Global Ids."
       : "",
     DescribeSurplus(this->OwnSurplus, ranks),
-    this->TheMesh.TurnsInsideOut ? DescribeInsideOut(insideOut) : "" };
+    this->TheMesh.TurnsInsideOut ? DescribeInsideOut(insideOut) : "",
+    DescribeWedges(this->OwnWedges, ranks) };
   if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
         this->TheShared, error))
   {

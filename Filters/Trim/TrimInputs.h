@@ -68,6 +68,7 @@ private:
   SharedNodes TheShared;
   std::string OwnSurplus;               ///< arrays of this rank's piece that are too long
   Id OwnInsideOut = 0;                  ///< hexahedra of this rank's piece
+  Id OwnWedges = 0;                     ///< hexahedra of this rank's piece, see WithWedges
   std::vector<std::string> GridRemarks; ///< empty ones: nothing is to be said
 
   vtkWeakPointer<vtkDataObject> SurfaceData;

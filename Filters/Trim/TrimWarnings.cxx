@@ -174,8 +174,15 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
   const char* const insert =
     options.ProduceOffcut ? "try InsertLayer without ProduceOffcut, " : "try InsertLayer, ";
   const bool hasFloor = options.Ladder.QualityFloor > 0;
+  const auto boundary = ListBoundaryNodes(result.Near->Mesh, result.Near->Trimmed);
+  const std::size_t ofBoundary = std::count_if(left.begin(), left.end(),
+    [&boundary](const auto& node)
+    { return std::binary_search(boundary.begin(), boundary.end(), node.first); });
   result.Warnings.push_back(std::to_string(left.size()) +
-    " nodes of the new boundary were left off the surface, as elements would be invalid" +
+    (ofBoundary == left.size()
+        ? " nodes of the new boundary"
+        : " nodes, " + std::to_string(ofBoundary) + " of them of the new boundary,") +
+    " were left off the surface, as elements would be invalid" +
     (hasFloor ? " or short of MinimumScaledJacobian" : "") +
     " otherwise: " + (mayInsert ? insert : "") + "refine the mesh there" +
     (hasFloor ? ", move the surface or ask for less." : " or move the surface.") +

@@ -85,6 +85,20 @@ void ExpectSameOnBothPorts(const std::string& name, const Outcome& outcome)
   }
 }
 
+/// Number that a warning gives after these words; 0 without it.
+int NumberAfter(const std::string& words, const Outcome& outcome)
+{
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::size_t start = warning.find(words);
+    if (start != std::string::npos)
+    {
+      return std::atoi(&warning[start + words.size()]);
+    }
+  }
+  return 0;
+}
+
 // Whatever is in the arrays is in a warning, with the same number, and the other way round.
 std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
 {
@@ -105,13 +119,19 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
     Expect(CountWarned(outcome, ShortfallPhrases[value]) == shortfall[value],
       name + ": Shortfall " + std::to_string(value));
   }
-  int left = 0;
-  vtkDataArray* distance = outcome.Case.Whole->GetPointData()->GetArray("DistanceLeft");
-  for (vtkIdType i = 0; i < distance->GetNumberOfTuples(); ++i)
+  int left = 0, leftOfBoundary = 0;
+  vtkPointData* points = outcome.Case.Whole->GetPointData();
+  for (vtkIdType i = 0; i < outcome.Case.Whole->GetNumberOfPoints(); ++i)
   {
-    left += distance->GetComponent(i, 0) > 0;
+    const bool isLeft = points->GetArray("DistanceLeft")->GetComponent(i, 0) > 0;
+    left += isLeft;
+    leftOfBoundary += isLeft && points->GetArray("NewBoundary")->GetComponent(i, 0) > 0;
   }
   Expect(CountWarned(outcome, LeftPhrase) == left, name + ": nodes left");
+  const int told = leftOfBoundary == left
+    ? CountWarned(outcome, "nodes of the new boundary were left off")
+    : NumberAfter(std::to_string(left) + " nodes, ", outcome);
+  Expect(told == leftOfBoundary, name + ": nodes of the new boundary left");
   Expect((left > 0) == (shortfall[2] > 0), name + ": elements with nodes left");
   auto corners = CountValues(outcome.Case.Whole->GetPointData()->GetArray("CornerLost"));
   Expect(CountWarned(outcome, CornerPhrase) == corners[1], name + ": corners lost");
@@ -396,20 +416,6 @@ void TestSlots()
       name + ": crossed twice in " + std::to_string(mixed[CrossedTwice]) + " elements");
     ExpectShares(name, outcome.Case.Whole, strip);
   }
-}
-
-/// Number that a warning gives after these words; 0 without it.
-int NumberAfter(const std::string& words, const Outcome& outcome)
-{
-  for (const std::string& warning : outcome.Warnings)
-  {
-    const std::size_t start = warning.find(words);
-    if (start != std::string::npos)
-    {
-      return std::atoi(&warning[start + words.size()]);
-    }
-  }
-  return 0;
 }
 
 const char* const StripPhrase = "The volume of 6 cut elements is lost";
@@ -806,6 +812,11 @@ void TestLeft()
   const char* const floor = "MinimumScaledJacobian";
   Expect(CountWarned(valid, LeftPhrase) > 0 && IsTold(outcome, floor) && !IsTold(valid, floor),
     "left: a floor is named where there is none");
+  // A node beneath one that is left sticks out with it: it is none of the border's.
+  const Outcome beneath =
+    RunTrim(block, PlaneThrough(block.Box.Centre, Vec3(1, 1.8, -0.9), 30), TrimOptions());
+  ExpectWarned("left beneath", beneath);
+  Expect(IsTold(beneath, "of them of the new boundary"), "left: all are of the border");
   vtkUnstructuredGrid* grid = outcome.Case.Trimmed;
   vtkDataArray* left = grid->GetPointData()->GetArray("DistanceLeft");
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)

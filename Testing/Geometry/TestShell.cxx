@@ -3,6 +3,7 @@
 #include "Curvature.h"
 #include "RandomPlaces.h"
 #include "SampleSurfaces.h"
+#include "Sectors.h"
 #include "TrimmingSurface.h"
 
 #include <algorithm>
@@ -445,6 +446,33 @@ void TestOrientationOfTinyFillets()
   }
 }
 
+/// A face with a pocket beside its border, which leaves a strip narrower than the gap: of the two
+/// loops that counts which is nearer, or the pocket's wall would be joined to the border behind.
+void TestStripBesidePocket()
+{
+  for (int k = 0; k < check::Trials(100); ++k)
+  {
+    const double gap = 1e-4, strip = Uniform(0.05, 0.9) * gap;
+    const Vec2 low(k % 4 == 0 ? strip : Uniform(0.1, 0.4), k % 4 == 1 ? strip : Uniform(0.1, 0.4));
+    const Vec2 high(
+      1 - (k % 4 == 2 ? strip : Uniform(0.1, 0.4)), 1 - (k % 4 == 3 ? strip : Uniform(0.1, 0.4)));
+    NurbsSurface face = samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    face.TrimLoops = { { Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1) },
+      { low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y()) } };
+    if (k % 8 > 3)
+    {
+      std::swap(face.TrimLoops[0], face.TrimLoops[1]);
+    }
+    const SurfaceModel model({ face }, gap, gap);
+    const Vec2 middle = 0.5 * (low + high);
+    const Vec3 at[4] = { Vec3(low.x(), middle.y(), 0), Vec3(middle.x(), low.y(), 0),
+      Vec3(high.x(), middle.y(), 0), Vec3(middle.x(), high.y(), 0) };
+    const std::vector<Sector> sectors = FindSectors(model, at[k % 4] - model.Origin, gap);
+    check::That(!sectors.empty() && sectors[0].Away < 1e-9,
+      "of two borders the nearer one, " + std::to_string(k));
+  }
+}
+
 /// The same as files have them: the faces meet under a tiny angle, on either side, or are bounded
 /// by loops.
 void TestNearlyCusps()
@@ -725,6 +753,7 @@ int main()
   TestOrientation();
   TestOrientationOfStrips();
   TestOrientationOfTinyFillets();
+  TestStripBesidePocket();
   TestBoxes();
   TestBoxesBesideLeaningTube();
   TestNormalCones();
