@@ -44,6 +44,24 @@ bool NodeMover::MayBeAt(int node, const Vec3& place) const
   return !this->StaysInside || !LiesOutside(this->TheBand, node, place);
 }
 
+const EdgeSquares& NodeMover::EdgesBefore(int element) const
+{
+  return this->Memory->EdgesBefore.At(element,
+    [&]
+    {
+      EdgeSquares squares = SquaresOfEdges(PointsOf(this->TheBand, element));
+      if (this->TheBand.IsInserted(element))
+      {
+        // Its last axis goes across the layer.
+        const auto& node = this->TheBand.Elements[element].Node;
+        const auto across = [&](int i)
+        { return SquaredLengthBefore(this->TheBand, node[i], node[i + 4]); };
+        squares[0] << across(0), across(1), across(3), across(2);
+      }
+      return squares;
+    });
+}
+
 double NodeMover::Reach(int node) const
 {
   return (this->TheColumns.IsChosenByCut(node) ? LongestMoveByCut : LongestMove) *

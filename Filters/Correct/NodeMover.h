@@ -88,12 +88,8 @@ public:
   /// Whether all elements at a node are of sheets, in columns that the cut has not chosen.
   bool IsInSheet(int node) const;
 
-  /// Of an element of eight nodes, as it came.
-  const EdgeSquares& EdgesBefore(int element) const
-  {
-    return this->Memory->EdgesBefore.At(
-      element, [&] { return SquaresOfEdges(PointsOf(this->TheBand, element)); });
-  }
+  /// Of an element of eight nodes, as it came; see SquaredLengthBefore.
+  const EdgeSquares& EdgesBefore(int element) const;
 
   /// The smallest node of a node's pillar.
   int PillarOf(int node) const { return this->TheColumns.Pillar[node]; }

@@ -236,6 +236,30 @@ inline int ElementWithoutLayer(const Band& band, int element)
   return band.BeforeLayer ? band.ElementOrigins[element].Index : element;
 }
 
+/**
+ * The square of the length that an edge counts as having had: of one across an inserted layer the
+ * shortest that the mesh has there, as a layer is thin from the start.
+ */
+inline double SquaredLengthBefore(const Band& band, int a, int b)
+{
+  double squared = (band.Point[a] - band.Point[b]).squaredNorm();
+  const bool isAcross = band.IsInsertedNode(a) != band.IsInsertedNode(b) &&
+    NodeWithoutLayer(band, a) == NodeWithoutLayer(band, b);
+  if (isAcross)
+  {
+    const Band& mesh = WithoutLayer(band);
+    const int node = NodeWithoutLayer(band, a);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const int edge : mesh.EdgesOfNode(node))
+    {
+      const Vec3& end = mesh.Point[mesh.OtherEnd(edge, node)];
+      shortest = std::min(shortest, (end - mesh.Point[node]).squaredNorm());
+    }
+    squared = std::max(squared, shortest);
+  }
+  return squared;
+}
+
 /// The cell of this rank's piece that an element is, or on whose face it was inserted; -1: another
 /// rank has it.
 inline Id CellOf(const Band& band, int element)

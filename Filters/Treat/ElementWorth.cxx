@@ -36,9 +36,8 @@ double ShortestEdgeShare(
   {
     const int a = topology.Edges[i].First;
     const int b = topology.Edges[i].Second;
-    share = std::min(share,
-      (points[a] - points[b]).squaredNorm() /
-        (band.Point[node[a]] - band.Point[node[b]]).squaredNorm());
+    share = std::min(
+      share, (points[a] - points[b]).squaredNorm() / SquaredLengthBefore(band, node[a], node[b]));
   }
   return std::sqrt(share);
 }
@@ -58,7 +57,7 @@ double WorthOf(const Band& band, const std::array<int, 8>& node, const ElementPo
     const int a = topology.Edges[i].First;
     const int b = topology.Edges[i].Second;
     const double length = (points[a] - points[b]).squaredNorm();
-    const double before = (band.Point[node[a]] - band.Point[node[b]]).squaredNorm();
+    const double before = SquaredLengthBefore(band, node[a], node[b]);
     // Hardly any edge is so short.
     if (EdgeWorth * EdgeWorth * length < worth * worth * before &&
       !(fixed && (*fixed)[node[a]] && (*fixed)[node[b]]))

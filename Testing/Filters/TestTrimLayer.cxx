@@ -344,6 +344,24 @@ void TestBeneathNodesLeft()
   }
 }
 
+// A layer is thin from the start, and is not to be pressed to a twentieth of that.
+void TestThickness()
+{
+  const Mesh mesh = MakeMesh("angle");
+  Placement at;
+  at.X = 0.146;
+  at.Y = -0.053;
+  at.Angle = 0.325;
+  at.Size = 0.615;
+  at.Seed = 407514;
+  TrimOptions options;
+  options.Optimization = 1;
+  options.InvertSide = true;
+  options.InsertLayer = true;
+  const Outcome outcome = RunTrim(mesh, MakeSurface("roundrect", mesh.Box, at), options);
+  Expect(Number(outcome.Case.Trimmed, "InsertedElements") > 20, "thickness: no layer is inserted");
+  Expect(CountWarned(outcome, "less than a twentieth") == 0, "thickness: a layer has none");
+}
 }
 
 int main()
@@ -357,6 +375,7 @@ int main()
   TestValues();
   TestSequence();
   TestBeneathNodesLeft();
+  TestThickness();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
