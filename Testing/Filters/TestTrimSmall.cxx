@@ -262,6 +262,32 @@ void TestColumns()
   }
   Expect(moved == 15, "columns 48 %: fifteen nodes on the cut");
 }
+
+// A corner of the model that is cut off through the nodes beside it: what is left of its elements
+// are wedges with these nodes, half as large, and nothing moves.
+void TestCornerThroughNodes()
+{
+  const Mesh sheet = Sheet(6, 4, 2, Vec3(1, 1, 0.5));
+  const Surface corner = PlaneThrough(Vec3(5, 4, 0), Vec3(1, 1, 0), 50);
+  const Mesh cube = Sheet(1, 1, 1, Vec3(1, 1, 1));
+  const Surface diagonal = PlaneThrough(Vec3(1, 0, 0), Vec3(1, 1, 0), 50);
+  for (int type : { 2, 3 })
+  {
+    const std::string name = " through nodes, type " + std::to_string(type);
+    for (const bool one : { true, false })
+    {
+      const Small cut((one ? "cube" : "corner of a sheet") + name, one ? cube : sheet,
+        one ? diagonal : corner, With(type, 2));
+      vtkUnstructuredGrid* out = cut.Result.Case.Trimmed;
+      Expect(cut.Cells.size() == (one ? 1 : 48), cut.Name + ": an element is gone");
+      Expect(Number(out, "Wedges") == (one ? 1 : 2), cut.Name + ": no wedge at the corner");
+      Expect(Number(out, "MovedNodes") == 0, cut.Name + ": nodes moved");
+      Expect(std::abs(Number(out, "Volume") - (one ? 0.5 : 23.5)) < 1e-12,
+        cut.Name + ": another volume than the surface leaves");
+      Expect(Rescues(out).empty(), cut.Name + ": " + Rescues(out));
+    }
+  }
+}
 }
 
 int main()
@@ -270,6 +296,7 @@ int main()
   TestStrip();
   TestPentahedron();
   TestColumns();
+  TestCornerThroughNodes();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
