@@ -288,6 +288,32 @@ void TestCornerThroughNodes()
     }
   }
 }
+
+// The plane x + 0.6 y + 0.3 z = 3.2 passes through the pillar at (2, 2): its nodes slide to both
+// sides along one line of the mesh, and stay one line.
+void TestSlideToBothSides()
+{
+  const Mesh sheet = Sheet(4, 4, 2, Vec3(1, 1, 0.5));
+  const Surface plane = PlaneThrough(Vec3(2, 2, 0), Vec3(1, 0.6, 0.3), 50);
+  const Small cut("pillar on both sides, type 3", sheet, plane, With(3, 2));
+  vtkUnstructuredGrid* out = cut.Result.Case.Trimmed;
+  vtkDataArray* ids = out->GetPointData()->GetArray("vtkOriginalPointIds");
+  int seen = 0;
+  for (vtkIdType i = 0; ids && i < out->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 was(sheet.Grid->GetPoint(static_cast<vtkIdType>(ids->GetComponent(i, 0))));
+    if ((was.head<2>() - Vec2(2, 2)).norm() > 1e-12)
+    {
+      continue;
+    }
+    ++seen;
+    const Vec3 expected(2 - 0.3 * was.z(), 2, was.z());
+    Expect((Vec3(out->GetPoint(i)) - expected).norm() < 1e-9,
+      "pillar on both sides, type 3: its node in layer " + std::to_string(was.z()) +
+        " left the line of the others");
+  }
+  Expect(seen == 3, "pillar on both sides, type 3: a node is gone");
+}
 }
 
 int main()
@@ -297,6 +323,7 @@ int main()
   TestPentahedron();
   TestColumns();
   TestCornerThroughNodes();
+  TestSlideToBothSides();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
