@@ -14,17 +14,48 @@ namespace
 constexpr double LongProjection = 0.75;
 /// How many times longer than a slide a projection has to be to give way to it.
 constexpr double MuchLonger = 1.5;
+/// Cosine of the widest turn (25 degrees) with which an edge goes on where another comes from.
+constexpr double GoesOnCosine = 0.9;
+/// A node farther from the surface than this share of its edge is not beside it: the surface does
+/// not pass through its pillar, but leans past it.
+constexpr double BesideSurface = 0.5;
 
 /// One edge direction of a pillar: where it leads and what it would cost.
 struct Direction
 {
-  int Crossed = 0;     ///< nodes of the pillar whose edge the surface crosses
-  double Length = 0.0; ///< sum of their moves
+  int Crossed = 0;         ///< nodes of the pillar whose edge the surface crosses
+  double Length = 0.0;     ///< sum of their moves
+  Vec3 Way = Vec3::Zero(); ///< sum of the unit vectors along their edges
   std::vector<std::pair<int, NodeMove>> Found;
 };
 
+Vec3 AlongEdge(const Band& band, int edge, int node)
+{
+  return (band.Point[band.OtherEnd(edge, node)] - band.Point[node]).normalized();
+}
+
+/// The slide of a node along the edge that most nearly leads away from where its pillar's goes, so
+/// that both are one line; not found where none does, or the surface does not cross it.
+NodeMove SlideBack(const Band& band, const NodeMover& mover, int node, const Vec3& way)
+{
+  NodeMove back;
+  double lowest = -GoesOnCosine * way.norm();
+  for (const int edge : mover.SlidingEdges(node))
+  {
+    const double along = AlongEdge(band, edge, node).dot(way);
+    if (along < lowest)
+    {
+      lowest = along;
+      back = mover.SlideAlong(node, edge);
+    }
+  }
+  back.Found = back.Found && back.Elements < BesideSurface;
+  return back;
+}
+
 /// Type III: the same edge direction for all nodes of a pillar, or the columns twist; the
-/// shortest move otherwise. Nodes whose edge is not crossed take type II.
+/// shortest move otherwise. Where the surface passes through the pillar its other nodes slide the
+/// other way along the same line. Nodes whose edges of that line are not crossed take type II.
 void SlidePillar(const Band& band, const NodeMover& mover, const std::vector<int>& nodes,
   std::map<int, NodeMove>& result)
 {
@@ -39,6 +70,7 @@ void SlidePillar(const Band& band, const NodeMover& mover, const std::vector<int
         auto& direction = directions[mover.PillarOf(band.OtherEnd(edge, node))];
         ++direction.Crossed;
         direction.Length += (move.Target - band.Point[node]).norm();
+        direction.Way += AlongEdge(band, edge, node);
         direction.Found.emplace_back(node, move);
       }
     }
@@ -60,7 +92,9 @@ void SlidePillar(const Band& band, const NodeMover& mover, const std::vector<int
   {
     if (result.find(node) == result.end())
     {
-      result[node] = mover.Project(node);
+      const NodeMove back =
+        best != directions.end() ? SlideBack(band, mover, node, best->second.Way) : NodeMove();
+      result[node] = back.Found ? back : mover.Project(node);
     }
   }
 }

@@ -238,14 +238,16 @@ void SetKind(const Band& band, int node, bool isCut, NodeConstraint& constraint)
 
 bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatus)
 {
+  bool eliminates = false;
   for (int i = 0; i < face.Count; ++i)
   {
-    if (nodeStatus[face.Node[i]] != NodeEliminate)
+    if (nodeStatus[face.Node[i]] == NodeKeep)
     {
       return false;
     }
+    eliminates |= nodeStatus[face.Node[i]] == NodeEliminate;
   }
-  return true;
+  return eliminates;
 }
 
 double TurnCosine(

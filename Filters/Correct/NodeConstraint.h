@@ -42,7 +42,8 @@ struct NodeConstraint
   }
 };
 
-/// True for a face all of whose nodes lie beyond the surface: it goes with what is cut off.
+/// True for a face of nodes beyond the surface, or of such and others on it: it goes with what is
+/// cut off.
 bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatus);
 
 /// Cosine of the turn from one face to another by their normals. Those of the exterior point

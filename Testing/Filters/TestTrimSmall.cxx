@@ -262,6 +262,58 @@ void TestColumns()
   }
   Expect(moved == 15, "columns 48 %: fifteen nodes on the cut");
 }
+
+// A corner of the model that is cut off through the nodes beside it: what is left of its elements
+// are wedges with these nodes, half as large, and nothing moves.
+void TestCornerThroughNodes()
+{
+  const Mesh sheet = Sheet(6, 4, 2, Vec3(1, 1, 0.5));
+  const Surface corner = PlaneThrough(Vec3(5, 4, 0), Vec3(1, 1, 0), 50);
+  const Mesh cube = Sheet(1, 1, 1, Vec3(1, 1, 1));
+  const Surface diagonal = PlaneThrough(Vec3(1, 0, 0), Vec3(1, 1, 0), 50);
+  for (int type : { 2, 3 })
+  {
+    const std::string name = " through nodes, type " + std::to_string(type);
+    for (const bool one : { true, false })
+    {
+      const Small cut((one ? "cube" : "corner of a sheet") + name, one ? cube : sheet,
+        one ? diagonal : corner, With(type, 2));
+      vtkUnstructuredGrid* out = cut.Result.Case.Trimmed;
+      Expect(cut.Cells.size() == (one ? 1 : 48), cut.Name + ": an element is gone");
+      Expect(Number(out, "Wedges") == (one ? 1 : 2), cut.Name + ": no wedge at the corner");
+      Expect(Number(out, "MovedNodes") == 0, cut.Name + ": nodes moved");
+      Expect(std::abs(Number(out, "Volume") - (one ? 0.5 : 23.5)) < 1e-12,
+        cut.Name + ": another volume than the surface leaves");
+      Expect(Rescues(out).empty(), cut.Name + ": " + Rescues(out));
+    }
+  }
+}
+
+// The plane x + 0.6 y + 0.3 z = 3.2 passes through the pillar at (2, 2): its nodes slide to both
+// sides along one line of the mesh, and stay one line.
+void TestSlideToBothSides()
+{
+  const Mesh sheet = Sheet(4, 4, 2, Vec3(1, 1, 0.5));
+  const Surface plane = PlaneThrough(Vec3(2, 2, 0), Vec3(1, 0.6, 0.3), 50);
+  const Small cut("pillar on both sides, type 3", sheet, plane, With(3, 2));
+  vtkUnstructuredGrid* out = cut.Result.Case.Trimmed;
+  vtkDataArray* ids = out->GetPointData()->GetArray("vtkOriginalPointIds");
+  int seen = 0;
+  for (vtkIdType i = 0; ids && i < out->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 was(sheet.Grid->GetPoint(static_cast<vtkIdType>(ids->GetComponent(i, 0))));
+    if ((was.head<2>() - Vec2(2, 2)).norm() > 1e-12)
+    {
+      continue;
+    }
+    ++seen;
+    const Vec3 expected(2 - 0.3 * was.z(), 2, was.z());
+    Expect((Vec3(out->GetPoint(i)) - expected).norm() < 1e-9,
+      "pillar on both sides, type 3: its node in layer " + std::to_string(was.z()) +
+        " left the line of the others");
+  }
+  Expect(seen == 3, "pillar on both sides, type 3: a node is gone");
+}
 }
 
 int main()
@@ -270,6 +322,8 @@ int main()
   TestStrip();
   TestPentahedron();
   TestColumns();
+  TestCornerThroughNodes();
+  TestSlideToBothSides();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
