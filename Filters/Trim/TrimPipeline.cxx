@@ -334,11 +334,15 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const auto aborted = [&](double done) { return result.Aborted = piece.All.Any(progress(done)); };
   const auto stopped = [&progress] { return progress(-1.0); };
   const Precisions within = PrecisionsOf(mesh, blocks, piece, options.Tolerance);
+  const std::string unitsHint = UnitsHint(blocks.Bounds, surface.Bounds());
+  // Of what is wrong with mesh and surface together.
+  const auto addHint = [&] { result.Error += result.Error.empty() ? "" : unitsHint; };
 
   // Classify.
   std::vector<Id> nearRuns = FindNearRuns(blocks, surface, BandRings, within.Tolerance);
   const bool classified = ClassifyNodes(
     mesh, blocks, nearRuns, piece, surface, within.Tolerance, stopped, result.Nodes, result.Error);
+  addHint();
   if (aborted(0.2) || !classified)
   {
     return result;
@@ -362,6 +366,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     }
     StretchTrims stretches(*result.Near);
     MeasureStretches(piece, surface, stretches, result);
+    addHint();
     if (!result.Error.empty() || aborted(0.4))
     {
       return result;
@@ -372,7 +377,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     NumberInserted(mesh.NumberOfPoints, result.Near->Mesh);
   }
   SetFates(mesh, result);
-  FindAndWarn(mesh, piece, surface, options, UnitsHint(blocks.Bounds, surface.Bounds()), result);
+  FindAndWarn(mesh, piece, surface, options, unitsHint, result);
   aborted(0.6);
   return result;
 }

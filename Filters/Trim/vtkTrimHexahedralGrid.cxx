@@ -321,8 +321,7 @@ int vtkTrimHexahedralGrid::Trim(
     { ranks, inputs.Shared(), inputs.Own().Cells }, inputs.Surface(), options, progress);
   if (!result.Error.empty())
   {
-    return this->Refuse(
-      ranks, result.Error + trim::UnitsHint(inputs.Blocks().Bounds, inputs.Surface().Bounds()));
+    return this->Refuse(ranks, result.Error);
   }
   if (result.Aborted)
   {

@@ -309,7 +309,7 @@ void TestHangingBesideSkin()
 void TestRepeated()
 {
   Mesh mesh = Sheet(20, 16, 2, Vec3(1, 1, 0.4));
-  const Surface plane = PlaneThrough(Vec3(7.2, 5, 0), Vec3::UnitX(), 100);
+  const Surface plane = PlaneThrough(Vec3(7.2, 5, 0), Vec3::UnitX(), 800);
   const vtkIdType cell = 7; // at the cut
   vtkNew<vtkIdList> nodes;
   mesh.Grid->GetCellPoints(cell, nodes);
@@ -320,7 +320,7 @@ void TestRepeated()
   mesh.Grid = twice;
   const Outcome outcome = RunTrim(mesh, plane, TrimOptions());
   Expect(outcome.Errors.size() == 1 && Says(outcome.Errors, "have the same nodes") &&
-      outcome.Case.Trimmed->GetNumberOfCells() == 0,
+      !Says(outcome.Errors, "LengthUnit") && outcome.Case.Trimmed->GetNumberOfCells() == 0,
     "repeated: not one error: " + (outcome.Errors.empty() ? "none" : outcome.Errors[0]));
 
   // Numbers in messages are those of the input, where ghost cells before them are left out too.
