@@ -39,12 +39,12 @@ double OutsideUnit(double s)
 
 }
 
-Facet::Facet(const Band& band, const BandFace& face)
+Facet::Facet(const std::vector<Vec3>& places, const BandFace& face)
   : Count(face.Count)
 {
   for (int i = 0; i < face.Count; ++i)
   {
-    this->Corner[i] = band.Point[face.Node[i]];
+    this->Corner[i] = places[face.Node[i]];
   }
 }
 

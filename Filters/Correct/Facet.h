@@ -8,6 +8,7 @@
 #include "Band.h"
 
 #include <array>
+#include <vector>
 
 namespace trim
 {
@@ -29,7 +30,12 @@ enum class FootSought
 class Facet
 {
 public:
-  Facet(const Band& band, const BandFace& face);
+  /// @param places of the band's nodes.
+  Facet(const std::vector<Vec3>& places, const BandFace& face);
+  Facet(const Band& band, const BandFace& face)
+    : Facet(band.Point, face)
+  {
+  }
 
   /// @param sought what is surely not so need not be found out to the last digit.
   FacetFoot Project(const Vec3& x, FootSought sought = FootSought::Any) const;

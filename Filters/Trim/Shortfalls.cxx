@@ -20,6 +20,8 @@ constexpr double BesideShare = 0.05;
 /// parameters, by which it may lie beyond its edges.
 constexpr double BorderTolerance = 1e-5;
 constexpr double BorderSlack = 1e-4;
+/// Share of its longest edge by which the border may pass a node's place by.
+constexpr double PassedShare = 0.05;
 /// How far along the border a node slides at most, in edges.
 constexpr int LongestSlide = 5;
 
@@ -104,6 +106,35 @@ bool StaysOnSide(const Band& band, int face, const Vec3& place, double tolerance
     faces = SideAround(band, faces, [&band](int, int other) { return band.Faces[other].Exterior; });
   }
   return false;
+}
+
+/// Whether the border of both parts passes a place of the mesh's by, from which its node slid on: a
+/// corner of the model is cut off, which need not be sharp.
+bool IsPassedBy(const Band& band, const std::vector<Vec3>& places, int node)
+{
+  std::vector<int> faces;
+  for (const int f : band.FacesOfNode(node))
+  {
+    if (band.Faces[f].Exterior)
+    {
+      faces.push_back(f);
+    }
+  }
+  const double most = PassedShare * LongestEdgeAt(band, node);
+  return std::none_of(faces.begin(), faces.end(),
+    [&](int f)
+    {
+      const auto around =
+        SideAround(band, { f }, [&band](int, int other) { return band.Faces[other].Exterior; });
+      return std::any_of(around.begin(), around.end(),
+        [&](int other)
+        {
+          Vec3 on;
+          return FacetSearch(Facet(places, band.Faces[other]))
+                   .FindInside(band.Point[node], BorderSlack, on) &&
+            (on - band.Point[node]).norm() <= most;
+        });
+    });
 }
 
 /// Whether a node went off a side of the model: what was behind it there is in no part.
@@ -200,6 +231,12 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
   const std::vector<char> inOffcut = FindUsed(band, near.Rest);
   // Else the constraint of a node forgets the sides that go whole with what is cut off.
   const std::vector<unsigned char> allKept(band.NumberOfNodes(), NodeKeep);
+  std::vector<Vec3> places;
+  for (int n = 0; n < band.NumberOfNodes(); ++n)
+  {
+    places.push_back(
+      users[n] > 0 ? near.Trimmed.NodeMoves.Position[n] : near.Rest.NodeMoves.Position[n]);
+  }
   std::vector<std::pair<int, bool>> lost;
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
@@ -214,7 +251,8 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
       continue; // slides on one side of the model
     }
     const bool wasCorner = constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed;
-    if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, moves.Position[n]))
+    if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, moves.Position[n]) ||
+      IsPassedBy(band, places, n))
     {
       lost.emplace_back(n, true);
     }

@@ -40,8 +40,8 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
 
 /**
  * Nodes at which kept part and offcut do not add up to the whole: corners that moved for the kept
- * part, and nodes that left the model's border or a fold of its skin. Ascending band nodes, each
- * with true.
+ * part, and nodes that left the model's border or a fold of its skin, or slid past a bend of it.
+ * Ascending band nodes, each with true.
  */
 std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near);
 

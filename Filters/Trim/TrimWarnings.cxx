@@ -207,7 +207,8 @@ void WarnOfCornersLost(TrimResult& result)
   if (!lost.empty())
   {
     result.Warnings.push_back(std::to_string(lost.size()) +
-      " nodes at corners or on the border of the model moved for the trimmed grid alone: there it "
+      " nodes at corners or on the border of the model moved for the trimmed grid alone, or "
+      "past a bend of it: there it "
       "does not add up to the whole with the offcut. Refine the mesh there. The first is at " +
       nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
   }

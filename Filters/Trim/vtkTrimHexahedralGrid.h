@@ -33,8 +33,8 @@
  *   6 of a small part that nothing joins to the rest;
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
  * - NewBoundary (unsigned char, points): 1 for nodes of the border that the trim made; 0 elsewhere;
- * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a corner of the model moved or
- *   a node left its border or a fold of its skin, so that the parts do not add up to the whole; 0
+ * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a corner of the model moved, or
+ *   a node left its border or a fold of its skin or slid past a bend of the border, so that the parts do not add up to the whole; 0
  *   elsewhere.
  *
  * Each value of the last four comes with one warning: how many, where, and what to do.
