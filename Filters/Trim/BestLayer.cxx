@@ -20,7 +20,6 @@ constexpr int ManyElements = 10000;
 BestLayer::BestLayer(const TrimBand& near, const BandTask& task)
   : Near(near)
   , Task(task)
-  , Before(std::make_shared<const Band>(near.Mesh))
 {
 }
 
@@ -31,6 +30,10 @@ std::unique_ptr<TrimBand> BestLayer::Find(const Shortcomings& limit, const Progr
     // What was given up may be less bad than that, and is to be made after all.
     this->GivesUp = false;
     this->Trims = {};
+  }
+  if (!this->Before)
+  {
+    this->Before = std::make_shared<const Band>(this->Near.Mesh);
   }
   const bool isNew = std::none_of(
     this->Trims.begin(), this->Trims.end(), [](const auto& made) { return made.has_value(); });

@@ -6,6 +6,7 @@
 #include "LayerSkin.h"
 #include "NodesOfElements.h"
 #include "Shortfalls.h"
+#include "StickingNodes.h"
 
 #include <algorithm>
 #include <optional>
@@ -272,6 +273,14 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
     if (!layered)
     {
       break; // by other fates there would be more of the same
+    }
+    if (!task.Options.Ladder.StaysInside && SticksOut(*layered, task.Surface, task.Precision))
+    {
+      // By other fates it mostly would, too.
+      BandOptions inside = task.Options;
+      inside.Ladder.StaysInside = true;
+      return TrimWithLayer(near, before, largestShare, givesUp,
+        { task.Surface, task.Precision, inside }, part);
     }
     const std::vector<int> faulty = FaultyElements(*layered);
     const std::vector<int> nodes = NodesWithoutLayer(layered->Mesh, faulty);

@@ -13,7 +13,8 @@ namespace trim
 {
 
 /**
- * Elements that reach no farther beyond the surface stay, and the layer on them ends on it.
+ * Elements that reach no farther beyond the surface stay, and the layer on them ends on it. If a
+ * node of it would stick out of the mesh, it is made once more with all of them inside.
  *
  * @param near trimmed without.
  * @param before its mesh.
