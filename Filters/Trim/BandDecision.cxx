@@ -262,7 +262,7 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
 }
 
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
-  std::shared_ptr<MoverMemory> memory, const Promise& promises)
+  std::shared_ptr<MoverMemory> memory, const ClimbPromises& promises)
 {
   if (!memory)
   {
@@ -345,7 +345,7 @@ std::unique_ptr<TrimBand> DecideOnce(
   {
     Shortcomings without;
     without.Squares = SquaresAslant * static_cast<double>(aslant);
-    layered = layer.Find(without, Part(progress, 0.0, 0.5));
+    layered = layer.Find(without, false, Part(progress, 0.0, 0.5));
   }
   if (!layered)
   {
@@ -353,7 +353,7 @@ std::unique_ptr<TrimBand> DecideOnce(
     TakeCloser(near, task, Part(progress, 0.75, 0.8));
     if (!progress(0.8) && !near.NodesLeft.empty())
     {
-      layered = layer.Find(MeasureLeft(near), Part(progress, 0.8, 1.0));
+      layered = layer.Find(MeasureLeft(near), true, Part(progress, 0.8, 1.0));
     }
   }
   if (!layered)
@@ -382,8 +382,8 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
     near.SheetAxis = axis;
     BandOptions inside = task.Options;
     inside.Ladder.StaysInside = true;
-    layered = DecideOnce(
-      near, { task.Surface, task.Precision, inside }, layer, Part(progress, 0.95, 1.0));
+    layered =
+      DecideOnce(near, { task.Surface, task.Precision, inside }, layer, Part(progress, 0.95, 1.0));
   }
   if (layered)
   {
