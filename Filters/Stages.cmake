@@ -111,6 +111,7 @@ add_library(NURBSTrimStages STATIC
   Trim/Shortcomings.cxx
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx
+  Trim/StickingNodes.cxx
   Trim/StretchTrims.cxx
   Trim/SurplusTuples.cxx
   Trim/TrimPipeline.cxx

@@ -24,7 +24,7 @@ public:
   {
   }
 
-  TrimmedBand Climb(const Progress& progress, const Promise& promises)
+  TrimmedBand Climb(const Progress& progress, const ClimbPromises& promises)
   {
     const auto aborted = [&progress] { return progress(-1.0); };
     TrimmedBand trimmed =
@@ -54,7 +54,7 @@ public:
     }
     this->TheChoices.LeaveInvalid(this->TheChoices.Quality, true, trimmed, aborted);
     progress(Climbed);
-    if (promises && !promises(trimmed))
+    if (promises.Valid && !promises.Valid(trimmed))
     {
       return trimmed;
     }
@@ -63,6 +63,10 @@ public:
     LeaveBelowFloor(this->TheChoices, aborted, trimmed);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
+    if (promises.Returned && !promises.Returned(trimmed))
+    {
+      return trimmed;
+    }
     std::shared_ptr<const TrimmedBand> unpolished;
     if (this->TheChoices.CountLeft(trimmed) > 0)
     {
@@ -376,7 +380,7 @@ private:
 }
 
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position, const Promise& promises)
+  const Progress& progress, LadderPosition& position, const ClimbPromises& promises)
 {
   return Ladder(given, options, position).Climb(progress, promises);
 }

@@ -25,14 +25,20 @@
 namespace trim
 {
 
+/// What is asked on the way; where it says no, the climb ends there, and the result is of no use.
+/// Empty: it is not asked.
+struct ClimbPromises
+{
+  Promise Valid;    ///< when all is valid, before the long way to the floor
+  Promise Returned; ///< when nodes that were left have returned, before all is polished
+};
+
 /**
  * @param progress where it ends the work, the result is of no use.
  * @param[in,out] position where the climb starts, and where it ended.
- * @param promises asked when all is valid, before the long way to the floor; where it does not, the
- * climb ends, and the result is of no use. Empty: not asked.
  */
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position, const Promise& promises = {});
+  const Progress& progress, LadderPosition& position, const ClimbPromises& promises = {});
 
 /// How a climb went that is completed later, if at all: most of those that are made to find the
 /// best one are not taken.

@@ -1,6 +1,5 @@
 #include "BandDecision.h"
 
-#include "BandPlace.h"
 #include "BestLayer.h"
 #include "BorderCorners.h"
 #include "BothParts.h"
@@ -8,9 +7,9 @@
 #include "ElementsAstray.h"
 #include "MoverMemory.h"
 #include "NodeMover.h"
-#include "Runs.h"
 #include "Shortcomings.h"
 #include "Shortfalls.h"
+#include "StickingNodes.h"
 
 #include <algorithm>
 #include <limits>
@@ -263,7 +262,7 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
 }
 
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
-  std::shared_ptr<MoverMemory> memory, const Promise& promises)
+  std::shared_ptr<MoverMemory> memory, const ClimbPromises& promises)
 {
   if (!memory)
   {
@@ -328,35 +327,17 @@ void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progres
 namespace
 {
 
-/// Whether a node that no face holds was taken along the surface to where that has left the mesh:
-/// what is kept would have a lump there that the part has not.
-bool SticksOut(const TrimBand& near, const BandTask& task)
-{
-  const Band& band = near.Mesh;
-  const NodeMover mover(band, near.Structure, task.Surface, task.Precision);
-  const Moves& moves = near.Trimmed.NodeMoves;
-  const std::vector<int> users = CountUsers(band, near.Trimmed);
-  std::vector<char> outside(band.NumberOfNodes(), 0);
-  ForAll(band.NumberOfNodes(),
-    [&](int n)
-    {
-      outside[n] = users[n] > 0 && moves.Applied[n] != Correction::None &&
-        LiesOutside(band, n, moves.Position[n]) &&
-        mover.FreedomOf(n).Constraint.Kind == ConstraintKind::Free;
-    });
-  return std::any_of(outside.begin(), outside.end(), [](char own) { return own != 0; });
-}
-
-void DecideOnce(TrimBand& near, const BandTask& task, const Progress& progress)
+/// @return a trim with a layer that is better; null: there is none, and the one without is made.
+std::unique_ptr<TrimBand> DecideOnce(
+  TrimBand& near, const BandTask& task, BestLayer& layer, const Progress& progress)
 {
   if (!task.Options.MayInsert())
   {
     DecideWithMesh(near, task, Part(progress, 0.0, 0.85));
     TakeCloser(near, task, Part(progress, 0.85, 0.9));
     FollowCreases(near, task, Part(progress, 0.9, 1.0));
-    return;
+    return nullptr;
   }
-  BestLayer layer(near, task);
   std::unique_ptr<TrimBand> layered;
   // There the ladder without a layer is long, and in vain.
   const std::size_t aslant = CountCutAslant(near, task);
@@ -364,7 +345,7 @@ void DecideOnce(TrimBand& near, const BandTask& task, const Progress& progress)
   {
     Shortcomings without;
     without.Squares = SquaresAslant * static_cast<double>(aslant);
-    layered = layer.Find(without, Part(progress, 0.0, 0.5));
+    layered = layer.Find(without, false, Part(progress, 0.0, 0.5));
   }
   if (!layered)
   {
@@ -372,15 +353,14 @@ void DecideOnce(TrimBand& near, const BandTask& task, const Progress& progress)
     TakeCloser(near, task, Part(progress, 0.75, 0.8));
     if (!progress(0.8) && !near.NodesLeft.empty())
     {
-      layered = layer.Find(MeasureLeft(near), Part(progress, 0.8, 1.0));
+      layered = layer.Find(MeasureLeft(near), true, Part(progress, 0.8, 1.0));
     }
   }
-  if (layered)
+  if (!layered)
   {
-    near = std::move(*layered);
-    return;
+    FollowCreases(near, task, progress);
   }
-  FollowCreases(near, task, progress);
+  return layered;
 }
 
 }
@@ -390,19 +370,25 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
   const Columns structure = near.Structure;
   const VolumeShares shares = near.Shares;
   const std::vector<signed char> axis = near.SheetAxis;
-  DecideOnce(near, task, Part(progress, 0.0, 0.95));
-  if (progress(-1.0) || !SticksOut(near, task))
+  BestLayer layer(near, task);
+  auto layered = DecideOnce(near, task, layer, Part(progress, 0.0, 0.95));
+  if (!layered && !progress(-1.0) && SticksOut(near, task.Surface, task.Precision))
   {
-    return;
+    // It is hardly ever so, and asking it of every place would take all trims time. The layers stay
+    // inside, and are as they were.
+    near = TrimBand(std::move(near.Mesh));
+    near.Structure = structure;
+    near.Shares = shares;
+    near.SheetAxis = axis;
+    BandOptions inside = task.Options;
+    inside.Ladder.StaysInside = true;
+    layered =
+      DecideOnce(near, { task.Surface, task.Precision, inside }, layer, Part(progress, 0.95, 1.0));
   }
-  // It is hardly ever so, and asking it of every place would take all trims time.
-  near = TrimBand(near.Mesh.BeforeLayer ? Band(*near.Mesh.BeforeLayer) : std::move(near.Mesh));
-  near.Structure = structure;
-  near.Shares = shares;
-  near.SheetAxis = axis;
-  BandOptions inside = task.Options;
-  inside.Ladder.StaysInside = true;
-  DecideOnce(near, { task.Surface, task.Precision, inside }, Part(progress, 0.95, 1.0));
+  if (layered)
+  {
+    near = std::move(*layered);
+  }
 }
 
 }

@@ -8,9 +8,9 @@
 
 #include "LadderOptions.h"
 #include "Progress.h"
-#include "TrialTrim.h"
 #include "TrimBand.h"
 #include "TrimmingSurface.h"
+#include "ValidityLadder.h"
 
 #include <memory>
 
@@ -50,7 +50,7 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress);
 /// @param memory of the band, its structure and the surface; null: there is none.
 /// @param promises see ClimbLadder; not asked where the offcut is asked for.
 void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
-  std::shared_ptr<MoverMemory> memory = nullptr, const Promise& promises = {});
+  std::shared_ptr<MoverMemory> memory = nullptr, const ClimbPromises& promises = {});
 
 /// Finds what FindCloser does for the climb that was made, and takes it where all in all it leaves
 /// nodes less far off the surface.

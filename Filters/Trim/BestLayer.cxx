@@ -20,17 +20,25 @@ constexpr int ManyElements = 10000;
 BestLayer::BestLayer(const TrimBand& near, const BandTask& task)
   : Near(near)
   , Task(task)
-  , Before(std::make_shared<const Band>(near.Mesh))
 {
 }
 
-std::unique_ptr<TrimBand> BestLayer::Find(const Shortcomings& limit, const Progress& progress)
+std::unique_ptr<TrimBand> BestLayer::Find(
+  const Shortcomings& limit, bool known, const Progress& progress)
 {
-  if (limit.Elements > 0 && this->GivesUp)
+  if ((limit.Elements > 0 && this->GivesUp) || (this->Limit && *this->Limit < limit))
   {
     // What was given up may be less bad than that, and is to be made after all.
-    this->GivesUp = false;
+    this->GivesUp = limit.Elements == 0;
     this->Trims = {};
+  }
+  if (known)
+  {
+    this->Limit = limit;
+  }
+  if (!this->Before)
+  {
+    this->Before = std::make_shared<const Band>(this->Near.Mesh);
   }
   const bool isNew = std::none_of(
     this->Trims.begin(), this->Trims.end(), [](const auto& made) { return made.has_value(); });
@@ -68,7 +76,8 @@ std::unique_ptr<TrimBand> BestLayer::Find(const Shortcomings& limit, const Progr
 
 std::unique_ptr<TrimBand> BestLayer::Make(std::size_t trim, const Progress& progress) const
 {
-  return TrimWithLayer(this->Near, this->Before, Shares[trim], this->GivesUp, this->Task, progress);
+  return TrimWithLayer(
+    this->Near, this->Before, Shares[trim], { this->GivesUp, this->Limit }, this->Task, progress);
 }
 
 /// Makes all of them from one on at once, by threads; those after one that leaves nothing end, as

@@ -22,8 +22,9 @@ public:
   BestLayer(const TrimBand& near, const BandTask& task);
 
   /// The best trim, if that leaves less than a limit; else null, and it may be asked for again.
+  /// @param known whether that is what the trim without leaves, not the least that it may.
   /// @param progress where it ends the work, the result is of no use.
-  std::unique_ptr<TrimBand> Find(const Shortcomings& limit, const Progress& progress);
+  std::unique_ptr<TrimBand> Find(const Shortcomings& limit, bool known, const Progress& progress);
 
 private:
   /// How much of the elements under the layer may lie beyond the surface: the less, the more there
@@ -36,7 +37,8 @@ private:
   const TrimBand& Near;
   const BandTask& Task;
   std::shared_ptr<const Band> Before;
-  bool GivesUp = true; ///< see TrimWithLayer
+  bool GivesUp = true;               ///< see TrimWithLayer
+  std::optional<Shortcomings> Limit; ///< the same
   /// By Shares: none is not made yet, null is of no use, as there is no room or another is better.
   std::array<std::optional<std::unique_ptr<TrimBand>>, Shares.size()> Trims;
 };

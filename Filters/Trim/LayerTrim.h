@@ -6,24 +6,36 @@
 #define LayerTrim_h
 
 #include "BandDecision.h"
+#include "Shortcomings.h"
 
 #include <memory>
+#include <optional>
 
 namespace trim
 {
 
+/// When a layer is of no use.
+struct LayerDemand
+{
+  /// Where a good part of the elements at it would stay below the quality floor: it takes most of
+  /// the time to find out how many these are.
+  bool GivesUp;
+  /// Where it cannot but leave more than this; none: it may leave anything.
+  std::optional<Shortcomings> Limit;
+};
+
 /**
- * Elements that reach no farther beyond the surface stay, and the layer on them ends on it.
+ * Elements that reach no farther beyond the surface stay, and the layer on them ends on it. If a
+ * node of it would stick out of the mesh, it is made once more with all of them inside.
  *
  * @param near trimmed without.
  * @param before its mesh.
  * @param largestShare how much of an element, in a sheet of one of its column, may lie beyond.
- * @param givesUp whether a layer with which a good part of the elements at it would stay below the
- * quality floor is of no use: it takes most of the time to find out how many these are.
+ * @param demand what a layer is not made to the end without.
  * @return null where there is no room for a layer, or none of use.
  */
 std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
-  const std::shared_ptr<const Band>& before, double largestShare, bool givesUp,
+  const std::shared_ptr<const Band>& before, double largestShare, const LayerDemand& demand,
   const BandTask& task, const Progress& progress);
 
 }

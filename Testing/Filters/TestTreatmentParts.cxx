@@ -97,7 +97,7 @@ public:
     const TrimCase given{ this->Mesh, this->Structure, this->Shares, this->Surface, 1e-8 };
     LadderPosition position;
     return ClimbLadder(
-      given, LadderOptions(), [](double) { return false; }, position, promises);
+      given, LadderOptions(), [](double) { return false; }, position, { promises, {} });
   }
 
   const Band Mesh;
