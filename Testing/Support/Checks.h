@@ -14,6 +14,7 @@
 #include "Surfaces.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 class vtkDataSetAttributes;
@@ -120,6 +121,8 @@ private:
   bool ReadOrigins(Report& report);
   bool ReadStatuses(Report& report);
   void FindNewBoundary();
+  /// Whether an exterior facet of an element of the input has all of some points.
+  bool HasOnBorder(Id cell, const std::set<Id>& points) const;
   double SideSign = 1;
 };
 

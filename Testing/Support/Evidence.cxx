@@ -168,6 +168,18 @@ bool Evidence::ReadStatuses(Report& report)
   return report.Failures() == before;
 }
 
+bool Evidence::HasOnBorder(Id cell, const std::set<Id>& points) const
+{
+  const auto facets = FacetsOf(this->In.Elements[cell], cell);
+  return std::any_of(facets.begin(), facets.end(),
+    [&](const Facet& facet)
+    {
+      const std::set<Id> nodes(facet.Node.begin(), facet.Node.begin() + facet.Size());
+      return std::includes(nodes.begin(), nodes.end(), points.begin(), points.end()) &&
+        this->Border.Facets().Uses.at(FacetKey(facet)) == 1;
+    });
+}
+
 void Evidence::FindNewBoundary()
 {
   this->OnNewBoundary.assign(this->Out.Points.size(), 0);
@@ -179,17 +191,13 @@ void Evidence::FindNewBoundary()
       original.insert(this->PointOf[facet.Node[i]]);
     }
     // Old if it lies in an exterior facet of the element it came from (a wedge's triangle is
-    // part of a quadrilateral).
-    bool old = false;
+    // part of a quadrilateral), or, where a layer ends at the border, of one at the same edge.
     const Id cell = this->CellOf[facet.Owner];
-    for (const Facet& before : FacetsOf(this->In.Elements[cell], cell))
-    {
-      const std::set<Id> nodes(before.Node.begin(), before.Node.begin() + before.Size());
-      old = old ||
-        (std::includes(nodes.begin(), nodes.end(), original.begin(), original.end()) &&
-          this->Border.Facets().Uses.at(FacetKey(before)) == 1);
-    }
-    if (old)
+    const bool endsLayer = this->InsertedCell[facet.Owner] && original.size() == 2;
+    const std::vector<Id>& cells = this->CellsAt[*original.begin()];
+    if (endsLayer ? std::any_of(cells.begin(), cells.end(),
+                      [&](Id c) { return this->HasOnBorder(c, original); })
+                  : this->HasOnBorder(cell, original))
     {
       continue;
     }
