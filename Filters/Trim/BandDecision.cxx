@@ -380,8 +380,7 @@ void DecideBand(TrimBand& near, const BandTask& task, const Progress& progress)
     near.Structure = structure;
     near.Shares = shares;
     near.SheetAxis = axis;
-    BandOptions inside = task.Options;
-    inside.Ladder.StaysInside = true;
+    const BandOptions inside = task.Options.StayingInside();
     layered =
       DecideOnce(near, { task.Surface, task.Precision, inside }, layer, Part(progress, 0.95, 1.0));
   }

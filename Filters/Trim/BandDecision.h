@@ -26,6 +26,14 @@ struct BandOptions
 
   /// The offcut would have to have a layer of its own.
   bool MayInsert() const { return this->InsertLayer && !this->ProduceOffcut; }
+
+  /// The same, with all nodes inside the mesh.
+  BandOptions StayingInside() const
+  {
+    BandOptions other = *this;
+    other.Ladder.StaysInside = true;
+    return other;
+  }
 };
 
 /// What a band is trimmed by, and how; all of it outlives the trim.

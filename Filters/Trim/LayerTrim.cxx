@@ -316,8 +316,7 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
     if (!task.Options.Ladder.StaysInside && SticksOut(*layered, task.Surface, task.Precision))
     {
       // By other fates it mostly would, too.
-      BandOptions inside = task.Options;
-      inside.Ladder.StaysInside = true;
+      const BandOptions inside = task.Options.StayingInside();
       return TrimWithLayer(
         near, before, largestShare, demand, { task.Surface, task.Precision, inside }, part);
     }

@@ -10,76 +10,60 @@ namespace trim
 namespace
 {
 
-/// The kept elements that have a node of the new boundary, ascending.
-std::vector<int> FindElementsAtCut(const TrimBand& near)
+/// By element: whether it is kept and has one of some nodes.
+std::vector<char> FindKeptAt(const TrimBand& near, const std::vector<int>& nodes)
 {
-  std::vector<char> atCut(near.Mesh.NumberOfElements(), 0);
-  for (const int n : ListBoundaryNodes(near.Mesh, near.Trimmed))
+  std::vector<char> found(near.Mesh.NumberOfElements(), 0);
+  for (const int n : nodes)
   {
     for (const int e : near.Mesh.ElementsOfNode(n))
     {
-      atCut[e] = near.Trimmed.Kept[e];
-    }
-  }
-  std::vector<int> elements;
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
-  {
-    if (atCut[e])
-    {
-      elements.push_back(e);
-    }
-  }
-  return elements;
-}
-
-}
-
-std::vector<int> FindLooseParts(const TrimBand& near, Id kept)
-{
-  const std::vector<int> elements = FindElementsAtCut(near);
-  // What an element away from the cut holds is one set, with the number behind all.
-  const int held = static_cast<int>(elements.size());
-  std::vector<int> place(near.Mesh.NumberOfElements(), held);
-  for (int i = 0; i < held; ++i)
-  {
-    place[elements[i]] = i;
-  }
-  DisjointSets<int> parts(held + 1);
-  for (int i = 0; i < held; ++i)
-  {
-    const int count = near.Mesh.Elements[elements[i]].Count;
-    for (int slot = 0; slot < TopologyOf(count).NumberOfFaces; ++slot)
-    {
-      const int other = near.Mesh.Neighbour(elements[i], slot);
-      if (other >= 0 && near.Trimmed.Kept[other])
-      {
-        parts.Unite(i, place[other]);
-      }
-    }
-  }
-  std::vector<int> sizes(held + 1, 0);
-  int number = 0;
-  for (int i = 0; i < held; ++i)
-  {
-    const int root = parts.Find(i);
-    const bool loose = root != parts.Find(held);
-    sizes[root] += loose;
-    number += loose;
-  }
-  // Where nothing else is kept the largest is what was to be kept.
-  const int largest = number < kept
-    ? -1
-    : static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  std::vector<int> found;
-  for (int i = 0; i < held; ++i)
-  {
-    const int root = parts.Find(i);
-    if (sizes[root] > 0 && root != largest)
-    {
-      found.push_back(elements[i]);
+      found[e] = near.Trimmed.Kept[e];
     }
   }
   return found;
+}
+
+}
+
+std::vector<int> FindLooseParts(const TrimBand& near, const std::vector<int>& boundary, Id kept)
+{
+  const Band& band = near.Mesh;
+  const std::vector<char> atCut = FindKeptAt(near, boundary);
+  // What an element away from the cut holds is one set, with the number behind all.
+  const int held = band.NumberOfElements();
+  DisjointSets<int> parts(held + 1);
+  for (int e = 0; e < held; ++e)
+  {
+    const int faces = atCut[e] ? TopologyOf(band.Elements[e].Count).NumberOfFaces : 0;
+    for (int slot = 0; slot < faces; ++slot)
+    {
+      const int other = band.Neighbour(e, slot);
+      if (other >= 0 && near.Trimmed.Kept[other])
+      {
+        parts.Unite(e, atCut[other] ? other : held);
+      }
+    }
+  }
+  std::vector<int> loose;
+  std::vector<int> sizes(held + 1, 0); // of the loose parts, by root
+  for (int e = 0; e < held; ++e)
+  {
+    if (atCut[e] && parts.Find(e) != parts.Find(held))
+    {
+      loose.push_back(e);
+      ++sizes[parts.Find(e)];
+    }
+  }
+  if (static_cast<Id>(loose.size()) == kept)
+  {
+    // The largest is what was to be kept.
+    const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
+    loose.erase(std::remove_if(loose.begin(), loose.end(),
+                  [&](int e) { return parts.Find(e) == static_cast<int>(largest); }),
+      loose.end());
+  }
+  return loose;
 }
 
 }

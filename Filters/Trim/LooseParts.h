@@ -17,9 +17,10 @@ namespace trim
  * The kept elements of parts that no face joins to the rest, and all of whose elements are at the
  * new boundary; ascending. A part that is all there is is not loose.
  *
+ * @param boundary see ListBoundaryNodes.
  * @param kept how many elements are kept in all, in the band and elsewhere.
  */
-std::vector<int> FindLooseParts(const TrimBand& near, Id kept);
+std::vector<int> FindLooseParts(const TrimBand& near, const std::vector<int>& boundary, Id kept);
 
 }
 

@@ -86,30 +86,38 @@ std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
   return found;
 }
 
+/// Whether a place lies on a facet, within a distance.
+bool LiesOn(const Facet& facet, const Vec3& place, double distance)
+{
+  Vec3 on;
+  return FacetSearch(facet).FindInside(place, BorderSlack, on) && (on - place).norm() <= distance;
+}
+
+/// Exterior faces, and those of the border next to each.
+std::vector<int> BorderAround(const Band& band, const std::vector<int>& faces)
+{
+  return SideAround(band, faces, [&band](int, int other) { return band.Faces[other].Exterior; });
+}
+
 /// Whether a node on an exterior face is still on that side of the model at another place.
 bool StaysOnSide(const Band& band, int face, const Vec3& place, double tolerance)
 {
   std::vector<int> faces{ face };
   for (int step = 0; step < LongestSlide; ++step)
   {
-    const bool holds = std::any_of(faces.begin(), faces.end(),
-      [&](int f)
-      {
-        Vec3 on;
-        return FacetSearch(Facet(band, band.Faces[f])).FindInside(place, BorderSlack, on) &&
-          (on - place).norm() <= tolerance;
-      });
-    if (holds)
+    if (std::any_of(faces.begin(), faces.end(),
+          [&](int f) { return LiesOn(Facet(band, band.Faces[f]), place, tolerance); }))
     {
       return true;
     }
-    faces = SideAround(band, faces, [&band](int, int other) { return band.Faces[other].Exterior; });
+    faces = BorderAround(band, faces);
   }
   return false;
 }
 
 /// Whether the border of both parts passes a place of the mesh's by, from which its node slid on: a
 /// corner of the model is cut off, which need not be sharp.
+/// @param places of the nodes in the part that has them.
 bool IsPassedBy(const Band& band, const std::vector<Vec3>& places, int node)
 {
   std::vector<int> faces;
@@ -121,20 +129,9 @@ bool IsPassedBy(const Band& band, const std::vector<Vec3>& places, int node)
     }
   }
   const double most = PassedShare * LongestEdgeAt(band, node);
-  return std::none_of(faces.begin(), faces.end(),
-    [&](int f)
-    {
-      const auto around =
-        SideAround(band, { f }, [&band](int, int other) { return band.Faces[other].Exterior; });
-      return std::any_of(around.begin(), around.end(),
-        [&](int other)
-        {
-          Vec3 on;
-          return FacetSearch(Facet(places, band.Faces[other]))
-                   .FindInside(band.Point[node], BorderSlack, on) &&
-            (on - band.Point[node]).norm() <= most;
-        });
-    });
+  const std::vector<int> around = BorderAround(band, faces);
+  return std::none_of(around.begin(), around.end(),
+    [&](int f) { return LiesOn(Facet(places, band.Faces[f]), band.Point[node], most); });
 }
 
 /// Whether a node went off a side of the model: what was behind it there is in no part.
@@ -231,16 +228,17 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
   const std::vector<char> inOffcut = FindUsed(band, near.Rest);
   // Else the constraint of a node forgets the sides that go whole with what is cut off.
   const std::vector<unsigned char> allKept(band.NumberOfNodes(), NodeKeep);
+  const auto movesOf = [&](int n) -> const Moves&
+  { return users[n] > 0 ? near.Trimmed.NodeMoves : near.Rest.NodeMoves; };
   std::vector<Vec3> places;
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    places.push_back(
-      users[n] > 0 ? near.Trimmed.NodeMoves.Position[n] : near.Rest.NodeMoves.Position[n]);
+    places.push_back(movesOf(n).Position[n]);
   }
   std::vector<std::pair<int, bool>> lost;
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
-    const auto& moves = users[n] > 0 ? near.Trimmed.NodeMoves : near.Rest.NodeMoves;
+    const Moves& moves = movesOf(n);
     if ((users[n] == 0 && !inOffcut[n]) || moves.Applied[n] == Correction::None)
     {
       continue;
@@ -251,7 +249,7 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
       continue; // slides on one side of the model
     }
     const bool wasCorner = constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed;
-    if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, moves.Position[n]) ||
+    if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, places[n]) ||
       IsPassedBy(band, places, n))
     {
       lost.emplace_back(n, true);

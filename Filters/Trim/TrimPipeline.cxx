@@ -299,16 +299,18 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
   if (result.Near)
   {
     auto& near = *result.Near;
-    near.Shortfalls = FindShortfalls(near, near.NodesLeft,
-      FindLooseParts(near, CountKept(piece, result)), options.OfBand.Ladder.QualityFloor > 0.0);
-    result.Found.DistancesLeft =
-      ById(near.NodesLeft, [&near](int n) { return near.Mesh.GlobalNode[n]; });
-    std::vector<std::pair<int, bool>> boundary;
-    for (const int n : ListBoundaryNodes(near.Mesh, near.Trimmed))
+    const std::vector<int> boundary = ListBoundaryNodes(near.Mesh, near.Trimmed);
+    near.Shortfalls =
+      FindShortfalls(near, near.NodesLeft, FindLooseParts(near, boundary, CountKept(piece, result)),
+        options.OfBand.Ladder.QualityFloor > 0.0);
+    const auto toId = [&near](int n) { return near.Mesh.GlobalNode[n]; };
+    result.Found.DistancesLeft = ById(near.NodesLeft, toId);
+    std::vector<std::pair<int, bool>> ofBoundary;
+    for (const int n : boundary)
     {
-      boundary.emplace_back(n, true);
+      ofBoundary.emplace_back(n, true);
     }
-    result.Found.NewBoundary = ById(boundary, [&near](int n) { return near.Mesh.GlobalNode[n]; });
+    result.Found.NewBoundary = ById(ofBoundary, toId);
     if (options.Tolerance > FinestCoarseTolerance)
     {
       near.NodesBeside = FindNodesBeside(near, surface);
@@ -317,8 +319,7 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     {
       near.ShortfallsOfRest = FindShortfallsOfOffcut(near, near.NodesLeft);
       near.CornersLost = FindCornersLost(near);
-      result.Found.CornersLost =
-        ById(near.CornersLost, [&near](int n) { return near.Mesh.GlobalNode[n]; });
+      result.Found.CornersLost = ById(near.CornersLost, toId);
     }
   }
   AddWarnings(mesh, piece, options.OfBand, unitsHint, result);

@@ -13,18 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace judge
 {
 namespace
 {
-std::string Cell(Id c)
-{
-  return "cell " + std::to_string(c);
-}
-
 double Longest(const std::array<Vec3, 8>& corners, int size)
 {
   double longest = 0;

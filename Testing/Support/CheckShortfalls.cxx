@@ -28,11 +28,6 @@ enum Shortfall
 /// Of an edge's length: what has less left is told of.
 constexpr double LeastShare = 0.05;
 
-std::string Cell(Id c)
-{
-  return "cell " + std::to_string(c);
-}
-
 /// How much of its length that edge of an element has left which lost most; NaN with a node that
 /// the mesh did not have.
 double ShortestEdgeShare(const Evidence& e, Id c)

@@ -19,10 +19,6 @@ std::string Point(Id p)
 {
   return "point " + std::to_string(p);
 }
-std::string Cell(Id c)
-{
-  return "cell " + std::to_string(c);
-}
 
 void RequireArray(vtkDataSetAttributes* data, const char* port, const char* name, int type,
   int components, Report& report)

@@ -126,6 +126,12 @@ private:
   double SideSign = 1;
 };
 
+/// As reports name a cell.
+inline std::string Cell(Id c)
+{
+  return "cell " + std::to_string(c);
+}
+
 /// Presence, types and components of the arrays of CONTRACT.md.
 void CheckArrays(const Trial& trial, Report& report);
 /// NodeStatus and SignedDistance by the oracle, ElementStatus by NodeStatus.
