@@ -4,7 +4,6 @@
 #include "NodeMover.h"
 
 #include "Status.h"
-#include "SurfaceGaps.h"
 
 #include <Eigen/LU>
 
@@ -236,7 +235,7 @@ bool NodeMover::MeetCrease(
     a = this->Surface.ClosestPoint(x + CreaseApproach * (a.Point - x));
     b = this->Surface.ClosestPoint(x + CreaseApproach * (b.Point - x));
   }
-  const double gap = nurbs::WidestGapOf(this->Surface);
+  const double gap = this->Surface.WidestGap();
   if (moved > gap)
   {
     return false;

@@ -191,6 +191,16 @@ std::string LoopDefect(const NurbsSurface& surface)
   return text.str();
 }
 
+std::string ToleranceDefect(const NurbsSurface& surface)
+{
+  if (std::isfinite(surface.Tolerance) && surface.Tolerance >= 0.0)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text << "the tolerance is " << surface.Tolerance << ": give a finite length, or none";
+  return text.str();
+}
 }
 
 std::string FindDefect(const NurbsSurface& surface)
@@ -220,7 +230,11 @@ std::string FindDefect(const NurbsSurface& surface)
   {
     defect = NetDefect(surface);
   }
-  return defect.empty() ? LoopDefect(surface) : defect;
+  if (defect.empty())
+  {
+    defect = LoopDefect(surface);
+  }
+  return defect.empty() ? ToleranceDefect(surface) : defect;
 }
 
 }

@@ -43,6 +43,10 @@ struct NurbsSurface
   /// them by the even-odd rule; empty: the whole parameter rectangle.
   std::vector<std::vector<Vec2>> TrimLoops;
 
+  /// How far its borders may lie from the edges it shares with other faces, by the program that
+  /// made it; 0: not known.
+  double Tolerance = 0.0;
+
   double FirstU() const { return this->KnotsU[this->DegreeU]; }
   double LastU() const { return this->KnotsU[this->CountU]; }
   double FirstV() const { return this->KnotsV[this->DegreeV]; }
@@ -52,7 +56,8 @@ struct NurbsSurface
 /**
  * Says what is wrong with a surface: sizes that do not match, knots that decrease, an empty domain,
  * values that are not finite, weights not positive, degrees out of 1..MaximumDegree, trim loops of
- * two points or beyond the domain. The text names thing, place and what to do; empty: valid.
+ * two points or beyond the domain, a tolerance below zero. The text names thing, place and what to
+ * do; empty: valid.
  */
 std::string FindDefect(const NurbsSurface& surface);
 

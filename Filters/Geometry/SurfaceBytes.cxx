@@ -17,6 +17,7 @@ void PackSurface(Packer& packer, const NurbsSurface& surface)
   {
     packer.PutAll(loop);
   }
+  packer.Put(surface.Tolerance);
 }
 
 NurbsSurface UnpackSurface(Unpacker& unpacker)
@@ -34,6 +35,7 @@ NurbsSurface UnpackSurface(Unpacker& unpacker)
   {
     unpacker.TakeAll(loop);
   }
+  surface.Tolerance = unpacker.Take<double>();
   return surface;
 }
 

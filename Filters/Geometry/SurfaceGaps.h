@@ -5,7 +5,10 @@
 #ifndef SurfaceGaps_h
 #define SurfaceGaps_h
 
-#include "TrimmingSurface.h"
+#include "NurbsSurface.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace nurbs
 {
@@ -17,10 +20,20 @@ constexpr double GapShare = 1e-5;
 /// faces that they take for joined, most of them beside fillets.
 constexpr double WidestGapShare = 4e-4;
 
-/// The same as a length.
-inline double WidestGapOf(const TrimmingSurface& surface)
+/// The same where the CAD program says how far borders may lie from the edges they share: wider
+/// ones would close what is meant to be open.
+constexpr double WidestToldGapShare = 4e-3;
+
+/// How wide a gap may be where a border would be free otherwise. Of two faces each may lie off
+/// their edge by its tolerance.
+inline double FindWidestGap(const std::vector<NurbsSurface>& faces, double size)
 {
-  return WidestGapShare * surface.Bounds().diagonal().norm();
+  double told = 0.0;
+  for (const NurbsSurface& face : faces)
+  {
+    told = std::max(told, 2.0 * face.Tolerance);
+  }
+  return std::max(WidestGapShare * size, std::min(told, WidestToldGapShare * size));
 }
 
 }

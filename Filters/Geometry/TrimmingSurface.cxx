@@ -351,6 +351,11 @@ const Box3& TrimmingSurface::Bounds() const
   return this->Impl->Model.Bounds;
 }
 
+double TrimmingSurface::WidestGap() const
+{
+  return this->Impl->Model.WidestGap;
+}
+
 int TrimmingSurface::NumberOfFaces() const
 {
   return static_cast<int>(this->Impl->Model.Faces.size());

@@ -114,6 +114,9 @@ public:
   bool NormalsLieWithin(const Box3& box, const Vec3& direction, double angle) const;
 
   const Box3& Bounds() const;
+
+  /// How wide a gap between faces may be where a border would be free otherwise.
+  double WidestGap() const;
   int NumberOfFaces() const;
   const NurbsSurface& Face(int i) const;
 

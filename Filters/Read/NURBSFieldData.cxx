@@ -28,6 +28,7 @@ const char* const KnotsUName = "NURBSKnotsU";
 const char* const KnotsVName = "NURBSKnotsV";
 const char* const TrimLoopsName = "NURBSTrimLoops";
 const char* const TrimLoopOffsetsName = "NURBSTrimLoopOffsets";
+const char* const ToleranceName = "NURBSTolerance";
 
 void AddPair(vtkFieldData* fieldData, const char* name, int first, int second)
 {
@@ -224,6 +225,21 @@ bool ReadTrimLoops(vtkFieldData* fieldData, NurbsSurface& surface, std::string& 
   return true;
 }
 
+bool ReadTolerance(vtkFieldData* fieldData, NurbsSurface& surface, std::string& error)
+{
+  surface.Tolerance = 0.0;
+  if (!fieldData->HasArray(ToleranceName))
+  {
+    return true;
+  }
+  vtkDataArray* array = FindArray(fieldData, ToleranceName, 1, 1, error);
+  if (array)
+  {
+    surface.Tolerance = array->GetComponent(0, 0);
+  }
+  return array != nullptr;
+}
+
 /// block 3 "Face 3" of block 0 "Door": how an error names a place in a composite.
 std::string BlockName(unsigned int index, vtkInformation* metaData, const std::string& parent)
 {
@@ -323,6 +339,12 @@ void WriteNURBSFieldData(const NurbsSurface& surface, vtkFieldData* fieldData)
   {
     WriteTrimLoops(surface, fieldData);
   }
+
+  fieldData->RemoveArray(ToleranceName);
+  if (surface.Tolerance > 0.0)
+  {
+    AddScalars(fieldData, ToleranceName, { surface.Tolerance });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -345,7 +367,7 @@ bool ReadNURBSFieldData(vtkFieldData* fieldData, NurbsSurface& surface, std::str
   const vtkIdType knotsV = static_cast<vtkIdType>(surface.CountV) + surface.DegreeV + 1;
   if (!ReadScalars(fieldData, KnotsUName, knotsU, surface.KnotsU, error) ||
     !ReadScalars(fieldData, KnotsVName, knotsV, surface.KnotsV, error) ||
-    !ReadTrimLoops(fieldData, surface, error))
+    !ReadTrimLoops(fieldData, surface, error) || !ReadTolerance(fieldData, surface, error))
   {
     return false;
   }

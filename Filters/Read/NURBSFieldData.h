@@ -13,6 +13,8 @@
  * | NURBSKnotsU, NURBSKnotsV  | (n+p+2) x 1, ...    | non-decreasing, clamped or not             |
  * | NURBSTrimLoops            | points x 2          | u, v of closed polygons (optional)         |
  * | NURBSTrimLoopOffsets (int)| loops+1 x 1         | where each loop begins in NURBSTrimLoops   |
+ * | NURBSTolerance            | 1 x 1               | how far borders of joined faces may lie    |
+ * |                           |                     | apart, as a length (optional)              |
  *
  * One surface per poly data; the faces of a shell are a composite data set of such poly data and
  * are together one trimming surface. The functions are in the namespace of the kernel, whose

@@ -2,7 +2,6 @@
 
 #include "AddUnique.h"
 #include "JointRelaxation.h"
-#include "SurfaceGaps.h"
 
 #include <algorithm>
 #include <array>
@@ -292,7 +291,7 @@ bool MayHaveCreases(const nurbs::TrimmingSurface& surface)
   const nurbs::NurbsSurface& face = surface.Face(0);
   const auto point = [&face](int i, int j) -> Vec3
   { return face.ControlPoints[i + face.CountU * j].head<3>(); };
-  const double gap = nurbs::WidestGapOf(surface);
+  const double gap = surface.WidestGap();
   const bool closed = (point(0, 0) - point(face.CountU - 1, 0)).norm() <= gap ||
     (point(0, 0) - point(0, face.CountV - 1)).norm() <= gap;
   return surface.NumberOfFaces() > 1 || closed || MayBend(face.KnotsU, face.DegreeU) ||

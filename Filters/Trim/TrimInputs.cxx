@@ -170,8 +170,8 @@ std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurf
     }
   }
   const double size = box.diagonal().norm();
-  return std::make_unique<nurbs::TrimmingSurface>(
-    std::move(faces), nurbs::GapShare * size, nurbs::WidestGapShare * size);
+  const double widest = nurbs::FindWidestGap(faces, size);
+  return std::make_unique<nurbs::TrimmingSurface>(std::move(faces), nurbs::GapShare * size, widest);
 }
 
 }

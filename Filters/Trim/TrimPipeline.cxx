@@ -13,7 +13,6 @@
 #include "Status.h"
 #include "StretchTrims.h"
 #include "SurfaceEnds.h"
-#include "SurfaceGaps.h"
 #include "Team.h"
 #include "TrimWarnings.h"
 
@@ -179,7 +178,7 @@ void MeasureStretches(const Piece& piece, const nurbs::TrimmingSurface& surface,
   const auto& feet = result.Nodes.Near.Feet;
   const bool ends = piece.All.Any(std::any_of(feet.begin(), feet.end(),
     [](const nurbs::Foot& foot) { return foot.Kind == nurbs::FootKind::Border; }));
-  const double gap = nurbs::WidestGapOf(surface);
+  const double gap = surface.WidestGap();
   for (int s = 0; s < stretches.Count() && result.Error.empty(); ++s)
   {
     TrimBand& near = stretches[s];

@@ -11,6 +11,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
@@ -594,6 +595,44 @@ void TestRepeatedFaces()
   }
 }
 
+/// Four walls round a rectangle, each so much shorter at either end; a tolerance that is told of.
+Surface WallsApart(double gap, double tolerance)
+{
+  const Vec2 corners[] = { Vec2(3.3, 2.4), Vec2(9.6, 2.4), Vec2(9.6, 7.7), Vec2(3.3, 7.7) };
+  vtkNew<vtkMultiBlockDataSet> walls;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    const Vec2 from = corners[i], to = corners[(i + 1) % 4], less = gap * (to - from).normalized();
+    const vtkSmartPointer<vtkPolyData> wall = ToPolyData(Wall({ from + less, to - less }));
+    vtkNew<vtkDoubleArray> told;
+    told->SetName("NURBSTolerance");
+    told->InsertNextValue(tolerance);
+    wall->GetFieldData()->AddArray(told);
+    walls->SetBlock(i, wall);
+  }
+  Surface surface;
+  surface.Data = walls;
+  return surface;
+}
+
+// CAD files may tell of faces that are joined more loosely than others ever are.
+void TestToldGaps()
+{
+  const Mesh mesh = Sheet(14, 10, 1, Vec3(1, 1, 0.8));
+  const double gap = 0.03; // 0.0015 of the surface's diagonal
+  const Outcome closed = RunTrim(mesh, WallsApart(0.0, 0.0), TrimOptions());
+  const Outcome unknown = RunTrim(mesh, WallsApart(gap, 0.0), TrimOptions());
+  const Outcome told = RunTrim(mesh, WallsApart(gap, gap), TrimOptions());
+  const Outcome wide = RunTrim(mesh, WallsApart(0.3, 0.3), TrimOptions());
+  Expect(closed.Clean() && told.Clean(), "gaps that are told of: messages");
+  Expect(!wide.Errors.empty(), "gaps too wide to be closed");
+  const double volume = Number(closed.Case.Trimmed, "Volume");
+  const auto lost = [volume](const Outcome& outcome)
+  { return 1.0 - Number(outcome.Case.Trimmed, "Volume") / volume; };
+  Expect(std::abs(lost(told)) < 2e-3, "gaps that are told of: the volume");
+  Expect(lost(unknown) > 1e-2, "gaps that are not told of cut corners off");
+}
+
 // Wedges of the input may have the node order of vtkWedge's documentation; those of the outputs
 // have the other one, as if the input had it.
 void TestWedgeOrder()
@@ -870,6 +909,7 @@ int main()
   TestFootOfStep();
   TestCornersAtBorder();
   TestRepeatedFaces();
+  TestToldGaps();
   TestWedgeOrder();
   TestWedgesAtBorder();
   TestJoints();

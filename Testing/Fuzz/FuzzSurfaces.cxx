@@ -35,7 +35,8 @@ using judge::Vec3;
 namespace
 {
 const std::vector<const char*> ArrayNames = { "NURBSDegrees", "NURBSControlNetSize",
-  "NURBSControlPoints", "NURBSKnotsU", "NURBSKnotsV", "NURBSTrimLoops", "NURBSTrimLoopOffsets" };
+  "NURBSControlPoints", "NURBSKnotsU", "NURBSKnotsV", "NURBSTrimLoops", "NURBSTrimLoopOffsets",
+  "NURBSTolerance" };
 
 const std::vector<double> Values = { 0, -0.0, 1, -1, 2, 0.5, -0.5, 3, 7, 25, 26, 1e-320, 1e-300,
   1e-20, 1e-9, 1e9, 1e20, 1e150, 1e300, 1.7e308, -1e300, 2147483647, -2147483648.0, 4294967296.0,

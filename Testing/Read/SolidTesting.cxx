@@ -138,7 +138,8 @@ void CheckSides(const std::string& name, const std::string& path, const TopoDS_S
   {
     return;
   }
-  const nurbs::TrimmingSurface surface(faces, nurbs::GapShare * size, nurbs::WidestGapShare * size);
+  const nurbs::TrimmingSurface surface(
+    faces, nurbs::GapShare * size, nurbs::FindWidestGap(faces, size));
   Judge judge(shape);
   int wrong = 0;
   Vec3 at = Vec3::Zero();

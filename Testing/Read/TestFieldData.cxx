@@ -48,6 +48,7 @@ NurbsSurface Sample(bool trimmed)
   {
     surface.TrimLoops = { { Vec2(0.1, 0.1), Vec2(0.9, 0.1), Vec2(0.9, 0.9), Vec2(0.1, 0.8) },
       { Vec2(0.3, 0.3), Vec2(0.3, 0.5), Vec2(0.5, 0.4) } };
+    surface.Tolerance = 0.003;
   }
   return surface;
 }
@@ -56,7 +57,8 @@ bool Equal(const NurbsSurface& a, const NurbsSurface& b)
 {
   return a.DegreeU == b.DegreeU && a.DegreeV == b.DegreeV && a.CountU == b.CountU &&
     a.CountV == b.CountV && a.KnotsU == b.KnotsU && a.KnotsV == b.KnotsV &&
-    a.ControlPoints == b.ControlPoints && a.TrimLoops == b.TrimLoops;
+    a.ControlPoints == b.ControlPoints && a.TrimLoops == b.TrimLoops &&
+    a.Tolerance == b.Tolerance;
 }
 
 void TestRoundTrip()
@@ -192,6 +194,10 @@ void TestDefects()
       }
       data->AddArray(falling);
     });
+  for (const double value : { nan, -1e-9, std::numeric_limits<double>::infinity() })
+  {
+    CheckDefect("tolerance", set("NURBSTolerance", 0, 0, value));
+  }
   CheckDefect("trim loop 0", set("NURBSTrimLoopOffsets", 1, 0, 2.0));
   CheckDefect("point 1 of trim loop 1", set("NURBSTrimLoops", 5, 0, nan));
   CheckDefect("point 1 of trim loop 1", set("NURBSTrimLoops", 5, 1, 1.5));

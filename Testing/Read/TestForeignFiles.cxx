@@ -143,6 +143,8 @@ void TestGoToolsTrimmed()
   for (const NurbsSurface& read : result.Surfaces)
   {
     CHECK(read.TrimLoops.size() == 2, read.TrimLoops.size() << " loops");
+    // Its edges in space are rounder than those in the parameters.
+    CHECK(std::abs(read.Tolerance - 8.2e-4) < 1e-5, "a tolerance of " << read.Tolerance);
     double off = 0.0;
     double inside = 0.0;
     const int n = 400;
@@ -163,6 +165,10 @@ void TestGoToolsTrimmed()
     const double expected =
       EnclosedArea(Vec2(1.5, 1.0), Vec2(1.2, 0.8)) - EnclosedArea(Vec2(1.3, 0.9), Vec2(0.4, 0.3));
     CHECK(std::abs(inside - expected) < 2e-3 * expected, inside << ", not " << expected);
+  }
+  for (const NurbsSurface& read : ReadFaces(TestFile("gotools-trimmed.igs"), 1, 2).Surfaces)
+  {
+    CHECK(std::abs(read.Tolerance - 8.2e-7) < 1e-8, "in metres " << read.Tolerance);
   }
 }
 

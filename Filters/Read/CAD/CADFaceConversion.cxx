@@ -5,6 +5,8 @@
 #include "ParameterPolygon.h"
 
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -288,6 +290,18 @@ void Scale(NurbsSurface& surface, double scale)
   {
     point.head<3>() *= scale;
   }
+  surface.Tolerance *= scale;
+}
+
+/// How far the borders of a face may lie from its edges; 0 where that is but rounding.
+double ToleranceOf(const TopoDS_Face& face)
+{
+  double tolerance = 0.0;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+  {
+    tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())));
+  }
+  return tolerance > Precision::Confusion() ? tolerance : 0.0;
 }
 }
 
@@ -318,6 +332,7 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
     const CADSurface converted = ConvertSurface(basis, turn);
     NurbsSurface surface = converted.Converted.Surface;
     surface.TrimLoops = SampleLoops(wires, converted);
+    surface.Tolerance = ToleranceOf(face);
     if (turns.size() > 1 && !KeepTurn(surface))
     {
       continue;
