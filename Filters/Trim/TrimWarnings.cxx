@@ -25,62 +25,71 @@ template <typename Finding>
 struct Text
 {
   Finding Value;
+  const char* OfOne;  ///< how it goes on behind 1,
+  const char* OfMany; ///< and behind others
   const char* What;
 };
 
+/// A number with what is said of one, or of many.
+std::string Counted(std::size_t number, const char* ofOne, const char* ofMany)
+{
+  return std::to_string(number) + (number == 1 ? ofOne : ofMany);
+}
+
 constexpr Text<Feasibility> FeasibilityTexts[] = {
-  { Feasibility::OpenSeam,
-    " elements have a face that lies on another without common nodes: there the mesh is open, and "
+  { Feasibility::OpenSeam, " element has", " elements have",
+    " a face that lies on another without common nodes: there the mesh is open, and "
     "what was one may come apart. Merge the nodes by Clean to Grid, unless it is a slit; of an "
     "element with smaller ones at its side (hanging nodes) divide the neighbours alike." },
-  { Feasibility::NotOpened,
-    " elements hold a cut-out, or a part of one, that is smaller than an element and is not "
+  { Feasibility::NotOpened, " element holds", " elements hold",
+    " a cut-out, or a part of one, that is smaller than an element and is not "
     "opened: refine the mesh there." },
-  { Feasibility::CrossedTwice,
-    " elements have an edge or face that the surface crosses more than once, or are of a strip "
+  { Feasibility::CrossedTwice, " element has", " elements have",
+    " an edge or face that the surface crosses more than once, or a place in a strip "
     "between two cuts that is too narrow for elements of its own: what lies between is lost. "
     "Refine the mesh there or straighten the surface." },
-  { Feasibility::Narrow,
-    " elements lie at a hole or slot narrower than three elements, which comes out coarse: refine "
+  { Feasibility::Narrow, " element lies", " elements lie",
+    " at a hole or slot narrower than three elements, which comes out coarse: refine "
     "the mesh there." },
-  { Feasibility::Inclined,
-    " elements are cut under less than 45 degrees between surface and skin: turn the surface "
+  { Feasibility::Inclined, " element is", " elements are",
+    " cut under less than 45 degrees between surface and skin: turn the surface "
     "towards the thickness direction, or look at the elements there." },
-  { Feasibility::Curved,
-    " elements are cut where the surface has an edge, bends with a radius below two element sizes, "
+  { Feasibility::Curved, " element is", " elements are",
+    " cut where the surface has an edge, bends with a radius below two element sizes, "
     "or bends between nodes that had to go far apart, which the border cuts off: refine the mesh "
     "there or round the surface off." },
 };
 
 constexpr Text<Shortfall> ShortfallTexts[] = {
-  { Shortfall::CameInvalid,
-    " elements at the cut were inside out or without volume before the trim, and still are: repair "
+  { Shortfall::CameInvalid, " element at the cut was", " elements at the cut were",
+    " inside out or without volume already before the trim: repair "
     "the mesh there." },
-  { Shortfall::Invalid,
-    " elements at the cut are distorted beyond repair: refine the mesh there, or try the other "
+  { Shortfall::Invalid, " element at the cut is", " elements at the cut are",
+    " distorted beyond repair: refine the mesh there, or try the other "
     "correction type." },
-  { Shortfall::BelowFloor,
-    " elements at the cut stay below MinimumScaledJacobian: refine the mesh there or move the "
+  { Shortfall::BelowFloor, " element at the cut stays", " elements at the cut stay",
+    " below MinimumScaledJacobian: refine the mesh there or move the "
     "surface." },
-  { Shortfall::LoosePart,
-    " elements at the cut are of small parts that nothing joins to the rest of the trimmed grid, "
-    "which an implicit solver cannot hold: take them away (Connectivity shows them), or move the "
+  { Shortfall::LoosePart, " element at the cut is of a small part",
+    " elements at the cut are of small parts",
+    " that nothing joins to the rest of the trimmed grid, "
+    "which an implicit solver cannot hold: take it away (Connectivity shows it), or move the "
     "surface." },
-  { Shortfall::ShortEdge,
-    " elements at the cut have an edge with less than a twentieth of its length left, which may "
+  { Shortfall::ShortEdge, " element at the cut has", " elements at the cut have",
+    " an edge with less than a twentieth of its length left, which may "
     "make an explicit solver's time step short: move the surface a little, or refine the mesh "
     "there." },
 };
 
 constexpr Text<Shortfall> OffcutTexts[] = {
-  { Shortfall::CameInvalid,
-    " elements of the offcut were inside out or without volume before the trim, and still are: "
+  { Shortfall::CameInvalid, " element of the offcut was", " elements of the offcut were",
+    " inside out or without volume already before the trim: "
     "repair the mesh there." },
-  { Shortfall::Invalid,
-    " elements of the offcut are distorted beyond repair: refine the mesh there, or try the other "
+  { Shortfall::Invalid, " element of the offcut is", " elements of the offcut are",
+    " distorted beyond repair: refine the mesh there, or try the other "
     "correction type." },
-  { Shortfall::BelowFloor,
-    " elements of the offcut stay below MinimumScaledJacobian: refine the mesh there or move the "
+  { Shortfall::BelowFloor, " element of the offcut stays", " elements of the offcut stay",
+    " below MinimumScaledJacobian: refine the mesh there or move the "
     "surface." },
 };
 
@@ -92,14 +101,15 @@ struct Count
   Place At{};
 };
 
-void Warn(const Count& count, const std::string& what, std::vector<std::string>& warnings)
+template <typename Finding>
+void Warn(const Count& count, const Text<Finding>& text, std::vector<std::string>& warnings)
 {
   if (count.Number > 0)
   {
     const std::string cell =
       count.Cell < 0 ? "" : "(cell " + std::to_string(count.Cell) + " of the input) ";
-    warnings.push_back(std::to_string(count.Number) + what + " The first " + cell + "is at " +
-      nurbs::PlaceText(ToVec3(count.At)) + ".");
+    warnings.push_back(Counted(count.Number, text.OfOne, text.OfMany) + text.What + " The first " +
+      cell + "is at " + nurbs::PlaceText(ToVec3(count.At)) + ".");
   }
 }
 
@@ -124,7 +134,7 @@ void WarnOfFeasibilities(const HexMesh& mesh, const Piece& piece, TrimResult& re
       all = before == 0 ? count : all;
       all.Number = before + count.Number;
     }
-    Warn(all, text.What, result.Warnings);
+    Warn(all, text, result.Warnings);
   }
 }
 
@@ -146,7 +156,7 @@ void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Short
         count.At = ToPlace(band.Point[element.Node[0]]);
       }
     }
-    Warn(count, text.What, result.Warnings);
+    Warn(count, text, result.Warnings);
   }
 }
 
@@ -178,11 +188,11 @@ void WarnOfNodesLeft(const BandOptions& options, TrimResult& result)
   const std::size_t ofBoundary = std::count_if(left.begin(), left.end(),
     [&boundary](const auto& node)
     { return std::binary_search(boundary.begin(), boundary.end(), node.first); });
-  result.Warnings.push_back(std::to_string(left.size()) +
-    (ofBoundary == left.size()
-        ? " nodes of the new boundary"
-        : " nodes, " + std::to_string(ofBoundary) + " of them of the new boundary,") +
-    " were left off the surface, as elements would be invalid" +
+  const std::string nodes = ofBoundary == left.size()
+    ? Counted(left.size(), " node of the new boundary was", " nodes of the new boundary were")
+    : Counted(left.size(), " node, ", " nodes, ") + std::to_string(ofBoundary) +
+      " of them of the new boundary, " + (left.size() == 1 ? "was" : "were");
+  result.Warnings.push_back(nodes + " left off the surface, as elements would be invalid" +
     (hasFloor ? " or short of MinimumScaledJacobian" : "") +
     " otherwise: " + (mayInsert ? insert : "") + "refine the mesh there" +
     (hasFloor ? ", move the surface or ask for less." : " or move the surface.") +
@@ -194,8 +204,9 @@ void WarnOfNodesBeside(TrimResult& result)
   const auto& beside = result.Near->NodesBeside;
   if (!beside.empty())
   {
-    result.Warnings.push_back(std::to_string(beside.size()) +
-      " nodes of the new boundary stay beside the surface, as Tolerance takes them for on it: ask "
+    result.Warnings.push_back(
+      Counted(beside.size(), " node of the new boundary stays", " nodes of the new boundary stay") +
+      " beside the surface, as Tolerance takes them for on it: ask "
       "for less." +
       FarthestText(result.Near->Mesh, beside));
   }
@@ -206,8 +217,8 @@ void WarnOfCornersLost(TrimResult& result)
   const auto& lost = result.Near->CornersLost;
   if (!lost.empty())
   {
-    result.Warnings.push_back(std::to_string(lost.size()) +
-      " nodes at corners or on the border of the model moved for the trimmed grid alone, or "
+    result.Warnings.push_back(Counted(lost.size(), " node", " nodes") +
+      " at corners or on the border of the model moved for the trimmed grid alone, or "
       "past a bend of it: there it "
       "does not add up to the whole with the offcut. Refine the mesh there. The first is at " +
       nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
@@ -245,8 +256,9 @@ void WarnOfLostVolume(const Piece& piece, const BandOptions& options, TrimResult
     near, FindLossTold(piece, result), leaves ? MissWhereLeft : ElementsAstray::LargestMiss);
   if (lost.Most >= 0)
   {
-    result.Warnings.push_back("The volume of " + std::to_string(std::lround(lost.Elements)) +
-      " cut elements is lost, or stays beyond the surface, " +
+    result.Warnings.push_back("The volume of " +
+      Counted(std::lround(lost.Elements), " cut element", " cut elements") +
+      " is lost, or stays beyond the surface, " +
       (leaves && !lost.IsOfPlaces ? "where nodes were left off it or too little is cut"
                                   : "as it is too little for elements of its own") +
       ": refine the mesh there (EliminatedFraction tells which). The element with most of it is "
@@ -285,10 +297,11 @@ void WarnOfPartsBesideEnd(TrimResult& result)
   const auto& parts = result.Nodes.PartsBesideEnd;
   if (!parts.empty())
   {
-    result.Warnings.push_back(std::to_string(parts.size()) +
-      " parts of the grid lie beyond the end of the trimming surface, on both sides of where it "
-      "would go on, and are kept or eliminated whole: extend the surface through them, or trim "
-      "without them. The first is at " +
+    result.Warnings.push_back(
+      Counted(parts.size(), " part of the grid lies", " parts of the grid lie") +
+      " beyond the end of the trimming surface, on both sides of where it "
+      "would go on. What lies there is kept or eliminated whole: extend the surface through it, or "
+      "trim without it. The first is at " +
       nurbs::PlaceText(ToVec3(parts.front())) + ".");
   }
 }

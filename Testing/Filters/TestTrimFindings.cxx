@@ -39,7 +39,7 @@ enum Feasibility
 const char* const FeasibilityPhrases[] = { "", "bends with a radius", "less than 45 degrees",
   "narrower than three", "crosses more than once", "not opened", "without common nodes" };
 const char* const ShortfallPhrases[] = { "", "below MinimumScaledJacobian", "",
-  "distorted beyond repair", "elements at the cut were inside out", "less than a twentieth",
+  "distorted beyond repair", "inside out or without volume already", "less than a twentieth",
   "nothing joins to the rest" };
 const char* const LeftPhrase = "left off the surface";
 const char* const TolerancePhrase = "Tolerance takes them for on it";
@@ -129,8 +129,9 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
   }
   Expect(CountWarned(outcome, LeftPhrase) == left, name + ": nodes left");
   const int told = leftOfBoundary == left
-    ? CountWarned(outcome, "nodes of the new boundary were left off")
-    : NumberAfter(std::to_string(left) + " nodes, ", outcome);
+    ? CountWarned(
+        outcome, left == 1 ? "node of the new boundary was" : "nodes of the new boundary were")
+    : NumberAfter(std::to_string(left) + (left == 1 ? " node, " : " nodes, "), outcome);
   Expect(told == leftOfBoundary, name + ": nodes of the new boundary left");
   Expect((left > 0) == (shortfall[2] > 0), name + ": elements with nodes left");
   auto corners = CountValues(outcome.Case.Whole->GetPointData()->GetArray("CornerLost"));
@@ -591,7 +592,7 @@ void TestBesideEnd()
     surface.Data = ToPolyData(Wall({ { -9.0, y }, { xEnd, y } }, first));
     return surface;
   };
-  const std::string phrase = "1 parts of the grid lie beyond the end of the trimming surface";
+  const std::string phrase = "1 part of the grid lies beyond the end of the trimming surface";
   for (const bool invert : { false, true })
   {
     TrimOptions options;

@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -131,15 +132,19 @@ void CheckWarnings(const Outcome& outcome, Report& report)
   {
     elements[static_cast<int>(shortfall->GetComponent(i, 0))].insert(ids->GetComponent(i, 0));
   }
-  const std::map<int, const char*> phrases = { { 1, "of the offcut stay below" },
-    { 3, "of the offcut are distorted" }, { 4, "of the offcut were inside out" } };
-  for (const auto& phrase : phrases)
+  // Of one element, and of many.
+  const std::map<int, std::array<const char*, 2>> phrases = {
+    { 1, { "of the offcut stays below", "of the offcut stay below" } },
+    { 3, { "of the offcut is distorted", "of the offcut are distorted" } },
+    { 4, { "of the offcut was inside out", "of the offcut were inside out" } }
+  };
+  for (const auto& [value, phrase] : phrases)
   {
-    const int warned = CountWarned(outcome, phrase.second);
-    if (static_cast<int>(elements[phrase.first].size()) != warned)
+    const int warned = CountWarned(outcome, phrase[0]) + CountWarned(outcome, phrase[1]);
+    if (static_cast<int>(elements[value].size()) != warned)
     {
-      report.Fail("Shortfall of the offcut", phrase.second,
-        static_cast<double>(elements[phrase.first].size()), warned);
+      report.Fail(
+        "Shortfall of the offcut", phrase[1], static_cast<double>(elements[value].size()), warned);
     }
   }
 }

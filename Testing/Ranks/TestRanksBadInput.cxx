@@ -285,7 +285,7 @@ void TestRemarks()
 
   const SheetsAndWall given = WithWallTo(8.5);
   ExpectWarning("a part beside the end on rank 1", given.Pieces, given.Walls,
-    "): 1 parts of the grid lie beyond the end");
+    "): 1 part of the grid lies beyond the end");
 
   // Copies of what other ranks have are nothing to tell of.
   const PiecesOutcome copies =
