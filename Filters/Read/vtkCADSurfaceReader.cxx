@@ -4,6 +4,7 @@
 #include "CADFormat.h"
 #include "FirstRank.h"
 #include "NURBSTessellation.h"
+#include "PropertyLimits.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -72,11 +73,12 @@ int vtkCADSurfaceReader::RequestData(
     return !this->CheckAbort();
   };
   std::vector<nurbs::NamedSurface> surfaces;
-  std::string message;
+  std::string message = nurbs::FindChoiceDefect("LengthUnit", this->LengthUnit, MICROMETRE);
   // All ranks read the file, and one tells of it.
   const bool first = nurbs::IsFirstRank(vtkMultiProcessController::GetGlobalController());
-  if (!nurbs::ReadCADFileInChild(this->FileName ? this->FileName : "",
-        InMillimetres(this->LengthUnit), surfaces, message, this->TimeLimit, goOn))
+  if (!message.empty() ||
+    !nurbs::ReadCADFileInChild(this->FileName ? this->FileName : "",
+      InMillimetres(this->LengthUnit), surfaces, message, this->TimeLimit, goOn))
   {
     if (!message.empty() && first)
     {

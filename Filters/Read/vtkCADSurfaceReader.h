@@ -62,9 +62,9 @@ public:
   ///@{
   /**
    * The unit of the output. The unit of the file is honoured: a length of 1 inch in the file is
-   * 25.4 with MILLIMETRE, the default.
+   * 25.4 with MILLIMETRE, the default. Other numbers than those of LengthUnits are an error.
    */
-  vtkSetClampMacro(LengthUnit, int, MILLIMETRE, MICROMETRE);
+  vtkSetMacro(LengthUnit, int);
   vtkGetMacro(LengthUnit, int);
   ///@}
 

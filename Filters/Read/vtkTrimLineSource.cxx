@@ -300,8 +300,17 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
   }
   kept.LinesTime = this->GetMTime();
   kept.Lines.clear();
-  kept.Error.clear();
   kept.Warning.clear();
+  kept.Error = nurbs::FindChoiceDefect("LineType", this->LineType, POLYLINE);
+  if (kept.Error.empty())
+  {
+    kept.Error =
+      nurbs::FindChoiceDefect("LengthUnit", this->LengthUnit, vtkCADSurfaceReader::MICROMETRE);
+  }
+  if (!kept.Error.empty())
+  {
+    return kept;
+  }
   const std::string path = this->FileName ? this->FileName : "";
   if (!path.empty() && nurbs::RecognizeCADFile(path) != nurbs::CADFormat::None)
   {

@@ -93,9 +93,10 @@ public:
 
   ///@{
   /**
-   * A smooth curve through the points, or straight pieces that keep the corners. Default SPLINE.
+   * A smooth curve through the points, or straight pieces that keep the corners. Default SPLINE; other
+   * numbers than these two are an error.
    */
-  vtkSetClampMacro(LineType, int, SPLINE, POLYLINE);
+  vtkSetMacro(LineType, int);
   vtkGetMacro(LineType, int);
   ///@}
 
@@ -132,7 +133,7 @@ public:
    * The unit of what is read from an IGES or STEP file, one of vtkCADSurfaceReader::LengthUnits.
    * Default: millimetres.
    */
-  vtkSetClampMacro(LengthUnit, int, 0, 5);
+  vtkSetMacro(LengthUnit, int);
   vtkGetMacro(LengthUnit, int);
   ///@}
 

@@ -112,13 +112,14 @@ std::vector<std::pair<Id, Shortfall>> ShortfallsAt(const TrimResult& result, con
 
 void AddFieldData(const Summary& summary, vtkUnstructuredGrid* output)
 {
-  vtkNew<vtkFieldData> all;
+  vtkNew<vtkFieldData> all, told;
   summary.AddTo(all);
   for (const char* name : { "TouchedElements", "CertifiedElements", "MinimumScaledJacobian",
          "MinimumIntegrationPointJacobian", "Volume", "NodeBandwidth" })
   {
-    output->GetFieldData()->AddArray(all->GetAbstractArray(name));
+    told->AddArray(all->GetAbstractArray(name));
   }
+  PutFirst(told, output->GetFieldData());
 }
 
 }

@@ -23,10 +23,11 @@ void AddEntry(vtkFieldData* fieldData, const char* name, Value value)
 
 void Summary::AddTo(vtkFieldData* fieldData) const
 {
-  const auto count = [fieldData](const char* name, Id value)
-  { AddEntry<vtkIdTypeArray>(fieldData, name, value); };
-  const auto measure = [fieldData](const char* name, double value)
-  { AddEntry<vtkDoubleArray>(fieldData, name, value); };
+  vtkNew<vtkFieldData> entries;
+  const auto count = [&entries](const char* name, Id value)
+  { AddEntry<vtkIdTypeArray>(entries, name, value); };
+  const auto measure = [&entries](const char* name, double value)
+  { AddEntry<vtkDoubleArray>(entries, name, value); };
   count("Kept", this->Kept);
   count("Eliminated", this->Eliminated);
   count("Treated", this->Treated);
@@ -46,6 +47,7 @@ void Summary::AddTo(vtkFieldData* fieldData) const
   measure("MinimumIntegrationPointJacobian", this->MinimumIntegrationPointJacobian);
   measure("MaximumDistanceToSurface", this->MaximumDistanceToSurface);
   measure("Volume", this->Volume);
+  PutFirst(entries, fieldData);
 }
 
 void Summary::RemoveFrom(vtkFieldData* fieldData)
@@ -55,6 +57,20 @@ void Summary::RemoveFrom(vtkFieldData* fieldData)
   for (int i = 0; i < entries->GetNumberOfArrays(); ++i)
   {
     fieldData->RemoveArray(entries->GetArrayName(i));
+  }
+}
+
+void PutFirst(vtkFieldData* arrays, vtkFieldData* fieldData)
+{
+  vtkNew<vtkFieldData> others;
+  others->ShallowCopy(fieldData);
+  fieldData->Initialize();
+  for (vtkFieldData* const data : { arrays, others.Get() })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      fieldData->AddArray(data->GetAbstractArray(i));
+    }
   }
 }
 

@@ -36,10 +36,15 @@ struct Summary
   double MaximumDistanceToSurface = 0;
   double Volume = 0;
 
+  /// Before what is there, see PutFirst.
   void AddTo(vtkFieldData* fieldData) const;
   /// Takes out the entries, which may be those of the trim that made the input.
   static void RemoveFrom(vtkFieldData* fieldData);
 };
+
+/// Adds arrays before those that are there: ParaView tells a client of no field data at all where
+/// the first array has no tuples, as that of an Exodus file behind Merge Blocks.
+void PutFirst(vtkFieldData* arrays, vtkFieldData* fieldData);
 
 }
 

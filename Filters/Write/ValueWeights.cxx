@@ -99,10 +99,19 @@ private:
 
   std::vector<Share> SharesOf(int element, const FinalElement& shape) const
   {
+    const std::vector<Share> shares = this->SharesByRule<3>(element, shape);
+    // Elements that are left folded at a corner have a volume at their integration points.
+    return shares.empty() ? this->SharesByRule<2>(element, shape) : shares;
+  }
+
+  /// None if the shape has no volume at one of the rule's points, or that lies nowhere.
+  template <int N>
+  std::vector<Share> SharesByRule(int element, const FinalElement& shape) const
+  {
     std::vector<Share> shares;
     bool found = true;
     int start = element;
-    ForVolumes<3>(shape.Points, shape.Count,
+    ForVolumes<N>(shape.Points, shape.Count,
       [&](const Vec3& point, double volume)
       {
         const int at = FindBandPlace(this->TheBand, start, point).Element;

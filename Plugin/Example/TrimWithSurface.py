@@ -8,6 +8,7 @@ Writes the trimmed mesh and prints the summary. The exit status is 1, and standa
 if a file cannot be read or the trim fails.
 """
 import argparse
+import math
 import os
 import re
 import sys
@@ -25,16 +26,21 @@ def arguments():
                         help="a point on the side that stays (default: the surface's normal says)")
     parser.add_argument("--unit", default="Millimetre", help="unit of the mesh",
                         choices=["Millimetre", "Centimetre", "Metre", "Inch", "Foot", "Micrometre"])
-    # pvpython makes --100 of a -100, and warns of it.
-    return parser.parse_args([re.sub(r"^--(?=[.\d])", "-", word) for word in sys.argv[1:]])
+    # pvpython makes --100 of a -100, and warns of it. A blank, as -1e-5 would be an option.
+    return parser.parse_args([re.sub(r"^--?(?=[.\d])", " -", word) for word in sys.argv[1:]])
+
+
+def can_be(result):
+    """Whether there may be a file of that name."""
+    is_other = os.path.exists(result) and not os.path.isfile(result)
+    return result.endswith(".vtu") and os.path.isdir(os.path.dirname(result) or ".") and not is_other
 
 
 def trim(options):
     for path in (options.mesh, options.surface):
         if not os.path.isfile(path):
             sys.exit("There is no file " + path)
-    directory = os.path.dirname(options.result) or "."
-    if not options.result.endswith(".vtu") or not os.path.isdir(directory):
+    if not can_be(options.result):
         sys.exit("The result is a .vtu file in a directory that exists, not " + options.result)
     try:
         mesh = OpenDataFile(options.mesh)
@@ -52,13 +58,26 @@ def trim(options):
     return result
 
 
+def save(result, path):
+    """Writes the file beside its place first, as SaveData does not tell a script that it failed."""
+    path = os.path.realpath(path)
+    part = path + ".part.vtu"
+    # Not the default mode: Debian 12's ParaView cannot read back its own appended raw data.
+    SaveData(part, proxy=result, DataMode="Binary")
+    try:
+        os.replace(part, path)
+    except OSError:
+        sys.exit(path + " cannot be written")
+
+
 def main():
     options = arguments()
     result = trim(options)
     for name in result.FieldData.keys():
-        print("%-32s %.9g" % (name, result.FieldData[name].GetRange(0)[0]))
-    # Not the default mode: Debian 12's ParaView cannot read back its own appended raw data.
-    SaveData(options.result, proxy=result, DataMode="Binary")
+        low, high = result.FieldData[name].GetRange(0)
+        # Upside down, that of NaN: no element was touched that could be measured.
+        print("%-32s %.9g" % (name, low if low <= high else math.nan))
+    save(result, options.result)
 
 
 if __name__ == "__main__":

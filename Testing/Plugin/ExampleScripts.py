@@ -37,22 +37,27 @@ def check_surface(plane):
     check_equal(int(printed["Kept"]), 8 * 24, "Kept")
     check_close(float(printed["Volume"]), 8.3 * 12 * 0.5, "Volume", 1e-6)
     check_equal(cells("near.vtu"), 8 * 24, "elements in the file")
-    run("TrimWithSurface.py", path("sheet.vtu"), plane, path("far.vtu"), "--keep", "19", "6", "0",
-        "--type", "1")
+    text = run("TrimWithSurface.py", path("sheet.vtu"), plane, path("far.vtu"), "--keep", "19", "6",
+               "0", "--type", "1")
+    check("MinimumScaledJacobian nan" in " ".join(text.split()), "no touched element:\n" + text)
     check_equal(cells("far.vtu"), 12 * 24, "elements on the side that was kept")
     text = run("TrimWithSurface.py", path("sheet.vtu"), path("none.igs"), path("x.vtu"), status=1)
     check("There is no file" in text, "no word of the missing file:\n" + text)
     run("TrimWithSurface.py", path("sheet.vtu"), plane, path("far.vtu"), "--keep", "-100", "6",
-        "-.5")
+        "-5e-1")
     check_equal(cells("far.vtu"), 8 * 24, "elements on the side of a point with signs")
     check_no_result("TrimWithSurface.py", path("sheet.vtu"), plane)
 
 
 def check_no_result(script, *inputs):
     """Nothing is trimmed for a file that could not be written, or for an option that is none."""
-    for result in (path("none", "x.vtu"), path("x.stl")):
+    os.makedirs(path("taken.vtu"), exist_ok=True)
+    for result in (path("none", "x.vtu"), path("x.stl"), path("taken.vtu")):
         text = run(script, *inputs, result, status=1)
         check("directory that exists, not " + result in text, "no word of %s:\n%s" % (result, text))
+    # A directory that nobody may write in.
+    text = run(script, *inputs, "/proc/x.vtu", status=1)
+    check("/proc/x.vtu cannot be written" in text, "no word of a failure to write:\n" + text)
     run(script, *inputs, path("x.vtu"), "--opne", status=2)
     check(not os.path.exists(path("x.vtu")), "a result in spite of a wrong option")
 
@@ -77,7 +82,7 @@ def check_points():
     with open(path("few.csv"), "w") as file:
         file.write("1,2,3\n")
     run("TrimByPoints.py", path("sheet.vtu"), path("few.csv"), path("x.vtu"), status=1)
-    check_no_result("TrimByPoints.py", path("sheet.vtu"), path("cut.csv"))
+    check_no_result("TrimByPoints.py", "--open", path("sheet.vtu"), path("cut.csv"))
 
 
 def batch_table():
@@ -142,6 +147,14 @@ def check_batch_names(plane):
     # Of 10 columns of double width the plane leaves 4, of 20 it leaves 8.
     for name, kept in (("part.vtk.vtu", 4), ("part.vtu.vtu", 8)):
         check_equal(cells(os.path.join("results", name)), kept * 24, "elements in " + name)
+
+    # What is no file cannot be written; the other results are not touched by that.
+    os.remove(path("results", "other.vtu"))
+    os.makedirs(path("results", "other.vtu"))
+    run("TrimBatch.py", path("meshes"), plane, path("results"), status=1)
+    check_equal(batch_table()["other.vtu"]["state"], "failed", "a result that cannot be written")
+    check("other.vtu cannot be written" in batch_table()["other.vtu"]["messages"], "no word of that")
+    check_equal(batch_table()["part.vtu"]["state"], "trimmed", "the next")
 
     text = run("TrimBatch.py", path("meshes"), plane, path("results", "..", "meshes"), status=1)
     check_equal(text, "The results would overwrite the meshes: name another directory for them.\n",

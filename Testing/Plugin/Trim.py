@@ -2,6 +2,7 @@
 import os
 import re
 
+from paraview.simple import OutputPort, ProgrammableFilter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from Checks import (COUNTS, DATA_DIRECTORY, LENGTHS, arrays_of, check, check_close, check_equal, fetch, plane_at,
@@ -91,6 +92,24 @@ def check_statuses():
     check((moved[~cut] == 0).all(), "Displacement of nodes that stay")
 
 
+def check_empty_field_data():
+    """Field data of the input without tuples, as of an Exodus file, does not hide the summary."""
+    mesh = ProgrammableFilter(Input=sheet(), Script="""
+from vtkmodules.vtkCommonCore import vtkStringArray
+records = vtkStringArray()
+records.SetName("Records")
+self.GetOutputDataObject(0).ShallowCopy(self.GetInputDataObject(0, 0))
+self.GetOutputDataObject(0).GetFieldData().AddArray(records)
+""")
+    result = trim(mesh, plane_at(10.3), ProduceOffcut=1)
+    for name in SUMMARY:
+        check(name in summary(result), "empty field data hides " + name)
+    check("Volume" in OutputPort(result, 2).FieldData.keys(), "empty field data hides the offcut's")
+    for port in (0, 2):
+        check("Records" in arrays_of(fetch(result, port).GetFieldData()),
+              "field data of the input is lost on port %d" % port)
+
+
 def check_sides():
     kept = summary(trim(sheet(), plane_at(10.3)))["Kept"]
     inverted = summary(trim(sheet(), plane_at(10.3), InvertSide=1))
@@ -146,6 +165,7 @@ for correction_type in (1, 2, 3):
 check_told()
 check_arrays()
 check_statuses()
+check_empty_field_data()
 check_sides()
 check_optimization()
 check_numbering()

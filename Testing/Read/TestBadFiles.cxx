@@ -139,6 +139,15 @@ std::string File(const std::string& name, const std::string& text)
   return path;
 }
 
+/// Not the nearest one, by which all would come out in another size.
+void TestNoUnit()
+{
+  const ReadResult result = ReadFile(File("unit.igs", Curves().Text()), 6);
+  CHECK(result.Errors.size() == 1 &&
+      result.Errors[0].find("LengthUnit is 6: give a number from 0 to 5.") != std::string::npos,
+    "a unit that there is not");
+}
+
 void TestNoFile()
 {
   CheckError(OutputPath("missing.igs"), "cannot be found");
@@ -425,6 +434,7 @@ void TestAbortOfLines()
 int main()
 {
   TestNoFile();
+  TestNoUnit();
   TestOtherContent();
   TestTruncated();
   TestNoSurface();

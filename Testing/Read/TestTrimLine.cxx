@@ -608,6 +608,9 @@ void TestBadInput()
   CheckError("Length is -2; it must be positive and reach through the part, or 0 to have it found.",
     [](Source* s) { s->SetLength(-2); });
   CheckError("Length is nan", [nan](Source* s) { s->SetLength(nan); });
+  CheckError("LineType is 2: give a number from 0 to 1.", [](Source* s) { s->SetLineType(2); });
+  CheckError(
+    "LengthUnit is -1: give a number from 0 to 5.", [](Source* s) { s->SetLengthUnit(-1); });
   CheckError("encloses no area",
     [](Source* s) {
       Give(s, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, true);
