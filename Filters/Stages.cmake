@@ -43,6 +43,7 @@ add_library(NURBSTrimStages STATIC
   Correct/NodeRelaxing.cxx
   Correct/SkinRing.cxx
   Treat/BandQuality.cxx
+  Treat/BorderBridges.cxx
   Treat/BorderCorners.cxx
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
