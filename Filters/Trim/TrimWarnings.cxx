@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <string>
 
@@ -48,8 +49,8 @@ constexpr Text<Feasibility> FeasibilityTexts[] = {
     "towards the thickness direction, or look at the elements there." },
   { Feasibility::Curved,
     " elements are cut where the surface has an edge, bends with a radius below two element sizes, "
-    "or bends between nodes that had to go far apart, which the border cuts off: refine the mesh "
-    "there or round the surface off." },
+    "or bends, as the skin may, between nodes that had to go far apart, which the border cuts off: "
+    "refine the mesh there or round the surface off." },
 };
 
 constexpr Text<Shortfall> ShortfallTexts[] = {
@@ -204,14 +205,19 @@ void WarnOfNodesBeside(TrimResult& result)
 void WarnOfCornersLost(TrimResult& result)
 {
   const auto& lost = result.Near->CornersLost;
-  if (!lost.empty())
+  if (lost.empty())
   {
-    result.Warnings.push_back(std::to_string(lost.size()) +
-      " nodes at corners or on the border of the model moved for the trimmed grid alone, or "
-      "past a bend of it: there it "
-      "does not add up to the whole with the offcut. Refine the mesh there. The first is at " +
-      nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
+    return;
   }
+  const double missing = result.Near->Missing;
+  std::ostringstream volume;
+  volume << std::setprecision(2) << std::abs(missing) << " elements "
+         << (missing < 0.0 ? "more" : "less");
+  result.Warnings.push_back(std::to_string(lost.size()) +
+    " nodes at corners or on the border of the model moved for the trimmed grid alone, or past a "
+    "bend of it: there it does not add up to the whole with the offcut (both have the volume of " +
+    volume.str() + " together). Refine the mesh there. The first is at " +
+    nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
 }
 
 /// Elements of the band at which a finding tells already of what is lost or stays. Nodes left tell
