@@ -107,6 +107,7 @@ add_library(NURBSTrimStages STATIC
   Trim/LayerTrim.cxx
   Trim/LooseParts.cxx
   Trim/LostVolume.cxx
+  Trim/OffcutHinges.cxx
   Trim/OpenSeams.cxx
   Trim/PartedStrips.cxx
   Trim/Shortcomings.cxx

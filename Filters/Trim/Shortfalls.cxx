@@ -5,6 +5,7 @@
 #include "Facet.h"
 #include "Jacobian.h"
 #include "NodeConstraint.h"
+#include "OffcutHinges.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -217,7 +218,7 @@ std::vector<std::pair<int, Shortfall>> FindShortfalls(const TrimBand& near,
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left)
 {
-  FaultyElements faulty{ near.Rest.BelowFloor, near.Rest.Invalid, {}, {}, {} };
+  FaultyElements faulty{ near.Rest.BelowFloor, near.Rest.Invalid, {}, {}, FindHinges(near) };
   std::vector<char> inOffcut(near.Mesh.NumberOfElements(), 0);
   for (const auto& element : near.Rest.Elements)
   {

@@ -33,8 +33,8 @@ std::vector<std::pair<int, float>> FindNodesBeside(
 std::vector<std::pair<int, Shortfall>> FindShortfalls(const TrimBand& near,
   const std::vector<std::pair<int, float>>& left, const std::vector<int>& loose, bool hasFloor);
 
-/// The same for the elements of the offcut, whose short edges and loose parts are not told of;
-/// none where it was not asked for.
+/// The same for the elements of the offcut, whose short edges are not told of, and of loose parts
+/// those that hang by an edge or a node; none where it was not asked for.
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left);
 

@@ -83,6 +83,9 @@ constexpr Text<Shortfall> OffcutTexts[] = {
   { Shortfall::BelowFloor,
     " elements of the offcut stay below MinimumScaledJacobian: refine the mesh there or move the "
     "surface." },
+  { Shortfall::LoosePart,
+    " elements of the offcut hang on the rest of it by an edge or a node alone, which an implicit "
+    "solver cannot hold: move the surface, or refine the mesh there." },
 };
 
 /// How many there are of a kind, and the first of them.
