@@ -22,6 +22,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <set>
 
 using namespace judge;
 
@@ -347,6 +348,42 @@ void TestCornerOnTube()
   Wrong += report.Failures();
   Expect(std::abs(missing) < 1, "corner on a tube: missing " + std::to_string(missing));
 }
+
+// Where three elements meet at the border two of them may come to hang on the rest of the offcut by
+// an edge.
+void TestHinges()
+{
+  const Mesh sheet = MakeMesh("irregular");
+  Placement at;
+  at.X = 0.095;
+  at.Y = 0.380;
+  at.Angle = 3.632;
+  at.Lean = 0.106;
+  at.Size = 0.627;
+  at.Seed = 764339;
+  TrimOptions options;
+  options.Optimization = 1;
+  options.MinimumScaledJacobian = 0;
+  options.EliminationFraction = 0.709;
+  options.InvertSide = true;
+  options.ProduceOffcut = true;
+  const Outcome outcome = RunTrim(sheet, MakeSurface("scurve", sheet.Box, at), options);
+  const ManifoldDefects defects = FindManifoldDefects(FacetTable(Model(outcome.Offcut)));
+  vtkDataArray* const told = outcome.Offcut->GetCellData()->GetArray("Shortfall");
+  vtkDataArray* const ids = outcome.Offcut->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::set<double> elements; // some are in two pieces
+  for (vtkIdType c = 0; c < told->GetNumberOfTuples(); ++c)
+  {
+    if (told->GetComponent(c, 0) == 6)
+    {
+      elements.insert(ids->GetComponent(c, 0));
+    }
+  }
+  const int count = static_cast<int>(elements.size());
+  Expect(defects.Edges > 0, "hinges: there are none");
+  Expect(count > 0 && CountWarned(outcome, "of the offcut hang") == count,
+    "hinges: told of " + std::to_string(count));
+}
 }
 
 int main(int argc, char* argv[])
@@ -354,6 +391,7 @@ int main(int argc, char* argv[])
   const unsigned first = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 1;
   const unsigned count = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 40;
   TestCornerOnTube();
+  TestHinges();
   TestBentWalls(first, count);
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
