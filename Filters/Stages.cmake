@@ -43,6 +43,7 @@ add_library(NURBSTrimStages STATIC
   Correct/NodeRelaxing.cxx
   Correct/SkinRing.cxx
   Treat/BandQuality.cxx
+  Treat/BorderBridges.cxx
   Treat/BorderCorners.cxx
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
@@ -106,6 +107,7 @@ add_library(NURBSTrimStages STATIC
   Trim/LayerTrim.cxx
   Trim/LooseParts.cxx
   Trim/LostVolume.cxx
+  Trim/OffcutHinges.cxx
   Trim/OpenSeams.cxx
   Trim/PartedStrips.cxx
   Trim/Shortcomings.cxx

@@ -209,6 +209,20 @@ inline double LongestEdgeAt(const Band& band, int node)
   return longest;
 }
 
+/// Length of the longest edge of an element, where the mesh has it.
+inline double LongestEdgeOf(const Band& band, int element)
+{
+  const ElementPoints points = PointsOf(band, element);
+  const auto& topology = TopologyOf(band.Elements[element].Count);
+  double longest = 0.0;
+  for (int i = 0; i < topology.NumberOfEdges; ++i)
+  {
+    const auto& edge = topology.Edges[i];
+    longest = std::max(longest, (points[edge.First] - points[edge.Second]).norm());
+  }
+  return longest;
+}
+
 /// Distance between neighbouring values of the largest coordinate of a node, as the mesh stores it:
 /// its place is known to this.
 inline double SpacingAt(const Band& band, int node)

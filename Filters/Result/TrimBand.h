@@ -49,6 +49,7 @@ struct TrimBand : BandTrim
   // What follows is empty unless the offcut is asked for.
   std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;
   std::vector<std::pair<int, bool>> CornersLost; ///< see FindCornersLost
+  double Missing = 0.0;                          ///< see MeasureMissing
 };
 
 }

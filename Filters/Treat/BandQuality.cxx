@@ -1,5 +1,6 @@
 #include "BandQuality.h"
 
+#include "BorderBridges.h"
 #include "CoincidentNodes.h"
 #include "ElementWorth.h"
 #include "NodesOfElements.h"
@@ -135,7 +136,8 @@ const BandQuality::Size& BandQuality::SizeBefore(int e) const
     {
       const ElementShape before = ShapeBefore(this->TheBand, e);
       return Size{ VolumeOf(before.Points, before.Count),
-        ShortestDistance(before.Points, before.Count) };
+        ShortestDistance(before.Points, before.Count),
+        LongestEdgeOf(WithoutLayer(this->TheBand), ElementWithoutLayer(this->TheBand, e)) };
     });
 }
 
@@ -189,6 +191,21 @@ double BandQuality::FloorOf(int e) const
 bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count) const
 {
   return this->Floor > 0.0 && this->IsBelowFloor(e, ScaledJacobian(points, count));
+}
+
+bool BandQuality::LeavesBorder(
+  int e, const std::array<int, 8>& node, const ElementPoints& points, int count) const
+{
+  return this->Surface &&
+    HasBridge(
+      this->TheBand, *this->Surface, e, this->SizeBefore(e).LongestEdge, node, points, count);
+}
+
+std::vector<int> BandQuality::FindLeavingBorder(const TrimmedBand& trimmed) const
+{
+  return FindElements(this->TheBand, trimmed,
+    [&](int e, const FinalElement& final)
+    { return this->LeavesBorder(e, final.Node, final.Points, final.Count); });
 }
 
 bool BandQuality::IsBelowFloor(int e, double measured) const

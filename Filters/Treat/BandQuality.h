@@ -7,6 +7,7 @@
 
 #include "Remembered.h"
 #include "TrimmedBand.h"
+#include "TrimmingSurface.h"
 
 #include <memory>
 #include <vector>
@@ -64,6 +65,14 @@ public:
     return other;
   }
 
+  /// The same, which tells of elements that leave the border of the model too.
+  BandQuality WithBorder(const nurbs::TrimmingSurface& surface) const
+  {
+    BandQuality other = *this;
+    other.Surface = &surface;
+    return other;
+  }
+
   double GetFloor() const { return this->Floor; }
 
   /// Kept elements that the trim made invalid, ascending.
@@ -94,12 +103,20 @@ public:
   /// Whether its scaled Jacobian falls below the floor by it.
   bool FallsBelowFloor(int element, const ElementPoints& points, int count) const;
 
+  /// Whether it goes across a bend of the border; see HasBridge. False without a border.
+  bool LeavesBorder(
+    int element, const std::array<int, 8>& node, const ElementPoints& points, int count) const;
+
+  /// Touched elements that do, ascending.
+  std::vector<int> FindLeavingBorder(const TrimmedBand& trimmed) const;
+
 private:
   /// Of an element as it came.
   struct Size
   {
     double Volume;
     double ShortestDistance; ///< between any two of its nodes
+    double LongestEdge;
   };
   struct Standard
   {
@@ -128,7 +145,8 @@ private:
   Optimization Treatment;
   double Floor;
   Measure By;
-  std::shared_ptr<const ElementsBefore> Before; ///< of all that were made from one
+  const nurbs::TrimmingSurface* Surface = nullptr; ///< null: what leaves the border is as good
+  std::shared_ptr<const ElementsBefore> Before;    ///< of all that were made from one
 };
 
 }

@@ -27,7 +27,7 @@ std::vector<GuardedMesh::Standard> GuardedMesh::StandardsOf(
   std::vector<Standard> list;
   for (const int e : elements)
   {
-    list.push_back({ std::min(limit, this->Quality(e)), this->EdgeShareToKeep(e) });
+    list.push_back(this->StandardOf(e, std::min(limit, this->Quality(e))));
   }
   return list;
 }
@@ -41,13 +41,20 @@ double GuardedMesh::LowestOf(
     const int e = elements[i];
     const double now = this->Quality(e);
     if (now < standards[i].Quality || this->ShortestEdgeShare(e) < standards[i].EdgeShare ||
-      this->Given.Quality.Spoils(e, this->PointsOf(e), this->Elements[e].Count))
+      this->Given.Quality.Spoils(e, this->PointsOf(e), this->Elements[e].Count) ||
+      (!standards[i].LeavesBorder && this->LeavesBorder(e)))
     {
       return -1.0;
     }
     lowest = std::min(lowest, now);
   }
   return lowest;
+}
+
+bool GuardedMesh::LeavesBorder(int e) const
+{
+  const auto& element = this->Elements[e];
+  return this->Given.Quality.LeavesBorder(e, element.Node, this->PointsOf(e), element.Count);
 }
 
 bool GuardedMesh::IsCoincident(int node) const

@@ -43,8 +43,15 @@ public:
   struct Standard
   {
     double Quality;
-    double EdgeShare; ///< see ShortestEdgeShare: a good shape may still have an edge of no length
+    double EdgeShare;  ///< see ShortestEdgeShare: a good shape may still have an edge of no length
+    bool LeavesBorder; ///< it may, as it did before
   };
+
+  /// @param quality not to fall below.
+  Standard StandardOf(int element, double quality) const
+  {
+    return { quality, this->EdgeShareToKeep(element), this->LeavesBorder(element) };
+  }
 
   /// What elements have, but no more than a scaled Jacobian, and than little of their edges.
   std::vector<Standard> StandardsOf(const std::vector<int>& elements, double limit) const;
@@ -77,6 +84,8 @@ protected:
   const GuardedCase& Given;
 
 private:
+  bool LeavesBorder(int element) const;
+
   NodeGrid Used; ///< the nodes of the elements
 };
 

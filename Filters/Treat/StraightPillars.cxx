@@ -310,7 +310,7 @@ private:
       {
         least = now >= reached ? std::max(least, reached) : least;
       }
-      this->Held.emplace(e, Standard{ std::min(now, least), this->EdgeShareToKeep(e) });
+      this->Held.emplace(e, this->StandardOf(e, std::min(now, least)));
     }
   }
 

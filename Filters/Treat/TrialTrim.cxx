@@ -2,10 +2,12 @@
 
 #include "JointRelaxation.h"
 #include "MovingNodes.h"
+#include "NodesOfElements.h"
 #include "StraightPillars.h"
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace trim
 {
@@ -20,6 +22,8 @@ constexpr double PolishedGoal = 0.6;
 /// Below this the nodes on the cut move along it too: then the offcut of another run, with the
 /// side inverted, need not fit node by node.
 constexpr double PolishedOnCutGoal = 0.5;
+/// Of elements round one that left the border of the model, as its nodes alone may not help.
+constexpr int MostRings = 3;
 
 }
 
@@ -28,7 +32,8 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
   , TheColumns(given.TheColumns)
   , Surface(given.Surface)
   , Options(options)
-  , Quality(given.TheBand, options.Treatment, options.QualityFloor)
+  , Quality(
+      BandQuality(given.TheBand, options.Treatment, options.QualityFloor).WithBorder(given.Surface))
   , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind,
       given.Memory, options.StaysInside)
   , TheDecision(given.TheBand, given.TheColumns, given.Shares, given.Surface,
@@ -257,6 +262,33 @@ void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const 
   }
 }
 
+/// Takes nodes back to where they were, round elements that left the border of the model meanwhile.
+/// @param leaving those that had left it before.
+void TrialTrim::ReturnToBorder(
+  const Moves& before, const std::vector<int>& leaving, TrimmedBand& trimmed) const
+{
+  for (int rings = 0; rings < MostRings; ++rings)
+  {
+    const std::vector<int> now = this->Quality.FindLeavingBorder(trimmed);
+    std::vector<int> elements;
+    std::set_difference(
+      now.begin(), now.end(), leaving.begin(), leaving.end(), std::back_inserter(elements));
+    for (int ring = 0; ring < rings; ++ring)
+    {
+      elements = ElementsAt(this->TheBand, NodesOf(this->TheBand, elements));
+    }
+    for (const int n : NodesOf(this->TheBand, elements))
+    {
+      trimmed.NodeMoves.Position[n] = before.Position[n];
+      trimmed.NodeMoves.Applied[n] = before.Applied[n];
+    }
+    if (elements.empty())
+    {
+      return;
+    }
+  }
+}
+
 void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
 {
   if (this->Options.QualityFloor <= 0.0 || this->Options.QualityFloor >= PolishedGoal ||
@@ -275,14 +307,17 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
   steps.emplace_back([&] { this->PolishTo(set, PolishedGoal, false, trimmed); });
   steps.emplace_back([&] { this->PolishTo(set, PolishedOnCutGoal, true, trimmed); });
   // What the mesh had below the floor may gain at the cost of its neighbours: where that spoils
-  // one, step by step.
+  // one, or a facet leaves the border of the model for it, step by step.
   const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
+  const std::vector<int> leaving = this->Quality.FindLeavingBorder(trimmed);
   const auto polish = [&](auto first, auto last)
   {
     const Moves before = trimmed.NodeMoves;
     std::for_each(first, last, [](const auto& step) { step(); });
+    this->ReturnToBorder(before, leaving, trimmed);
     const bool good = this->Quality.FindBelowFloor(trimmed).size() <= below &&
-      this->Quality.FindInvalid(trimmed).size() <= trimmed.Invalid.size();
+      this->Quality.FindInvalid(trimmed).size() <= trimmed.Invalid.size() &&
+      this->Quality.FindLeavingBorder(trimmed).size() <= leaving.size();
     if (!good)
     {
       trimmed.NodeMoves = before;

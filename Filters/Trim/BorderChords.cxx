@@ -62,7 +62,7 @@ private:
     {
       return false; // a node that was left is told of as such
     }
-    const double before = this->LongestEdgeBefore(e);
+    const double before = LongestEdgeOf(this->Mesh, e);
     int last = *(facet.end() - 1);
     for (const int node : facet)
     {
@@ -81,19 +81,6 @@ private:
   {
     return this->Mesh.NodeStatus[node] == NodeOnSurface ||
       (this->Trimmed.Moving[node] && !this->Trimmed.NodeMoves.Left[node]);
-  }
-
-  double LongestEdgeBefore(int e) const
-  {
-    const ElementPoints points = PointsOf(this->Mesh, e);
-    const auto& topology = TopologyOf(this->Mesh.Elements[e].Count);
-    double longest = 0.0;
-    for (int i = 0; i < topology.NumberOfEdges; ++i)
-    {
-      longest = std::max(
-        longest, (points[topology.Edges[i].First] - points[topology.Edges[i].Second]).norm());
-    }
-    return longest;
   }
 
   const Band& Mesh;

@@ -1,5 +1,6 @@
 #include "FeasibilityCheck.h"
 
+#include "BorderBridges.h"
 #include "BorderChords.h"
 #include "Curvature.h"
 #include "EdgesCrossedTwice.h"
@@ -84,7 +85,8 @@ private:
     return std::binary_search(cells.begin(), cells.end(), cell);
   }
 
-  /// Adds cells with long chords, cut or not, of which nothing else is told.
+  /// Adds cells with long chords of the surface, or of a bend of the border, cut or not, of which
+  /// nothing else is told.
   /// @param[in,out] found by ascending cell.
   void AddChords(std::vector<std::pair<Id, Feasibility>>& found) const
   {
@@ -93,8 +95,11 @@ private:
       return;
     }
     const TrimBand& near = *this->Result.Near;
+    std::vector<int> chords = FindLongChords(near, this->Surface);
+    const std::vector<int> bridges = FindBridges(near.Mesh, this->Surface, near.Trimmed);
+    chords.insert(chords.end(), bridges.begin(), bridges.end());
     const auto known = static_cast<std::ptrdiff_t>(found.size());
-    for (const Id cell : CellsOf(near.Mesh, FindLongChords(near, this->Surface)))
+    for (const Id cell : CellsOf(near.Mesh, chords))
     {
       const auto at = std::lower_bound(found.begin(), found.begin() + known, cell,
         [](const auto& told, Id other) { return told.first < other; });

@@ -3,10 +3,13 @@
 #include "BandQuality.h"
 #include "BorderCorners.h"
 #include "Facet.h"
+#include "Jacobian.h"
 #include "NodeConstraint.h"
+#include "OffcutHinges.h"
 #include "Status.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trim
 {
@@ -22,6 +25,8 @@ constexpr double BorderTolerance = 1e-5;
 constexpr double BorderSlack = 1e-4;
 /// Share of its longest edge by which the border may pass a node's place by.
 constexpr double PassedShare = 0.05;
+/// Of the volume of an element: what both parts may miss, or have too much, in all.
+constexpr double LargestMissing = 0.5;
 /// How far along the border a node slides at most, in edges.
 constexpr int LongestSlide = 5;
 
@@ -134,6 +139,12 @@ bool IsPassedBy(const Band& band, const std::vector<Vec3>& places, int node)
     [&](int f) { return LiesOn(Facet(places, band.Faces[f]), band.Point[node], most); });
 }
 
+bool IsOnExterior(const Band& band, int node)
+{
+  const auto faces = band.FacesOfNode(node);
+  return std::any_of(faces.begin(), faces.end(), [&band](int f) { return band.Faces[f].Exterior; });
+}
+
 /// Whether a node went off a side of the model: what was behind it there is in no part.
 bool LeftBorder(const Band& band, int node, const Vec3& place)
 {
@@ -207,7 +218,7 @@ std::vector<std::pair<int, Shortfall>> FindShortfalls(const TrimBand& near,
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left)
 {
-  FaultyElements faulty{ near.Rest.BelowFloor, near.Rest.Invalid, {}, {}, {} };
+  FaultyElements faulty{ near.Rest.BelowFloor, near.Rest.Invalid, {}, {}, FindHinges(near) };
   std::vector<char> inOffcut(near.Mesh.NumberOfElements(), 0);
   for (const auto& element : near.Rest.Elements)
   {
@@ -221,9 +232,46 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   return ListShortfalls(near, faulty, left, [&inOffcut](int e) { return inOffcut[e] != 0; });
 }
 
-std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
+double MeasureMissing(const TrimBand& near)
 {
   const Band& band = near.Mesh;
+  double missing = 0.0;
+  double cut = 0.0;
+  int count = 0;
+  for (int e = 0; e < band.NumberOfElements(); ++e)
+  {
+    if (band.ElementStatus[e] == ElementToTreat)
+    {
+      cut += near.Shares.Volume[e];
+      ++count;
+    }
+  }
+  // What neither part has touched is in one of them, as it was.
+  for (const int e : FindTouchedElements(band, near.Trimmed))
+  {
+    const FinalElement shape = FinalShape(band, near.Trimmed, e);
+    missing += near.Shares.Volume[e] - std::abs(VolumeOf(shape.Points, shape.Count));
+  }
+  const OffcutElement* last = nullptr;
+  for (const OffcutElement& part : near.Rest.Elements)
+  {
+    // Pieces of one element come one after the other; that of a kept one is what its wedge lacks.
+    const bool isFirst = !last || last->Element != part.Element;
+    last = &part;
+    if (IsTouched(band, near.Rest, part))
+    {
+      const bool isWhole = isFirst && !near.Trimmed.Kept[part.Element];
+      missing += isWhole ? near.Shares.Volume[part.Element] : 0.0;
+      missing -= std::abs(VolumeOf(PointsOf(near.Rest, part), part.Count));
+    }
+  }
+  return count > 0 ? missing / cut * count : 0.0;
+}
+
+std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double missing)
+{
+  const Band& band = near.Mesh;
+  const bool asksSkin = std::abs(missing) > LargestMissing;
   const std::vector<int> users = CountUsers(band, near.Trimmed);
   const std::vector<char> inOffcut = FindUsed(band, near.Rest);
   // Else the constraint of a node forgets the sides that go whole with what is cut off.
@@ -246,7 +294,13 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near)
     const auto constraint = ConstrainNode(band, near.Structure, allKept, n);
     if (!near.Structure.IsOnBorder(band, n) && constraint.RidgeEdges.empty())
     {
-      continue; // slides on one side of the model
+      // Slides on one side of the model. Where that bends outwards and inwards it is much the same
+      // in all: what the layers lose on one side they have more on the other.
+      if (asksSkin && IsOnExterior(band, n) && IsPassedBy(band, places, n))
+      {
+        lost.emplace_back(n, true);
+      }
+      continue;
     }
     const bool wasCorner = constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed;
     if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, places[n]) ||

@@ -33,17 +33,23 @@ std::vector<std::pair<int, float>> FindNodesBeside(
 std::vector<std::pair<int, Shortfall>> FindShortfalls(const TrimBand& near,
   const std::vector<std::pair<int, float>>& left, const std::vector<int>& loose, bool hasFloor);
 
-/// The same for the elements of the offcut, whose short edges and loose parts are not told of;
-/// none where it was not asked for.
+/// The same for the elements of the offcut, whose short edges are not told of, and of loose parts
+/// those that hang by an edge or a node; none where it was not asked for.
 std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   const TrimBand& near, const std::vector<std::pair<int, float>>& left);
 
+/// How much less volume than the whole kept part and offcut have together, in cut elements.
+double MeasureMissing(const TrimBand& near);
+
 /**
  * Nodes at which kept part and offcut do not add up to the whole: corners that moved for the kept
- * part, and nodes that left the model's border or a fold of its skin, or slid past a bend of it.
- * Ascending band nodes, each with true.
+ * part, and nodes that left the model's border or a fold of its skin, or slid past a bend of it;
+ * past one of the skin only where half an element or more is missing. Ascending band nodes, each
+ * with true.
+ *
+ * @param missing see MeasureMissing.
  */
-std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near);
+std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double missing);
 
 }
 

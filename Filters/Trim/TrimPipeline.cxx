@@ -317,7 +317,8 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     if (options.OfBand.ProduceOffcut)
     {
       near.ShortfallsOfRest = FindShortfallsOfOffcut(near, near.NodesLeft);
-      near.CornersLost = FindCornersLost(near);
+      near.Missing = MeasureMissing(near);
+      near.CornersLost = FindCornersLost(near, near.Missing);
       result.Found.CornersLost = ById(near.CornersLost, toId);
     }
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <string>
 
@@ -56,8 +57,8 @@ constexpr Text<Feasibility> FeasibilityTexts[] = {
     "towards the thickness direction, or look at the elements there." },
   { Feasibility::Curved, " element is", " elements are",
     " cut where the surface has an edge, bends with a radius below two element sizes, "
-    "or bends between nodes that had to go far apart, which the border cuts off: refine the mesh "
-    "there or round the surface off." },
+    "or bends, as the skin may, between nodes that had to go far apart, which the border cuts off: "
+    "refine the mesh there or round the surface off." },
 };
 
 constexpr Text<Shortfall> ShortfallTexts[] = {
@@ -91,6 +92,9 @@ constexpr Text<Shortfall> OffcutTexts[] = {
   { Shortfall::BelowFloor, " element of the offcut stays", " elements of the offcut stay",
     " below MinimumScaledJacobian: refine the mesh there or move the "
     "surface." },
+  { Shortfall::LoosePart, " element of the offcut hangs", " elements of the offcut hang",
+    " on the rest of it by an edge or a node alone, which an implicit "
+    "solver cannot hold: move the surface, or refine the mesh there." },
 };
 
 /// How many there are of a kind, and the first of them.
@@ -215,14 +219,19 @@ void WarnOfNodesBeside(TrimResult& result)
 void WarnOfCornersLost(TrimResult& result)
 {
   const auto& lost = result.Near->CornersLost;
-  if (!lost.empty())
+  if (lost.empty())
   {
-    result.Warnings.push_back(Counted(lost.size(), " node", " nodes") +
-      " at corners or on the border of the model moved for the trimmed grid alone, or "
-      "past a bend of it: there it "
-      "does not add up to the whole with the offcut. Refine the mesh there. The first is at " +
-      nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
+    return;
   }
+  const double missing = result.Near->Missing;
+  std::ostringstream volume;
+  volume << std::setprecision(2) << std::abs(missing) << " elements "
+         << (missing < 0.0 ? "more" : "less");
+  result.Warnings.push_back(Counted(lost.size(), " node", " nodes") +
+    " at corners or on the border of the model moved for the trimmed grid alone, or past a "
+    "bend of it: there it does not add up to the whole with the offcut (both have the volume of " +
+    volume.str() + " together). Refine the mesh there. The first is at " +
+    nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
 }
 
 /// Elements of the band at which a finding tells already of what is lost or stays. Nodes left tell
