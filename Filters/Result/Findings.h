@@ -40,7 +40,7 @@ enum class Shortfall : unsigned char
   Invalid = 3,     ///< distorted beyond repair
   CameInvalid = 4, ///< inside out or without volume, as it was before the trim
   ShortEdge = 5,   ///< an edge has hardly any of its length left, which a time step follows
-  LoosePart = 6    ///< of a shred that nothing joins to the rest, see LooseParts.h; of the offcut, that hangs on it
+  LoosePart = 6    ///< of a shred that nothing joins to the rest (LooseParts.h, OffcutHinges.h)
 };
 
 inline bool IsGraver(Shortfall a, Shortfall b)

@@ -155,12 +155,13 @@ bool HasBridge(const Band& band, const nurbs::TrimmingSurface& surface, int e, d
     {
       continue;
     }
-    // Nodes that left the border for the surface have their own reasons.
+    // Middles first, as most are on the face itself. Nodes that left the border for the surface have
+    // their own reasons.
     BorderSearch search(band, surface, face);
-    if (std::all_of(polygon.Corner.begin(), polygon.Corner.begin() + polygon.Count,
-          [&](const Vec3& corner) { return search.IsOnBorder(corner, NoGap * longest); }) &&
-      polygon.AnyMiddle(
-        [&](const Vec3& middle) { return search.IsAstray(middle, LargestGap * longest); }))
+    if (polygon.AnyMiddle(
+          [&](const Vec3& middle) { return search.IsAstray(middle, LargestGap * longest); }) &&
+      std::all_of(polygon.Corner.begin(), polygon.Corner.begin() + polygon.Count,
+        [&](const Vec3& corner) { return search.IsOnBorder(corner, NoGap * longest); }))
     {
       return true;
     }
