@@ -262,30 +262,48 @@ void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const 
   }
 }
 
-/// Takes nodes back to where they were, round elements that left the border of the model meanwhile.
+/// Takes nodes back to where they were, round elements that left the border of the model meanwhile,
+/// unless others become invalid, or short of what is aimed at, by that.
 /// @param leaving those that had left it before.
 void TrialTrim::ReturnToBorder(
   const Moves& before, const std::vector<int>& leaving, TrimmedBand& trimmed) const
 {
-  for (int rings = 0; rings < MostRings; ++rings)
+  const auto findLeft = [&]
   {
     const std::vector<int> now = this->Quality.FindLeavingBorder(trimmed);
-    std::vector<int> elements;
+    std::vector<int> left;
     std::set_difference(
-      now.begin(), now.end(), leaving.begin(), leaving.end(), std::back_inserter(elements));
+      now.begin(), now.end(), leaving.begin(), leaving.end(), std::back_inserter(left));
+    return left;
+  };
+  std::vector<int> left = findLeft();
+  if (left.empty())
+  {
+    return;
+  }
+  const auto countFaults = [&]
+  {
+    return this->Quality.FindInvalid(trimmed).size() +
+      this->Quality.FindShortOf(trimmed, this->Options.AimedQuality()).size();
+  };
+  const Moves polished = trimmed.NodeMoves;
+  const std::size_t faults = countFaults();
+  for (int rings = 0; rings < MostRings && !left.empty(); ++rings)
+  {
     for (int ring = 0; ring < rings; ++ring)
     {
-      elements = ElementsAt(this->TheBand, NodesOf(this->TheBand, elements));
+      left = ElementsAt(this->TheBand, NodesOf(this->TheBand, left));
     }
-    for (const int n : NodesOf(this->TheBand, elements))
+    for (const int n : NodesOf(this->TheBand, left))
     {
       trimmed.NodeMoves.Position[n] = before.Position[n];
       trimmed.NodeMoves.Applied[n] = before.Applied[n];
     }
-    if (elements.empty())
-    {
-      return;
-    }
+    left = findLeft();
+  }
+  if (countFaults() > faults)
+  {
+    trimmed.NodeMoves = polished;
   }
 }
 
@@ -307,7 +325,7 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
   steps.emplace_back([&] { this->PolishTo(set, PolishedGoal, false, trimmed); });
   steps.emplace_back([&] { this->PolishTo(set, PolishedOnCutGoal, true, trimmed); });
   // What the mesh had below the floor may gain at the cost of its neighbours: where that spoils
-  // one, or a facet leaves the border of the model for it, step by step.
+  // one, step by step.
   const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
   const std::vector<int> leaving = this->Quality.FindLeavingBorder(trimmed);
   const auto polish = [&](auto first, auto last)
@@ -316,8 +334,7 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
     std::for_each(first, last, [](const auto& step) { step(); });
     this->ReturnToBorder(before, leaving, trimmed);
     const bool good = this->Quality.FindBelowFloor(trimmed).size() <= below &&
-      this->Quality.FindInvalid(trimmed).size() <= trimmed.Invalid.size() &&
-      this->Quality.FindLeavingBorder(trimmed).size() <= leaving.size();
+      this->Quality.FindInvalid(trimmed).size() <= trimmed.Invalid.size();
     if (!good)
     {
       trimmed.NodeMoves = before;
