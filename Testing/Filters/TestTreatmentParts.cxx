@@ -356,7 +356,7 @@ void CheckCrease()
   const nurbs::TrimmingSurface can(
     { samples::Revolve(
       1, { 0, 0, 0.5, 1, 1 }, { Vec3(radius, -9, 1), Vec3(radius, top, 1), Vec3(0, top, 1) }) },
-    0.0);
+    0.0, 0.01);
   const NodeMover mover = block.MoverTo(can);
   int met = 0;
   for (int n = 0; n < block.Mesh.NumberOfNodes(); ++n)
