@@ -10,6 +10,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,13 +20,15 @@ namespace nurbs
 namespace
 {
 
-/// Sets of faces, each with its orientation relative to the root of its set.
+/// Sets of faces, each with its orientation relative to the root of its set, and votes between
+/// sets: > 0 if their roots are oriented alike.
 class OrientedSets
 {
 public:
   explicit OrientedSets(int count)
     : Parent(count)
     , Sign(count, 1)
+    , Between(count)
   {
     std::iota(this->Parent.begin(), this->Parent.end(), 0);
   }
@@ -38,25 +42,72 @@ public:
     }
     return face;
   }
-  /// A contradiction (a Moebius band) leaves what was found first.
-  void Join(int a, int b, int relative)
+  /// Of two faces, before any are joined.
+  void Add(int a, int b, double votes) { this->Set(a, b, votes); }
+  /// The clearest first, by all votes of a set: a single pair of faces may be mistaken. What
+  /// contradicts (a Moebius band) leaves what was found first.
+  void JoinAll()
   {
-    int signA, signB;
-    const int rootA = this->Find(a, signA), rootB = this->Find(b, signB);
-    if (rootA != rootB)
+    while (!this->Links.empty())
     {
-      this->Parent[rootB] = rootA;
-      this->Sign[rootB] = signA * signB * relative;
+      const Link link = this->Links.top();
+      this->Links.pop();
+      const auto known = this->Between[link.A].find(link.B);
+      if (known != this->Between[link.A].end() && known->second == link.Votes)
+      {
+        this->Join(link.A, link.B, link.Votes >= 0 ? 1 : -1);
+      }
     }
   }
 
 private:
+  struct Link
+  {
+    double Votes;
+    int A, B;
+    bool operator<(const Link& other) const
+    {
+      return std::make_tuple(std::abs(this->Votes), other.A, other.B) <
+        std::make_tuple(std::abs(other.Votes), this->A, this->B);
+    }
+  };
+
+  void Set(int a, int b, double votes)
+  {
+    this->Between[a][b] = votes;
+    this->Between[b][a] = votes;
+    this->Links.push({ votes, std::min(a, b), std::max(a, b) });
+  }
+
+  void Join(int a, int b, int relative)
+  {
+    const bool swapped = this->Between[a].size() < this->Between[b].size();
+    const int root = swapped ? b : a, joined = swapped ? a : b;
+    this->Parent[joined] = root;
+    this->Sign[joined] = relative;
+    this->Between[root].erase(joined);
+    const std::map<int, double> moved = std::move(this->Between[joined]);
+    this->Between[joined].clear();
+    for (const auto& [other, votes] : moved)
+    {
+      if (other != root)
+      {
+        this->Between[other].erase(joined);
+        this->Set(root, other, this->Between[root][other] + relative * votes);
+      }
+    }
+  }
+
   std::vector<int> Parent;
   std::vector<int> Sign;
+  std::vector<std::map<int, double>> Between; ///< of roots
+  std::priority_queue<Link> Links;
 };
 
-/// Votes of all places where two faces share an edge: > 0 if they are oriented alike.
-using Votes = std::map<std::pair<int, int>, int>;
+/// Votes of all places where two faces share an edge, by the length of border that each stands for:
+/// > 0 if they are oriented alike. A straight border has one place, a curved one may have many:
+/// counted alike, those of a sliver of a face would outvote all that is around it.
+using Votes = std::map<std::pair<int, int>, double>;
 
 /// Whether two rays are one edge of two faces, and do not run on along one free border: beside a
 /// narrow face the next one may be nearer than the gap.
@@ -121,11 +172,12 @@ std::vector<Partner> KeepNeighbours(std::vector<Partner> partners)
   return neighbours;
 }
 
-/// Gives the vote of a border ray through x, with the faces that lie nearest beside it: behind a
-/// narrow one there may be others within the gap, and others at the ends of a short one.
+/// Gives the vote of a border ray through x, with its weight, with the faces that lie nearest
+/// beside it: behind a narrow one there may be others within the gap, and others at the ends of a
+/// short one.
 /// @return false if there is none.
 bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, const Vec3& x,
-  const Sector& sector, const BorderRay& ray, bool closely, Votes& votes)
+  const Sector& sector, const BorderRay& ray, bool closely, double weight, Votes& votes)
 {
   const auto forPartners = [&](const auto& visit)
   {
@@ -164,14 +216,15 @@ bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, co
     if (partner.Face != sector.Face)
     {
       votes[std::minmax(sector.Face, partner.Face)] +=
-        ray.InsideIsLeft != partner.InsideIsLeft ? 1 : -1;
+        ray.InsideIsLeft != partner.InsideIsLeft ? weight : -weight;
     }
   }
   return nearest < std::numeric_limits<double>::infinity();
 }
 
 /// False if no other face shares an edge with the face there.
-bool VoteWithin(const SurfaceModel& model, const Vec3& x, double gap, int face, Votes& votes)
+bool VoteWithin(
+  const SurfaceModel& model, const Vec3& x, double gap, int face, double weight, Votes& votes)
 {
   bool voted = false;
   const std::vector<Sector> sectors = FindSectors(model, x, gap);
@@ -181,17 +234,17 @@ bool VoteWithin(const SurfaceModel& model, const Vec3& x, double gap, int face, 
     {
       const BorderRay& ray = sector.Rays[i];
       voted = (RunsThrough(model, face, ray, x) &&
-                VoteAlong(model, sectors, x, sector, ray, gap <= model.Gap, votes)) ||
+                VoteAlong(model, sectors, x, sector, ray, gap <= model.Gap, weight, votes)) ||
         voted;
     }
   }
   return voted;
 }
 
-void VoteAt(const SurfaceModel& model, const Vec3& x, int face, Votes& votes)
+void VoteAt(const SurfaceModel& model, const Vec3& x, int face, double weight, Votes& votes)
 {
   double gap = model.Gap;
-  while (gap > 0 && !VoteWithin(model, x, gap, face, votes))
+  while (gap > 0 && !VoteWithin(model, x, gap, face, weight, votes))
   {
     gap = model.NextGap(gap);
   }
@@ -215,21 +268,52 @@ void ForBorders(const SurfaceModel& model, const Visit& visit)
   }
 }
 
+/// Length of a border of a patch, by side, or of a loop's curve: of its control polygon.
+double MeasureBorder(const BezierPatch& patch, const Vec4* net, int kind)
+{
+  const int row = patch.DegreeU + 1, across = patch.DegreeV + 1;
+  const int first[] = { 0, row - 1, 0, (across - 1) * row, 0 };
+  const int step = kind < 2 ? row : 1, count = kind < 2 ? across : row;
+  double length = 0;
+  for (int k = 1; k < count; ++k)
+  {
+    const Vec4* point = net + first[kind] + k * step;
+    length += (CartesianPoint(point[0]) - CartesianPoint(point[-step])).norm();
+  }
+  return length;
+}
+
+/// The borders of a face that are of one kind.
+struct BorderCount
+{
+  int Count = 0, Seen = 0;
+  double Length = 0;
+};
+
 Votes CollectVotes(const SurfaceModel& model)
 {
   constexpr int most = 64; // a loop of thousands of points need not vote with each
-  std::vector<std::array<int, 5>> count(model.Faces.size()), seen(model.Faces.size());
-  ForBorders(
-    model, [&](const BezierPatch& patch, int kind, const Vec2&) { ++count[patch.Face][kind]; });
+  std::vector<std::array<BorderCount, 5>> borders(model.Faces.size());
+  ForBorders(model,
+    [&](const BezierPatch& patch, int kind, const Vec2&)
+    {
+      BorderCount& border = borders[patch.Face][kind];
+      ++border.Count;
+      border.Length += MeasureBorder(patch, model.Net(patch), kind);
+    });
   Votes votes;
   ForBorders(model,
     [&](const BezierPatch& patch, int kind, const Vec2& place)
     {
-      const int stride = 1 + count[patch.Face][kind] / most;
-      if (seen[patch.Face][kind]++ % stride == 0)
+      BorderCount& border = borders[patch.Face][kind];
+      const Vec4* net = model.Net(patch);
+      const double length = MeasureBorder(patch, net, kind);
+      const bool isLong = most * length > border.Length; // stands for itself, as among many others
+      const int stride = 1 + border.Count / most;
+      if (border.Seen++ % stride == 0 || isLong)
       {
-        VoteAt(
-          model, BezierPoint(patch, model.Net(patch), place.x(), place.y()), patch.Face, votes);
+        VoteAt(model, BezierPoint(patch, net, place.x(), place.y()), patch.Face,
+          isLong ? length : stride * length, votes);
       }
     });
   return votes;
@@ -245,27 +329,22 @@ void OrientShells(SurfaceModel& model)
     return;
   }
   const Votes votes = CollectVotes(model);
-  std::vector<int> most(count, 0); // of the votes with one other face
+  std::vector<double> most(count, 0.0); // of the votes with one other face
   for (const auto& vote : votes)
   {
     most[vote.first.first] = std::max(most[vote.first.first], std::abs(vote.second));
     most[vote.first.second] = std::max(most[vote.first.second], std::abs(vote.second));
   }
-  std::vector<std::pair<int, std::pair<int, int>>> order;
+  OrientedSets sets(count);
   for (const auto& vote : votes)
   {
-    const int least = std::min(most[vote.first.first], most[vote.first.second]);
+    const double least = std::min(most[vote.first.first], most[vote.first.second]);
     if (std::abs(vote.second) > ChanceVotes * least)
     {
-      order.push_back({ -std::abs(vote.second), vote.first });
+      sets.Add(vote.first.first, vote.first.second, vote.second);
     }
   }
-  std::sort(order.begin(), order.end()); // the clearest first
-  OrientedSets sets(count);
-  for (const auto& entry : order)
-  {
-    sets.Join(entry.second.first, entry.second.second, votes.at(entry.second) >= 0 ? 1 : -1);
-  }
+  sets.JoinAll();
   std::vector<int> largest(count, -1);
   int sign;
   for (int face = 0; face < count; ++face)

@@ -446,6 +446,47 @@ void TestOrientationOfTinyFillets()
   }
 }
 
+/// An upright wall from the edge at the origin, 1 long, with a notch in that edge.
+NurbsSurface NotchedWall(const Vec2& along, double half, double depth, double height)
+{
+  NurbsSurface wall =
+    samples::Plane(Vec3(0, 0, -half), Vec3(along.x(), along.y(), 0), Vec3(0, 0, 2 * half));
+  const double bottom = 0.5, top = 0.5 + 0.5 * height / half;
+  wall.TrimLoops = { { Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1), Vec2(0, top),
+    Vec2(depth, top), Vec2(depth, bottom), Vec2(0, bottom) } };
+  return wall;
+}
+
+/// Two walls with a long straight edge, and in a notch of it a bevel narrower than the gap that
+/// counts as closed, off one of them. The many places of its curved side see the other wall as
+/// well, and must not outvote the long edge (a part of Fusion 360 was refused for it).
+void TestOrientationBesideSliver()
+{
+  constexpr double Half = 10.0, Gap = 4e-4 * 2 * Half;
+  for (int k = 0; k < check::Trials(200); ++k)
+  {
+    const double height = Uniform(0.1, 0.5), width = Uniform(0.2, 0.6) * Gap;
+    const double away = Uniform(0.35, 0.45); // of the width, from the first wall
+    const double top = 0.5 + 0.5 * height / Half;
+    NurbsSurface bevel =
+      samples::Plane(Vec3(0, -width, -Half), Vec3(width, width, 0), Vec3(0, 0, 2 * Half));
+    bevel.TrimLoops = { { Vec2(1, 0.5), Vec2(1, top) } };
+    for (int i = 0; i <= 100; ++i)
+    {
+      const double share = 0.01 * i;
+      bevel.TrimLoops[0].push_back(
+        Vec2(away * (1 - 0.1 * std::sin(M_PI * share)), top + share * (0.5 - top)));
+    }
+    const TrimmingSurface surface(Shuffled({ NotchedWall(Vec2(0, -1), Half, width, height),
+                                    NotchedWall(Vec2(1, 0), Half, width, height), bevel }),
+      1e-5 * 2 * Half, Gap);
+    const Foot one = surface.ClosestPoint(Vec3(0.1, -0.5, 3));
+    const Foot two = surface.ClosestPoint(Vec3(0.5, -0.1, 3));
+    check::That((one.SignedDistance > 0) == (two.SignedDistance > 0),
+      "one side beside a sliver of " + std::to_string(height) + " by " + std::to_string(width));
+  }
+}
+
 /// A face with a pocket beside its border, which leaves a strip narrower than the gap: of the two
 /// loops that counts which is nearer, or the pocket's wall would be joined to the border behind.
 void TestStripBesidePocket()
@@ -753,6 +794,7 @@ int main()
   TestOrientation();
   TestOrientationOfStrips();
   TestOrientationOfTinyFillets();
+  TestOrientationBesideSliver();
   TestStripBesidePocket();
   TestBoxes();
   TestBoxesBesideLeaningTube();
