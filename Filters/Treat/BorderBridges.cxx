@@ -43,7 +43,11 @@ public:
   {
     for (std::size_t i = 0; i < this->Around.size() || this->Widen(); ++i)
     {
-      const FacetSearch facet(Facet(this->TheBand, this->TheBand.Faces[this->Around[i]]));
+      if (i == this->Facets.size())
+      {
+        this->Facets.emplace_back(Facet(this->TheBand, this->TheBand.Faces[this->Around[i]]));
+      }
+      const FacetSearch& facet = this->Facets[i];
       Vec3 on;
       if (!facet.IsFarther(place, gap) && facet.FindInside(place, BorderSlack, on) &&
         (on - place).norm() <= gap)
@@ -71,7 +75,8 @@ private:
 
   const Band& TheBand;
   const nurbs::TrimmingSurface& Surface;
-  std::vector<int> Around; ///< faces
+  std::vector<int> Around;         ///< faces
+  std::vector<FacetSearch> Facets; ///< of the first of them
   int Rings = 0;
 };
 
