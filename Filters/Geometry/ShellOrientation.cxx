@@ -42,8 +42,13 @@ public:
     }
     return face;
   }
-  /// Of two faces, before any are joined.
-  void Add(int a, int b, double votes) { this->Set(a, b, votes); }
+  /// Gives two sets their votes for each other.
+  void Set(int a, int b, double votes)
+  {
+    this->Between[a][b] = votes;
+    this->Between[b][a] = votes;
+    this->Links.push({ votes, std::min(a, b), std::max(a, b) });
+  }
   /// The clearest first, by all votes of a set: a single pair of faces may be mistaken. What
   /// contradicts (a Moebius band) leaves what was found first.
   void JoinAll()
@@ -71,13 +76,6 @@ private:
         std::make_tuple(std::abs(other.Votes), this->A, this->B);
     }
   };
-
-  void Set(int a, int b, double votes)
-  {
-    this->Between[a][b] = votes;
-    this->Between[b][a] = votes;
-    this->Links.push({ votes, std::min(a, b), std::max(a, b) });
-  }
 
   void Join(int a, int b, int relative)
   {
@@ -283,7 +281,7 @@ double MeasureBorder(const BezierPatch& patch, const Vec4* net, int kind)
   return length;
 }
 
-/// The borders of a face that are of one kind.
+/// How many borders of one kind a face has, how many of them were visited, and their length.
 struct BorderCount
 {
   int Count = 0, Seen = 0;
@@ -308,7 +306,7 @@ Votes CollectVotes(const SurfaceModel& model)
       BorderCount& border = borders[patch.Face][kind];
       const Vec4* net = model.Net(patch);
       const double length = MeasureBorder(patch, net, kind);
-      const bool isLong = most * length > border.Length; // stands for itself, as among many others
+      const bool isLong = most * length > border.Length; // it stands for itself alone
       const int stride = 1 + border.Count / most;
       if (border.Seen++ % stride == 0 || isLong)
       {
@@ -341,7 +339,7 @@ void OrientShells(SurfaceModel& model)
     const double least = std::min(most[vote.first.first], most[vote.first.second]);
     if (std::abs(vote.second) > ChanceVotes * least)
     {
-      sets.Add(vote.first.first, vote.first.second, vote.second);
+      sets.Set(vote.first.first, vote.first.second, vote.second);
     }
   }
   sets.JoinAll();
