@@ -35,6 +35,7 @@ add_library(NURBSTrimStages STATIC
   Decide/Manifold.cxx
   Decide/MovingNodes.cxx
   Decide/VolumeShares.cxx
+  Correct/BorderSearch.cxx
   Correct/Facet.cxx
   Correct/MoverMemory.cxx
   Correct/Moves.cxx

@@ -93,8 +93,8 @@ public:
 
   ///@{
   /**
-   * A smooth curve through the points, or straight pieces that keep the corners. Default SPLINE; other
-   * numbers than these two are an error.
+   * A smooth curve through the points, or straight pieces that keep the corners. Default SPLINE;
+   * other numbers than these two are an error.
    */
   vtkSetMacro(LineType, int);
   vtkGetMacro(LineType, int);

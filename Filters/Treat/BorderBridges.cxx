@@ -1,10 +1,8 @@
 #include "BorderBridges.h"
 
-#include "Facet.h"
-#include "NodeConstraint.h"
+#include "BorderSearch.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace trim
 {
@@ -18,67 +16,8 @@ constexpr double Stretched = 1.3;
 constexpr double LargestGap = 0.2;
 /// The same for a node that is on it.
 constexpr double NoGap = 1e-3;
-/// Parameters by which a place may lie beyond the edges of a facet of the border.
-constexpr double BorderSlack = 1e-4;
 /// How many facets along the border a node goes at most.
 constexpr int LongestSlide = 5;
-
-/// The border of the model, and the surface, near one of its faces.
-class BorderSearch
-{
-public:
-  BorderSearch(const Band& band, const nurbs::TrimmingSurface& surface, int face)
-    : TheBand(band)
-    , Surface(surface)
-    , Around{ face }
-  {
-  }
-
-  bool IsAstray(const Vec3& place, double gap)
-  {
-    return !this->IsOnBorder(place, gap) && this->Surface.ClosestPoint(place).Distance > gap;
-  }
-
-  bool IsOnBorder(const Vec3& place, double gap)
-  {
-    for (std::size_t i = 0; i < this->Around.size() || this->Widen(); ++i)
-    {
-      if (i == this->Facets.size())
-      {
-        this->Facets.emplace_back(Facet(this->TheBand, this->TheBand.Faces[this->Around[i]]));
-      }
-      const FacetSearch& facet = this->Facets[i];
-      Vec3 on;
-      if (!facet.IsFarther(place, gap) && facet.FindInside(place, BorderSlack, on) &&
-        (on - place).norm() <= gap)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-private:
-  /// Takes the faces round those known so far; false if there are none, or it is too far.
-  bool Widen()
-  {
-    if (this->Rings == LongestSlide)
-    {
-      return false;
-    }
-    const std::size_t before = this->Around.size();
-    this->Around = SideAround(this->TheBand, this->Around,
-      [this](int, int other) { return this->TheBand.Faces[other].Exterior; });
-    ++this->Rings;
-    return this->Around.size() > before;
-  }
-
-  const Band& TheBand;
-  const nurbs::TrimmingSurface& Surface;
-  std::vector<int> Around;         ///< faces
-  std::vector<FacetSearch> Facets; ///< of the first of them
-  int Rings = 0;
-};
 
 /// What an element has of a face: as a wedge it may do without some of its nodes.
 struct Polygon
@@ -160,13 +99,15 @@ bool HasBridge(const Band& band, const nurbs::TrimmingSurface& surface, int e, d
     {
       continue;
     }
-    // Middles first, as most are on the face itself. Nodes that left the border for the surface have
-    // their own reasons.
-    BorderSearch search(band, surface, face);
-    if (polygon.AnyMiddle(
-          [&](const Vec3& middle) { return search.IsAstray(middle, LargestGap * longest); }) &&
+    BorderSearch border(band, face, LongestSlide);
+    const double gap = LargestGap * longest;
+    const auto isAstray = [&](const Vec3& place)
+    { return !border.Has(place, gap) && surface.ClosestPoint(place).Distance > gap; };
+    // Middles first, as most are on the face itself. Nodes that left the border for the surface
+    // have their own reasons.
+    if (polygon.AnyMiddle(isAstray) &&
       std::all_of(polygon.Corner.begin(), polygon.Corner.begin() + polygon.Count,
-        [&](const Vec3& corner) { return search.IsOnBorder(corner, NoGap * longest); }))
+        [&](const Vec3& corner) { return border.Has(corner, NoGap * longest); }))
     {
       return true;
     }

@@ -2,7 +2,7 @@
 
 #include "BandQuality.h"
 #include "BorderCorners.h"
-#include "Facet.h"
+#include "BorderSearch.h"
 #include "Jacobian.h"
 #include "NodeConstraint.h"
 #include "OffcutHinges.h"
@@ -19,16 +19,14 @@ namespace
 /// A node farther off than this share of its longest edge makes a step in the new boundary.
 constexpr double BesideShare = 0.05;
 
-/// Share of an edge by which a node on the border may be beside it, and of a facet, in its
-/// parameters, by which it may lie beyond its edges.
+/// Share of an edge by which a node on the border may be beside it.
 constexpr double BorderTolerance = 1e-5;
-constexpr double BorderSlack = 1e-4;
 /// Share of its longest edge by which the border may pass a node's place by.
 constexpr double PassedShare = 0.05;
 /// Of the volume of an element: what both parts may miss, or have too much, in all.
 constexpr double LargestMissing = 0.5;
 /// How far along the border a node slides at most, in edges.
-constexpr int LongestSlide = 5;
+constexpr int LongestSlide = 4;
 
 /// Distance up to which a node lies on the surface as exactly as the mesh can store it.
 double StoredPrecision(const Band& band, int node, double precision)
@@ -91,35 +89,6 @@ std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
   return found;
 }
 
-/// Whether a place lies on a facet, within a distance.
-bool LiesOn(const Facet& facet, const Vec3& place, double distance)
-{
-  Vec3 on;
-  return FacetSearch(facet).FindInside(place, BorderSlack, on) && (on - place).norm() <= distance;
-}
-
-/// Exterior faces, and those of the border next to each.
-std::vector<int> BorderAround(const Band& band, const std::vector<int>& faces)
-{
-  return SideAround(band, faces, [&band](int, int other) { return band.Faces[other].Exterior; });
-}
-
-/// Whether a node on an exterior face is still on that side of the model at another place.
-bool StaysOnSide(const Band& band, int face, const Vec3& place, double tolerance)
-{
-  std::vector<int> faces{ face };
-  for (int step = 0; step < LongestSlide; ++step)
-  {
-    if (std::any_of(faces.begin(), faces.end(),
-          [&](int f) { return LiesOn(Facet(band, band.Faces[f]), place, tolerance); }))
-    {
-      return true;
-    }
-    faces = BorderAround(band, faces);
-  }
-  return false;
-}
-
 /// Whether the border of both parts passes a place of the mesh's by, from which its node slid on: a
 /// corner of the model is cut off, which need not be sharp.
 /// @param places of the nodes in the part that has them.
@@ -136,7 +105,8 @@ bool IsPassedBy(const Band& band, const std::vector<Vec3>& places, int node)
   const double most = PassedShare * LongestEdgeAt(band, node);
   const std::vector<int> around = BorderAround(band, faces);
   return std::none_of(around.begin(), around.end(),
-    [&](int f) { return LiesOn(Facet(places, band.Faces[f]), band.Point[node], most); });
+    [&](int f)
+    { return LiesOn(FacetSearch(Facet(places, band.Faces[f])), band.Point[node], most); });
 }
 
 bool IsOnExterior(const Band& band, int node)
@@ -152,7 +122,9 @@ bool LeftBorder(const Band& band, int node, const Vec3& place)
     BorderTolerance * LongestEdgeAt(band, node) + 2.0 * SpacingAt(band, node);
   const auto faces = band.FacesOfNode(node);
   return std::any_of(faces.begin(), faces.end(),
-    [&](int f) { return band.Faces[f].Exterior && !StaysOnSide(band, f, place, tolerance); });
+    [&](int f) {
+      return band.Faces[f].Exterior && !BorderSearch(band, f, LongestSlide).Has(place, tolerance);
+    });
 }
 
 }

@@ -13,9 +13,11 @@ import os
 import sys
 from collections import Counter
 
-from paraview.simple import (CADSurfaceReader, Delete, OpenDataFile, SaveData, TrimHexahedralGrid)
+from paraview.simple import CADSurfaceReader, Delete, OpenDataFile, TrimHexahedralGrid
 from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.util.misc import calldata_type
+
+import ResultFile
 
 NUMBERS = ["Kept", "Eliminated", "Treated", "MovedNodes", "Pentahedra", "Wedges",
            "MinimumScaledJacobian", "MinimumIntegrationPointJacobian",
@@ -42,19 +44,6 @@ class Messages:
         return collect
 
 
-def save(result, path):
-    """Writes the file beside its place first, as SaveData does not tell a script that it failed."""
-    path = os.path.realpath(path)
-    part = path + ".part.vtu"
-    # Not the default mode: Debian 12's ParaView cannot read back its own appended raw data.
-    SaveData(part, proxy=result, DataMode="Binary")
-    try:
-        os.replace(part, path)
-    except OSError:
-        return False
-    return True
-
-
 def trim(mesh_file, surface, result_file):
     """One line of the table as a dictionary."""
     row = {"mesh": os.path.basename(mesh_file), "state": "failed"}
@@ -71,7 +60,7 @@ def trim(mesh_file, surface, result_file):
         ranges = {name: result.FieldData[name].GetRange(0) for name in NUMBERS}
         # Upside down, that of NaN: no element was touched that could be measured.
         row.update((name, "%.9g" % low) for name, (low, high) in ranges.items() if low <= high)
-        if not save(result, result_file):
+        if not ResultFile.write(result, result_file):
             row["state"] = "failed"
             messages.errors.append(result_file + " cannot be written")
     elif not messages.errors:

@@ -9,10 +9,11 @@ swept along the normal that the mesh has there, through all of it. The exit stat
 error says why, if that fails.
 """
 import argparse
-import os
 import sys
 
-from paraview.simple import OpenDataFile, SaveData, TrimHexahedralGrid, TrimLineSource
+from paraview.simple import OpenDataFile, TrimHexahedralGrid, TrimLineSource
+
+import ResultFile
 
 
 def arguments():
@@ -39,27 +40,9 @@ def cut(mesh_file, points_file, closed):
     return result
 
 
-def can_be(result):
-    """Whether there may be a file of that name."""
-    is_other = os.path.exists(result) and not os.path.isfile(result)
-    return result.endswith(".vtu") and os.path.isdir(os.path.dirname(result) or ".") and not is_other
-
-
-def save(result, path):
-    """Writes the file beside its place first, as SaveData does not tell a script that it failed."""
-    path = os.path.realpath(path)
-    part = path + ".part.vtu"
-    # Not the default mode: Debian 12's ParaView cannot read back its own appended raw data.
-    SaveData(part, proxy=result, DataMode="Binary")
-    try:
-        os.replace(part, path)
-    except OSError:
-        sys.exit(path + " cannot be written")
-
-
 def main():
     options = arguments()
-    if not can_be(options.result):
+    if not ResultFile.can_be(options.result):
         sys.exit("The result is a .vtu file in a directory that exists, not " + options.result)
     result = cut(options.mesh, options.points, not options.open)
     information = result.GetDataInformation()
@@ -67,7 +50,7 @@ def main():
         sys.exit("Nothing is left of " + options.mesh)
     volume = result.FieldData["Volume"].GetRange(0)[0]
     print("%d elements left, volume %.9g" % (information.GetNumberOfCells(), volume))
-    save(result, options.result)
+    ResultFile.save(result, options.result)
 
 
 if __name__ == "__main__":

@@ -13,7 +13,9 @@ import os
 import re
 import sys
 
-from paraview.simple import CADSurfaceReader, OpenDataFile, SaveData, TrimHexahedralGrid
+from paraview.simple import CADSurfaceReader, OpenDataFile, TrimHexahedralGrid
+
+import ResultFile
 
 
 def arguments():
@@ -30,17 +32,11 @@ def arguments():
     return parser.parse_args([re.sub(r"^--?(?=[.\d])", " -", word) for word in sys.argv[1:]])
 
 
-def can_be(result):
-    """Whether there may be a file of that name."""
-    is_other = os.path.exists(result) and not os.path.isfile(result)
-    return result.endswith(".vtu") and os.path.isdir(os.path.dirname(result) or ".") and not is_other
-
-
 def trim(options):
     for path in (options.mesh, options.surface):
         if not os.path.isfile(path):
             sys.exit("There is no file " + path)
-    if not can_be(options.result):
+    if not ResultFile.can_be(options.result):
         sys.exit("The result is a .vtu file in a directory that exists, not " + options.result)
     try:
         mesh = OpenDataFile(options.mesh)
@@ -58,18 +54,6 @@ def trim(options):
     return result
 
 
-def save(result, path):
-    """Writes the file beside its place first, as SaveData does not tell a script that it failed."""
-    path = os.path.realpath(path)
-    part = path + ".part.vtu"
-    # Not the default mode: Debian 12's ParaView cannot read back its own appended raw data.
-    SaveData(part, proxy=result, DataMode="Binary")
-    try:
-        os.replace(part, path)
-    except OSError:
-        sys.exit(path + " cannot be written")
-
-
 def main():
     options = arguments()
     result = trim(options)
@@ -77,7 +61,7 @@ def main():
         low, high = result.FieldData[name].GetRange(0)
         # Upside down, that of NaN: no element was touched that could be measured.
         print("%-32s %.9g" % (name, low if low <= high else math.nan))
-    save(result, options.result)
+    ResultFile.save(result, options.result)
 
 
 if __name__ == "__main__":

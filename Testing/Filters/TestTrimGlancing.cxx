@@ -3,6 +3,7 @@
  * @brief Bent parts that are cut at small angles to their walls: what becomes of their skin, and
  * what is told where that does not keep its volume.
  */
+#include "Expect.h"
 #include "RunTrim.h"
 
 #include <Eigen/Geometry>
@@ -28,17 +29,6 @@ using namespace judge;
 
 namespace
 {
-int Wrong = 0;
-
-void Expect(bool holds, const std::string& what)
-{
-  if (!holds)
-  {
-    ++Wrong;
-    std::printf("WRONG %s\n", what.c_str());
-  }
-}
-
 const char* const CornerPhrase = "moved for the trimmed grid alone";
 
 /// A generator of its own for each trial.
@@ -150,17 +140,6 @@ Surface GlancingSurface(const Mesh& mesh, Draws& draws)
                              : SphereAt(middle + radius * normal, radius);
 }
 
-double VolumeOf(vtkUnstructuredGrid* grid)
-{
-  const Model model(grid);
-  double volume = 0;
-  for (Id c = 0; c < static_cast<Id>(model.Elements.size()); ++c)
-  {
-    volume += judge::VolumeOf(model.Corners(c), model.Elements[c].Size);
-  }
-  return volume;
-}
-
 /// Of the whole less both parts, in cut elements.
 double MeasureMissing(const Mesh& mesh, const Outcome& outcome)
 {
@@ -172,12 +151,12 @@ double MeasureMissing(const Mesh& mesh, const Outcome& outcome)
   {
     if (status->GetComponent(c, 0) == 2)
     {
-      cut += judge::VolumeOf(model.Corners(c), model.Elements[c].Size);
+      cut += VolumeOf(model.Corners(c), model.Elements[c].Size);
       ++count;
     }
   }
   const double missing =
-    VolumeOf(mesh.Grid) - VolumeOf(outcome.Case.Trimmed) - VolumeOf(outcome.Offcut);
+    VolumeOf(model) - VolumeOf(Model(outcome.Case.Trimmed)) - VolumeOf(Model(outcome.Offcut));
   return count > 0 ? missing / cut * count : 0;
 }
 

@@ -62,16 +62,6 @@ std::vector<std::array<Id, 4>> CutFacets(const Evidence& e)
   return keys;
 }
 
-double VolumeOf(const Model& model)
-{
-  double volume = 0;
-  for (Id c = 0; c < static_cast<Id>(model.Elements.size()); ++c)
-  {
-    volume += judge::VolumeOf(model.Corners(c), model.Elements[c].Size);
-  }
-  return volume;
-}
-
 void CheckSharedNodes(const Evidence& kept, const Evidence& rest, Report& report)
 {
   std::map<Id, Id> other;

@@ -30,17 +30,6 @@ using namespace judge;
 
 namespace
 {
-double VolumeOf(const Mesh& mesh)
-{
-  const Model model(mesh.Grid);
-  double volume = 0;
-  for (std::size_t e = 0; e < model.Elements.size(); ++e)
-  {
-    volume += judge::VolumeOf(model.Corners(e), model.Elements[e].Size);
-  }
-  return volume;
-}
-
 void Both(const std::string& name, const Mesh& mesh, const Surface& surface)
 {
   for (int correction = 1; correction <= 3; ++correction)
@@ -254,7 +243,7 @@ void TestLeaningCore()
       const Outcome outside = RunTrim(mesh, cylinder, options);
       const auto volume = [](const Outcome& outcome)
       { return Number(outcome.Case.Trimmed, "Volume"); };
-      const double lost = VolumeOf(mesh) - volume(inside) - volume(outside);
+      const double lost = VolumeOf(Model(mesh.Grid)) - volume(inside) - volume(outside);
       Expect(std::abs(lost) < 0.1 * volume(inside),
         std::string(name) + ": the two sides of a leaning cylinder lack " + std::to_string(lost));
     }

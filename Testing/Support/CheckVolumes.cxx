@@ -71,7 +71,7 @@ void CheckPlaneVolume(const Evidence& e, const Vec3& point, const Vec3& normal, 
   static const int hex[6][4] = { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 }, { 0, 7, 4, 6 },
     { 0, 4, 5, 6 }, { 0, 5, 1, 6 } };
   static const int wedge[3][4] = { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 4, 5, 3 } };
-  double expected = 0, given = 0;
+  double expected = 0;
   for (Id c = 0; c < static_cast<Id>(e.In.Elements.size()); ++c)
   {
     const auto corners = e.In.Corners(c);
@@ -88,10 +88,7 @@ void CheckPlaneVolume(const Evidence& e, const Vec3& point, const Vec3& normal, 
       expected += NegativePart(p, f);
     }
   }
-  for (Id c = 0; c < static_cast<Id>(e.Out.Elements.size()); ++c)
-  {
-    given += VolumeOf(e.Out.Corners(c), e.Out.Elements[c].Size);
-  }
+  const double given = VolumeOf(e.Out);
   const double limit = (1e-9 + 10 * e.Rounding / e.Case.Input->Box.ElementSize) * expected +
     BorderAllowance(*e.Case.Input);
   if (!(std::abs(given - expected) <= limit))
@@ -229,18 +226,7 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
   {
     return;
   }
-  double parts = 0, whole = 0;
-  for (const Evidence* e : { &kept, &offcut })
-  {
-    for (Id c = 0; c < static_cast<Id>(e->Out.Elements.size()); ++c)
-    {
-      parts += VolumeOf(e->Out.Corners(c), e->Out.Elements[c].Size);
-    }
-  }
-  for (Id c = 0; c < static_cast<Id>(kept.In.Elements.size()); ++c)
-  {
-    whole += VolumeOf(kept.In.Corners(c), kept.In.Elements[c].Size);
-  }
+  const double parts = VolumeOf(kept.Out) + VolumeOf(offcut.Out), whole = VolumeOf(kept.In);
   // Where one part has a chord (a dropped or distributed node), the other has a corner: on a
   // plane the same, on a curved surface a triangle of area L^3 / 16 R between them.
   const Frame& box = kept.Case.Input->Box;

@@ -207,6 +207,16 @@ double VolumeOf(const std::array<Vec3, 8>& corners, int size)
   return size == 8 ? sum / 8 : size == 6 ? sum / 12 : 0;
 }
 
+double VolumeOf(const Model& model)
+{
+  double volume = 0;
+  for (Id e = 0; e < static_cast<Id>(model.Elements.size()); ++e)
+  {
+    volume += VolumeOf(model.Corners(e), model.Elements[e].Size);
+  }
+  return volume;
+}
+
 std::vector<double> BezierJacobians(const std::array<Vec3, 8>& corners, int size)
 {
   std::vector<double> c;

@@ -64,6 +64,9 @@ double JacobianAt(const std::array<Vec3, 8>& corners, int size, const Vec3& natu
 /// Exact: the determinant is a polynomial that the Gauss points integrate exactly.
 double VolumeOf(const std::array<Vec3, 8>& corners, int size);
 
+/// Of all its elements.
+double VolumeOf(const Model& model);
+
 /// Determinants at 2x2x2 Gauss points (hexahedron) or at 3 x 2 points (wedge).
 std::vector<double> IntegrationPointJacobians(const std::array<Vec3, 8>& corners, int size);
 

@@ -290,7 +290,6 @@ void Scale(NurbsSurface& surface, double scale)
   {
     point.head<3>() *= scale;
   }
-  surface.Tolerance *= scale;
 }
 
 /// How far the borders of a face may lie from its edges; 0 where that is but rounding.
@@ -327,12 +326,13 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
   {
     return "it winds round its surface too many times";
   }
+  const double tolerance = scale * ToleranceOf(face);
   for (const ParameterRange& turn : turns)
   {
     const CADSurface converted = ConvertSurface(basis, turn);
     NurbsSurface surface = converted.Converted.Surface;
     surface.TrimLoops = SampleLoops(wires, converted);
-    surface.Tolerance = ToleranceOf(face);
+    surface.Tolerance = tolerance;
     if (turns.size() > 1 && !KeepTurn(surface))
     {
       continue;
