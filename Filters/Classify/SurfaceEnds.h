@@ -23,8 +23,9 @@ inline std::string EndsInsideText(const nurbs::Vec3& place)
 inline std::string SidesMixedUpText(const nurbs::Vec3& place)
 {
   return "The trimming surface has its two sides mixed up near " + nurbs::PlaceText(place) +
-    ": where several bodies touch or cross each other, or a face is there twice, leave one of "
-    "them; where open patches beside each other, or closed lines within each other, face the same "
+    ": where several bodies touch or cross each other, or a face is there twice, join them in the "
+    "CAD program or leave one of them; where open patches beside each other, or closed lines "
+    "within each other, face the same "
     "way, turn one round; where a body is turned inside out, repair it in the CAD program.";
 }
 

@@ -396,18 +396,41 @@ bool ReadInChild(const std::string& path, double seconds, const ChildWork& work,
 }
 
 //------------------------------------------------------------------------------
-bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
+bool ReadCADFileInChild(const std::string& path, double unitInMillimetres, bool joinBodies,
   std::vector<NamedSurface>& surfaces, std::string& error, double seconds,
   const ReadProgress& progress)
 {
-  const ChildWork work = [&](const CADReaders& readers, const ReadProgress& report)
+  double last = 0.0;
+  const ReadProgress watched = [&](double share)
   {
-    std::vector<NamedSurface> found;
-    std::string text;
-    const bool success = readers.ReadFile(path, unitInMillimetres, found, text, report);
-    return PackResult(success, text, found, PackNamed);
+    last = share;
+    return !progress || progress(share);
   };
-  return ReadInChild(path, seconds, work, UnpackNamed, surfaces, error, progress);
+  const auto read = [&](bool join)
+  {
+    const ChildWork work = [&](const CADReaders& readers, const ReadProgress& report)
+    {
+      std::vector<NamedSurface> found;
+      std::string text;
+      const bool success = readers.ReadFile(path, unitInMillimetres, join, found, text, report);
+      return PackResult(success, text, found, PackNamed);
+    };
+    return ReadInChild(path, seconds, work, UnpackNamed, surfaces, error, watched);
+  };
+  if (read(joinBodies))
+  {
+    return true;
+  }
+  const bool joining = joinBodies && last >= JoiningBegins && last < JoiningEnds;
+  if (!joining || error.empty() || !read(false))
+  {
+    return false;
+  }
+  error = (error.empty() ? "CAD file \"" + path + "\": " : error + "; ") +
+    "its bodies could not be joined in the time and memory allowed: join those that touch in the "
+    "CAD "
+    "program, or raise TimeLimit";
+  return true;
 }
 
 //------------------------------------------------------------------------------

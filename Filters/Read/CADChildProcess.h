@@ -18,9 +18,10 @@ namespace nurbs
  * The same as ReadCADFile, with the same parameters and results; a crash of the child, more
  * processor time than `seconds` (0: 10, and 100 more for each megabyte of the file), or more
  * memory than two gigabytes and 200 times the file, is an error that names the file. Stopping by
- * `progress` ends the child at once.
+ * `progress` ends the child at once. One that ends while it joins bodies is followed by one that
+ * leaves them as they are, and `error` tells.
  */
-bool ReadCADFileInChild(const std::string& path, double unitInMillimetres,
+bool ReadCADFileInChild(const std::string& path, double unitInMillimetres, bool joinBodies,
   std::vector<NamedSurface>& surfaces, std::string& error, double seconds = 0.0,
   const ReadProgress& progress = ReadProgress());
 

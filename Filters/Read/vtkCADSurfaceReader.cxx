@@ -78,7 +78,7 @@ int vtkCADSurfaceReader::RequestData(
   const bool first = nurbs::IsFirstRank(vtkMultiProcessController::GetGlobalController());
   if (!message.empty() ||
     !nurbs::ReadCADFileInChild(this->FileName ? this->FileName : "",
-      InMillimetres(this->LengthUnit), surfaces, message, this->TimeLimit, goOn))
+      InMillimetres(this->LengthUnit), this->JoinBodies, surfaces, message, this->TimeLimit, goOn))
   {
     if (!message.empty() && first)
     {
@@ -117,6 +117,7 @@ void vtkCADSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "JoinBodies: " << this->JoinBodies << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
 }

@@ -15,6 +15,8 @@
  * S_u x S_v is the face's normal: outward for a solid. Trim loops are present where the face is
  * less than its parameter rectangle.
  *
+ * Bodies that touch or cross each other are joined, see JoinBodies.
+ *
  * A file that is missing, a directory, empty, cut short, neither IGES nor STEP, or without
  * surfaces is one error, and the output is empty. Faces that cannot be converted are one
  * warning.
@@ -73,6 +75,18 @@ public:
 
   ///@{
   /**
+   * Whether bodies of the file that touch or cross each other, as those of an assembly do, are
+   * joined to one: where two lie against each other there is no surface then. Otherwise such a
+   * surface has its sides mixed up there. Bodies that OpenCASCADE cannot join, open shells and
+   * single faces stay as they are. Default: true.
+   */
+  vtkSetMacro(JoinBodies, bool);
+  vtkGetMacro(JoinBodies, bool);
+  vtkBooleanMacro(JoinBodies, bool);
+  ///@}
+
+  ///@{
+  /**
    * The tessellation has at least this many strips along either direction of a surface's
    * parameters. It is for the eye only. Default 16, range 1 to 1000.
    */
@@ -103,6 +117,7 @@ protected:
 
   char* FileName = nullptr;
   int LengthUnit = MILLIMETRE;
+  bool JoinBodies = true;
   double TimeLimit = 0.0;
   int Resolution = 16;
 

@@ -54,7 +54,11 @@ public:
     for (BRepClass3d_SolidClassifier& solid : this->Solids)
     {
       solid.Perform(gp_Pnt(p[0], p[1], p[2]), 1e-6);
-      state = solid.State() == TopAbs_ON ? 2 : solid.State() == TopAbs_IN ? 1 : state;
+      if (solid.State() == TopAbs_IN)
+      {
+        return 1;
+      }
+      state = solid.State() == TopAbs_ON ? 2 : state;
     }
     return state;
   }
@@ -155,6 +159,36 @@ void CheckSides(const std::string& name, const std::string& path, const TopoDS_S
   }
   CHECK(
     wrong == 0, name << ": " << wrong << " points on the wrong side, one at " << at.transpose());
+}
+
+//------------------------------------------------------------------------------
+bool IsBoundary(
+  const std::string& name, const std::string& path, const TopoDS_Shape& shape, double share)
+{
+  const int lines = 7;
+  Vec3 low, high;
+  const double step = 1e-5 * SizeOf(shape, low, high);
+  Judge judge(shape);
+  int places = 0, wrong = 0;
+  for (const nurbs::NurbsSurface& face : ReadWhole(name, path))
+  {
+    for (int k = 0; k < lines * lines; ++k)
+    {
+      // Not in the middle of anything, where faces have seams and axes.
+      const double u = face.FirstU() + (k % lines + 0.37) / lines * (face.LastU() - face.FirstU());
+      const double v = face.FirstV() + (k / lines + 0.41) / lines * (face.LastV() - face.FirstV());
+      if (!IsInside(face, u, v))
+      {
+        continue;
+      }
+      const Vec3 place = nurbs::Evaluate(face, u, v), normal = UnitNormal(face, u, v);
+      const bool right =
+        judge.Has(place + step * normal) == 0 && judge.Has(place - step * normal) == 1;
+      ++places;
+      wrong += !right;
+    }
+  }
+  return places > 0 && wrong <= share * places;
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,12 @@ bool IsSound(const TopoDS_Shape& shape, const std::string& path, TopoDS_Shape& r
 void CheckSides(const std::string& name, const std::string& path, const TopoDS_Shape& shape,
   const std::vector<nurbs::Vec3>& points);
 
+/// Whether the surface read is where the solids of a shape, taken together, have their boundary: of
+/// places all over it the side of the normal is in none of them, the other in one.
+/// @param share of the places that may be elsewhere.
+bool IsBoundary(
+  const std::string& name, const std::string& path, const TopoDS_Shape& shape, double share = 0.0);
+
 /// Checks that the surfaces of two files are as far from each point.
 void CheckSameDistances(const std::string& name, const std::string& path, const std::string& other,
   const std::vector<nurbs::Vec3>& points);

@@ -1,5 +1,6 @@
 #include "CADFile.h"
 
+#include "CADBodies.h"
 #include "CADFaceConversion.h"
 #include "CADModel.h"
 
@@ -13,8 +14,8 @@ namespace nurbs
 {
 namespace
 {
-/// Share of the progress that reading and transferring take; the rest is conversion.
-constexpr double TransferShare = 0.6;
+/// Share of the progress after which bodies are joined.
+constexpr double TransferShare = JoiningBegins;
 
 /// A name for each face, made unique among the faces of one owner by a number.
 std::vector<std::string> NameFaces(const std::vector<CADFace>& faces)
@@ -54,16 +55,15 @@ std::vector<std::string> NameFaces(const std::vector<CADFace>& faces)
   return names;
 }
 
-/// What was left out, as one line; empty: nothing.
-std::string DescribeOmissions(const std::string& path, size_t faces,
-  const std::vector<std::string>& omissions, int untransferred)
+/// What was left out, without the file's name; empty: nothing.
+std::string DescribeOmissions(
+  size_t faces, const std::vector<std::string>& omissions, int untransferred)
 {
   if (omissions.empty() && untransferred == 0)
   {
     return std::string();
   }
   std::ostringstream text;
-  text << "CAD file \"" << path << "\": ";
   if (untransferred > 0)
   {
     text << untransferred << " surface entities could not be understood and are left out";
@@ -101,8 +101,8 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
   for (size_t i = 0; i < model.Faces.size(); ++i)
   {
     if (progress &&
-      !progress(TransferShare +
-        (1.0 - TransferShare) * static_cast<double>(i) / static_cast<double>(model.Faces.size())))
+      !progress(JoiningEnds +
+        (1.0 - JoiningEnds) * static_cast<double>(i) / static_cast<double>(model.Faces.size())))
     {
       return false;
     }
@@ -121,20 +121,33 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
       surfaces.push_back({ names[i], std::move(surface) });
     }
   }
-  error = DescribeOmissions(path, model.Faces.size(), omissions, model.Untransferred);
+  error = DescribeOmissions(model.Faces.size(), omissions, model.Untransferred);
+  if (model.Unjoined > 0)
+  {
+    error += (error.empty() ? "" : "; ") + std::to_string(model.Unjoined) +
+      " bodies near each other could not be joined: join those that touch in the CAD program";
+  }
+  error = error.empty() ? error : "CAD file \"" + path + "\": " + error;
   return !surfaces.empty();
 }
 }
 
 //------------------------------------------------------------------------------
-bool ReadCADFile(const std::string& path, double unitInMillimetres,
+bool ReadCADFile(const std::string& path, double unitInMillimetres, bool joinBodies,
   std::vector<NamedSurface>& surfaces, std::string& error, const ReadProgress& progress)
 {
-  const auto take = [&](const CADModel& model)
+  const auto joinProgress = [&](double share)
+  { return !progress || progress(JoiningBegins + (JoiningEnds - JoiningBegins) * share); };
+  const auto take = [&](CADModel& model)
   {
     if (model.Faces.empty() && model.Untransferred == 0)
     {
       error = "CAD file \"" + path + "\"" + DescribeLack(model);
+      return false;
+    }
+    if (joinBodies && model.Bodies.size() > 1 &&
+      (!joinProgress(0.0) || !JoinBodies(model, joinProgress)))
+    {
       return false;
     }
     return ConvertFaces(path, model, 1.0 / unitInMillimetres, surfaces, error, progress);

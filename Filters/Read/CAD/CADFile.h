@@ -28,6 +28,10 @@ struct NamedSurface
 /// Called now and then with the share done, 0..1; false asks to stop.
 using ReadProgress = std::function<bool(double)>;
 
+/// Shares between which bodies are joined.
+constexpr double JoiningBegins = 0.5;
+constexpr double JoiningEnds = 0.7;
+
 /**
  * Reads every face of the file, its format told by its content, whatever it is called.
  *
@@ -41,12 +45,13 @@ using ReadProgress = std::function<bool(double)>;
  * @param path             the file.
  * @param unitInMillimetres length of the output's unit: 25.4 for inches. The file's own unit is
  *                         honoured.
+ * @param joinBodies       whether bodies that touch or cross each other are joined (CADBodies.h).
  * @param surfaces         at least one valid surface if true is returned, else empty.
  * @param error            one line that names the file, what is wrong and what to do; with
  *                         true, empty, or one line on faces that had to be left out.
  * @return false on any error; also when stopped by `progress`, then with an empty `error`.
  */
-bool ReadCADFile(const std::string& path, double unitInMillimetres,
+bool ReadCADFile(const std::string& path, double unitInMillimetres, bool joinBodies,
   std::vector<NamedSurface>& surfaces, std::string& error,
   const ReadProgress& progress = ReadProgress());
 }

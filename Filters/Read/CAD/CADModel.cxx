@@ -1,6 +1,7 @@
 #include "CADModel.h"
 
 #include "CADFormat.h"
+#include "CADProgress.h"
 #include "IgesConics.h"
 #include "IgesWeights.h"
 
@@ -19,7 +20,6 @@
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
-#include <Message_ProgressIndicator.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
@@ -59,6 +59,9 @@ namespace
 /// By which a scale may differ from 1 as it is written.
 constexpr double LargestScaleRounding = 1e-9;
 
+/// Share of the progress that reading the file takes; the rest is transfer.
+constexpr double ParsingShare = 0.3;
+
 /// Takes OpenCASCADE's printers away while it lives.
 class Silence
 {
@@ -74,27 +77,6 @@ public:
 
 private:
   Message_SequenceOfPrinters Printers;
-};
-
-/// Hands OpenCASCADE's progress on and asks whether to go on.
-class ProgressBridge : public Message_ProgressIndicator
-{
-public:
-  explicit ProgressBridge(const std::function<bool(double)>& progress)
-    : Progress(progress)
-  {
-  }
-  bool Stopped = false;
-
-protected:
-  Standard_Boolean UserBreak() override { return this->Stopped; }
-  void Show(const Message_ProgressScope&, const Standard_Boolean) override
-  {
-    this->Stopped = this->Stopped || !this->Progress(0.3 + 0.7 * this->GetPosition());
-  }
-
-private:
-  std::function<bool(double)> Progress;
 };
 
 std::string Trimmed(const Handle(TCollection_HAsciiString) & text)
@@ -314,39 +296,64 @@ TopoDS_Shape JoinFaces(const TopoDS_Shape& faces)
   return joined;
 }
 
-void CollectShapes(const TopoDS_Shape& given, const NoteMap& notes, const std::string& owner,
-  TopTools_MapOfShape& seen, CADModel& model)
+/// Puts what the file holds, each once, into a model.
+class ShapeCollector
 {
-  auto found = notes.find(given.TShape().get());
-  const ShapeNote note = found == notes.end() ? ShapeNote() : found->second;
-  TopoDS_Shape shape = given;
-  if (note.IsTrimmedSurface && given.ShapeType() != TopAbs_FACE)
+public:
+  ShapeCollector(const NoteMap& notes, CADModel& model)
+    : Notes(notes)
+    , Model(model)
   {
-    const TopoDS_Shape joined = JoinFaces(given);
-    shape = joined.IsNull() ? given : joined;
   }
-  if (shape.ShapeType() == TopAbs_FACE)
+
+  /// @param owner the nearest named shape around it.
+  /// @param body  the index of the body around it, or -1.
+  void Collect(const TopoDS_Shape& given, const std::string& owner = std::string(), int body = -1)
   {
-    if (seen.Add(given))
+    auto found = this->Notes.find(given.TShape().get());
+    const ShapeNote note = found == this->Notes.end() ? ShapeNote() : found->second;
+    TopoDS_Shape shape = given;
+    if (note.IsTrimmedSurface && given.ShapeType() != TopAbs_FACE)
     {
-      model.Faces.push_back(CADFace{ shape, note.Name, owner, note.Range });
+      const TopoDS_Shape joined = JoinFaces(given);
+      shape = joined.IsNull() ? given : joined;
     }
-    return;
-  }
-  if (shape.ShapeType() == TopAbs_EDGE)
-  {
-    if (seen.Add(shape))
+    const std::string name = note.Name.empty() ? owner : note.Name;
+    const TopAbs_ShapeEnum type = shape.ShapeType();
+    if (type == TopAbs_FACE || type == TopAbs_EDGE || type == TopAbs_SOLID)
     {
-      model.Edges.push_back(CADEdge{ shape, note.Name.empty() ? owner : note.Name });
+      if (!this->Seen.Add(type == TopAbs_FACE ? given : shape))
+      {
+        return;
+      }
     }
-    return;
+    if (type == TopAbs_FACE)
+    {
+      this->Model.Faces.push_back(CADFace{ shape, note.Name, owner, note.Range, body });
+      return;
+    }
+    if (type == TopAbs_EDGE)
+    {
+      this->Model.Edges.push_back(CADEdge{ shape, name });
+      return;
+    }
+    if (type == TopAbs_SOLID)
+    {
+      body = static_cast<int>(this->Model.Bodies.size());
+      this->Model.Bodies.push_back(shape);
+    }
+    // TopoDS_Iterator puts the owner's location and orientation on what it owns.
+    for (TopoDS_Iterator it(shape); it.More(); it.Next())
+    {
+      this->Collect(it.Value(), name, body);
+    }
   }
-  // TopoDS_Iterator puts the owner's location and orientation on what it owns.
-  for (TopoDS_Iterator it(shape); it.More(); it.Next())
-  {
-    CollectShapes(it.Value(), notes, note.Name.empty() ? owner : note.Name, seen, model);
-  }
-}
+
+private:
+  const NoteMap& Notes;
+  CADModel& Model;
+  TopTools_MapOfShape Seen;
+};
 
 int CountEdges(const TopoDS_Shape& shape)
 {
@@ -431,11 +438,11 @@ bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::s
   {
     model.DrawnScale = drawn->GlobalSection().Scale();
   }
-  if (!progress(0.3))
+  if (!progress(ParsingShare))
   {
     return false;
   }
-  Handle(ProgressBridge) bridge = new ProgressBridge(progress);
+  Handle(ProgressBridge) bridge = new ProgressBridge(progress, ParsingShare);
   reader.TransferRoots(bridge->Start());
   if (bridge->Stopped)
   {
@@ -445,10 +452,10 @@ bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::s
   const Handle(Transfer_TransientProcess) process =
     reader.WS()->TransferReader()->TransientProcess();
   const NoteMap notes = CollectNotes(process);
-  TopTools_MapOfShape seen;
+  ShapeCollector collector(notes, model);
   for (int i = 1; i <= reader.NbShapes(); ++i)
   {
-    CollectShapes(reader.Shape(i), notes, std::string(), seen, model);
+    collector.Collect(reader.Shape(i));
   }
   CountUntransferred(reader, process, model);
   return true;

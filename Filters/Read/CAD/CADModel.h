@@ -22,6 +22,7 @@ struct CADFace
   /// Part of the surface's parameters u, u, v, v that the file restricts the face to, where
   /// OpenCASCADE does not; empty: all of it.
   std::vector<double> Range;
+  int Body = -1; ///< index of the body that it is of; -1: none
 };
 
 /// An edge that belongs to no face.
@@ -34,7 +35,9 @@ struct CADEdge
 struct CADModel
 {
   std::vector<CADFace> Faces;
+  std::vector<TopoDS_Shape> Bodies; ///< solids, in millimetres, with location and orientation
   std::vector<CADEdge> Edges;
+  int Unjoined = 0;                    ///< bodies near each other that could not be joined
   int Untransferred = 0;               ///< surfaces in the file of which OpenCASCADE made no face
   int UntransferredCurves = 0;         ///< curves in the file that gave no edge
   std::vector<std::string> References; ///< other files that an assembly keeps its parts in

@@ -1,0 +1,145 @@
+/**
+ * @file TestBodies.cxx
+ * @brief Files of several bodies: those that touch or cross each other are read as one, so that the
+ * surface is the boundary of what they fill together.
+ */
+#include "ReadTesting.h"
+#include "SolidTesting.h"
+
+#include "vtkCADSurfaceReader.h"
+#include "vtkMultiBlockDataSet.h"
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shape.hxx>
+#include <gp_Ax2.hxx>
+
+#include <cmath>
+
+namespace
+{
+TopoDS_Shape Box(double x, double y, double z, double dx, double dy, double dz)
+{
+  return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
+}
+
+TopoDS_Shape Cylinder(double x, double y, double z, double radius, double height)
+{
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0, 0, 1)), radius, height).Shape();
+}
+
+TopoDS_Shape Ball(double x, double y, double z, double radius)
+{
+  return BRepPrimAPI_MakeSphere(gp_Pnt(x, y, z), radius).Shape();
+}
+
+struct Assembly
+{
+  std::string Name;
+  std::vector<TopoDS_Shape> Bodies;
+  size_t Apart;  ///< faces of the bodies as they are
+  size_t Joined; ///< faces of what they fill together
+};
+
+std::vector<Assembly> MakeAssemblies()
+{
+  const TopoDS_Shape block = Box(0, 0, 0, 10, 10, 4);
+  const TopoDS_Shape pin = Cylinder(5, 5, -3, 2, 10);
+  return {
+    { "a block on a larger one", { block, Box(2, 3, 4, 5, 4, 3) }, 12, 11 },
+    { "two halves", { block, Box(10, 0, 0, 7, 10, 4) }, 12, 10 },
+    { "a pin through a block", { block, pin }, 9, 10 },
+    { "a pin in the bore that it fills",
+      { BRepAlgoAPI_Cut(block, pin).Shape(), Cylinder(5, 5, 0, 2, 5) }, 10, 9 },
+    { "a ball within a block", { block, Ball(5, 5, 2, 1) }, 7, 6 },
+    { "a ball sunk in a block", { block, Ball(5, 5, 4, 2) }, 7, 7 },
+    { "the same twice", { block, Box(0, 0, 0, 10, 10, 4) }, 12, 6 },
+    { "a row of three, one apart",
+      { block, Box(10, 2, 0, 5, 6, 4), Box(15, 0, 0, 5, 10, 4), Box(40, 0, 0, 5, 5, 5) }, 24, 24 },
+    { "bodies with nothing in common", { block, Box(12, 0, 0, 7, 10, 4) }, 12, 12 },
+    { "blocks along an edge", { block, Box(10, 0, 4, 7, 10, 4) }, 12, 12 },
+    { "a ball in a hollow",
+      { BRepAlgoAPI_Cut(block, Ball(5, 5, 2, 1.5)).Shape(), Ball(5, 5, 2, 1) }, 8, 8 },
+  };
+}
+
+TopoDS_Shape Put(const std::vector<TopoDS_Shape>& bodies)
+{
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& body : bodies)
+  {
+    builder.Add(all, body);
+  }
+  return all;
+}
+
+void Write(const TopoDS_Shape& shape, const std::string& path)
+{
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  writer.Write(path.c_str());
+}
+
+unsigned int CountUnjoined(const std::string& path)
+{
+  vtkNew<vtkCADSurfaceReader> reader;
+  reader->SetFileName(path.c_str());
+  CHECK(reader->GetJoinBodies(), "bodies are joined unless told otherwise");
+  reader->JoinBodiesOff();
+  reader->Update();
+  return vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0))->GetNumberOfBlocks();
+}
+
+void TestAssemblies()
+{
+  const std::string path = OutputPath("bodies.step");
+  for (const Assembly& assembly : MakeAssemblies())
+  {
+    const TopoDS_Shape shape = Put(assembly.Bodies);
+    Write(shape, path);
+    const size_t joined = ReadFile(path).Surfaces.size();
+    CHECK(joined == assembly.Joined, assembly.Name << ": " << joined << " faces");
+    CHECK(CountUnjoined(path) == assembly.Apart,
+      assembly.Name << ": as they are, there are other faces");
+    CHECK(IsBoundary(assembly.Name, path, shape), assembly.Name << ": a face is within the bodies");
+  }
+}
+
+/// Joining that takes too long is given up, and the bodies are read as they are.
+void TestTimeLimit()
+{
+  const int rings = 40;
+  std::vector<TopoDS_Shape> bodies;
+  for (int i = 0; i < rings; ++i)
+  {
+    const double angle = 0.7 * i;
+    const gp_Ax2 axis(gp_Pnt(std::cos(angle), std::sin(angle), 0.1 * i),
+      gp_Dir(std::sin(angle), 0.3 * std::cos(1.3 * angle), std::cos(angle)));
+    bodies.push_back(BRepPrimAPI_MakeTorus(axis, 5.0 + 0.01 * i, 1.0).Shape());
+  }
+  const std::string path = OutputPath("rings.step");
+  Write(Put(bodies), path);
+  const ReadResult read = ReadFile(path, 0, 3.0);
+  CHECK(read.Errors.empty(), "rings that take long to join: " << read.Errors[0]);
+  CHECK(
+    read.Warnings.size() == 1 && read.Warnings[0].find("could not be joined") != std::string::npos,
+    "rings that take long to join: no warning tells");
+  CHECK(read.Surfaces.size() == rings, "rings that take long to join: " << read.Surfaces.size());
+}
+}
+
+int main()
+{
+  SilenceTranslators();
+  TestAssemblies();
+  TestTimeLimit();
+  return Failures;
+}
