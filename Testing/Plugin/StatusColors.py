@@ -28,6 +28,9 @@ def check_maps():
         count = len(names) // 2
         triples = [tuple(colors.IndexedColors[3 * i:3 * i + 3]) for i in range(count)]
         check_equal(len(set(triples)), count, "different colours of " + array)
+    # What is not computed is as grey as the rest.
+    for array in ("SignedDistance", "ScaledJacobian"):
+        check_equal(list(GetColorTransferFunction(array).NanColor), [0.55] * 3, "NaN of " + array)
 
 
 def colors_in(path):
