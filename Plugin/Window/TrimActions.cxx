@@ -10,6 +10,7 @@
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqPluginManager.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -34,6 +35,8 @@
 namespace
 {
 constexpr const char* NotApplied = "Click Apply first: there are values that were not applied yet.";
+constexpr const char* NoPlugin = "The server has not loaded the plugin NURBSTrim: Tools > Manage "
+                                 "Plugins, Remote Plugins.";
 constexpr const char* NoElements = "There are no elements: none was left, or the filter failed, or "
                                    "it was not shown yet (the eye beside it).";
 
@@ -58,6 +61,10 @@ void Enable(QAction* action, const QString& help, const QString& missing)
 /// What a line to be drawn wants for; nothing if it can be drawn.
 QString MissingForLine()
 {
+  if (!HasServerPlugin())
+  {
+    return NoPlugin;
+  }
   const SelectedOutput mesh = TrimLineDrawing::FindMesh();
   if (!mesh.Source)
   {
@@ -70,11 +77,16 @@ QString MissingForLine()
   return IsApplied(mesh.Source) ? NoElements : "Click Apply first: there are no elements yet.";
 }
 
+bool Is3DView(const pqView* view)
+{
+  return view && view->getViewProxy()->IsA("vtkSMRenderViewProxy");
+}
+
 /// What the statuses want for to be shown.
 QString MissingForStatuses(const TrimSelection& selection)
 {
   const pqView* view = pqActiveObjects::instance().activeView();
-  if (!selection.Trim || !view || !view->getViewProxy()->IsA("vtkSMRenderViewProxy"))
+  if (!selection.Trim || !Is3DView(view))
   {
     return "Select a Trim Hexahedral Grid in the Pipeline Browser, and a 3D view.";
   }
@@ -84,6 +96,10 @@ QString MissingForStatuses(const TrimSelection& selection)
 /// What the comparison wants for.
 QString MissingForComparison(const TrimSelection& selection)
 {
+  if (!HasServerPlugin())
+  {
+    return NoPlugin;
+  }
   if (!selection.IsComplete())
   {
     return "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.";
@@ -93,34 +109,52 @@ QString MissingForComparison(const TrimSelection& selection)
   return applied ? QString() : NotApplied;
 }
 
-/// What is left by this trim, and its statuses.
-void Hide(vtkSMParaViewPipelineControllerWithRendering* controller, vtkSMSourceProxy* trim,
+/// A mesh; of a trim, what it left and its statuses.
+void Hide(vtkSMParaViewPipelineControllerWithRendering* controller, vtkSMSourceProxy* mesh,
   vtkSMViewProxy* view)
 {
   for (int port : { 0, 1 })
   {
-    if (controller->GetVisibility(trim, port, view))
+    if (controller->GetVisibility(mesh, port, view))
     {
-      controller->Hide(trim, port, view);
+      controller->Hide(mesh, port, view);
     }
   }
 }
 
-/// The trims before this one and those after it.
-std::vector<vtkSMSourceProxy*> TrimsInSequence(vtkSMSourceProxy* trim)
+/// What lies at the same place as this mesh: what it was made of, and the trims that are made of
+/// it.
+std::vector<vtkSMSourceProxy*> MeshesInSequence(vtkSMSourceProxy* mesh)
 {
-  std::vector<vtkSMSourceProxy*> trims = TrimsBefore(trim);
+  std::vector<vtkSMSourceProxy*> meshes = SourcesBefore(mesh);
   const auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
     vtkSMSourceProxy* const other = source->getSourceProxy();
-    const auto before = IsTrim(other) ? TrimsBefore(other) : std::vector<vtkSMSourceProxy*>();
-    if (std::find(before.begin(), before.end(), trim) != before.end())
+    const auto before = IsTrim(other) ? SourcesBefore(other) : std::vector<vtkSMSourceProxy*>();
+    if (std::find(before.begin(), before.end(), mesh) != before.end())
     {
-      trims.push_back(other);
+      meshes.push_back(other);
     }
   }
-  return trims;
+  return meshes;
+}
+
+/// Shows a mesh, or statuses, in place of the others in sequence with it.
+void ShowInPlace(const SelectedOutput& shown, pqView* view)
+{
+  vtkSMViewProxy* const proxy = view->getViewProxy();
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  for (vtkSMSourceProxy* other : MeshesInSequence(shown.Source))
+  {
+    Hide(controller, other, proxy);
+  }
+  if (IsTrim(shown.Source))
+  {
+    Hide(controller, shown.Source, proxy);
+  }
+  CorrectionComparison::ShowLegend(controller->Show(shown.Source, shown.Port, proxy), proxy);
+  view->render();
 }
 }
 
@@ -152,6 +186,9 @@ TrimActions::TrimActions(QObject* parent)
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::UpdateEnabled);
   QObject::connect(
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::HideTrimsBefore);
+  // A server may load the plugin later than the client.
+  QObject::connect(pqApplicationCore::instance()->getPluginManager(),
+    &pqPluginManager::pluginsUpdated, this, &TrimActions::UpdateEnabled);
   QObject::connect(model, QOverload<pqPipelineSource*>::of(&pqServerManagerModel::dataUpdated),
     this, &TrimActions::ColorFirstElements);
   this->UpdateEnabled();
@@ -193,7 +230,14 @@ void TrimActions::UpdateEnabled()
 void TrimActions::DrawTrimLine()
 {
   SCOPED_UNDO_SET("Draw Trim Line");
-  TrimLineDrawing::Start(TrimLineDrawing::FindMesh());
+  const SelectedOutput mesh = TrimLineDrawing::FindMesh();
+  pqView* view = pqActiveObjects::instance().activeView();
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  if (Is3DView(view) && !controller->GetVisibility(mesh.Source, mesh.Port, view->getViewProxy()))
+  {
+    ShowInPlace(mesh, view); // as a mesh that was trimmed before is hidden
+  }
+  TrimLineDrawing::Start(mesh);
 }
 
 void TrimActions::ShowSummary()
@@ -204,18 +248,11 @@ void TrimActions::ShowSummary()
 void TrimActions::ToggleStatuses()
 {
   vtkSMSourceProxy* trim = FindTrimSelection().Trim;
-  vtkSMViewProxy* view = pqActiveObjects::instance().activeView()->getViewProxy();
+  pqView* view = pqActiveObjects::instance().activeView();
   SCOPED_UNDO_SET("Show Statuses");
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-  const int shown = controller->GetVisibility(trim, 1, view) ? 0 : 1;
-  controller->Hide(trim, 1 - shown, view);
-  for (vtkSMSourceProxy* other : TrimsInSequence(trim))
-  {
-    Hide(controller, other, view);
-  }
-  vtkSMProxy* representation = controller->Show(trim, shown, view);
-  CorrectionComparison::ShowLegend(representation, view);
-  pqActiveObjects::instance().activeView()->render();
+  const int shown = controller->GetVisibility(trim, 1, view->getViewProxy()) ? 0 : 1;
+  ShowInPlace({ trim, shown }, view);
 }
 
 void TrimActions::CompareCorrectionTypes()

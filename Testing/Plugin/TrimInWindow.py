@@ -189,4 +189,20 @@ for name, left, before in (("TrimHexahedralGrid2", 4, 8), ("TrimHexahedralGrid1"
     for rows in (before, left):
         window.action("ShowStatuses")
         window.python("check_equal(shown_elements(), %d * 24, 'elements in the view')" % rows)
+
+# A line is drawn on a mesh in view: in place of its trims, which Undo brings back, or on the offcut,
+# where that is selected. (The undone one comes first, as a command to the shell clears the stack.)
+window.python("mesh, first = FindSource('sheet.vtu'), FindSource('TrimHexahedralGrid1')\n"
+              "first.ProduceOffcut = 1\nfirst.UpdatePipeline()\nselect(mesh)")
+window.action("DrawTrimLine")
+window.menu("menu_Edit", "actionEditUndo")
+window.python("check_equal(shown_elements(), 8 * 24, 'elements in the view after Undo')\n"
+              "select(mesh)")
+for selected, elements, sheet in (("mesh", 20, "mesh"), ("(first, 2)", 12, "first")):
+    window.python("select(%s)" % selected)
+    window.action("DrawTrimLine")
+    window.python("check_equal(shown_elements(), %d * 24, 'elements in the view of a line')\n"
+                  "check(active().Sheet.SMProxy == %s.SMProxy, 'the sheet of the line')" %
+                  (elements, sheet))
+window.python("check_equal(active().Sheet.Port, 2, 'the output that the line is drawn on')")
 window.run("trims-in-sequence")
