@@ -65,6 +65,12 @@ const char* const Colors = R"json({
       "Annotations" : [ "0", "other", "1", "new border" ],
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71 ],
       "IndexedOpacities" : [ 1, 1 ] } },
+    "Inserted" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "of the input", "1", "inserted" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71 ],
+      "IndexedOpacities" : [ 1, 1 ] } },
     "CornerLost" : { "PVLookupTable" : {
       "IndexedLookup" : 1,
       "AutomaticRescaleRangeMode" : -1,

@@ -17,6 +17,7 @@ NAMES = {
                   "3", "invalid", "4", "invalid as it came", "5", "short edge", "6", "loose part"],
     "NewBoundary": ["0", "other", "1", "new border"],
     "CornerLost": ["0", "none", "1", "corner lost"],
+    "Inserted": ["0", "of the input", "1", "inserted"],
 }
 
 
