@@ -205,4 +205,10 @@ for selected, elements, sheet in (("mesh", 20, "mesh"), ("(first, 2)", 12, "firs
                   "check(active().Sheet.SMProxy == %s.SMProxy, 'the sheet of the line')" %
                   (elements, sheet))
 window.python("check_equal(active().Sheet.Port, 2, 'the output that the line is drawn on')")
+
+# With a file the widgets of the line that is drawn are gone, as it is not used; Closed is still there.
+for widget, with_file in (("InteractiveSpline/PointsTable", False), ("Closed/CheckBox", True)):
+    for name, visible in (("", not with_file), ("points.csv", with_file)):
+        window.python("active().FileName = %r" % name)
+        window.expect_visible(widget, visible)
 window.run("trims-in-sequence")
