@@ -84,6 +84,12 @@ def check_trim_line():
                  "LengthUnit", "Resolution"):
         check(len(line.SMProxy.GetProperty(name).GetDocumentation().GetDescription()) > 20,
               name + " has no help text")
+    groups = [line.SMProxy.GetPropertyGroup(i)
+              for i in range(line.SMProxy.GetNumberOfPropertyGroups())]
+    for widget in ("InteractiveSpline", "InteractivePolyLine"):
+        group = [g for g in groups if g.GetPanelWidget() == widget][0]
+        for function in ("HandlePositions", "Closed"):
+            check(group.GetProperty(function) is not None, "%s without %s" % (widget, function))
 
 
 def check_ports(trim):
