@@ -21,6 +21,7 @@
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
 
 #include <QAction>
@@ -34,6 +35,7 @@
 
 namespace
 {
+constexpr const char* StatusArray = "ElementStatus"; ///< the array of the first view
 constexpr const char* NotApplied = "Click Apply first: there are values that were not applied yet.";
 constexpr const char* NoPlugin = "The server has not loaded the plugin NURBSTrim: Tools > Manage "
                                  "Plugins, Remote Plugins.";
@@ -138,6 +140,21 @@ std::vector<vtkSMSourceProxy*> MeshesInSequence(vtkSMSourceProxy* mesh)
     }
   }
   return meshes;
+}
+
+/// Records the colours and the legend that a representation has got.
+void TraceFirstColors(pqDataRepresentation* shown)
+{
+  {
+    SM_SCOPED_TRACE(SetScalarColoring)
+      .arg("display", shown->getProxy())
+      .arg("arrayname", StatusArray)
+      .arg("attribute_type", vtkDataObject::CELL);
+  }
+  if (shown->getView())
+  {
+    CorrectionComparison::ShowLegend(shown->getProxy(), shown->getViewProxy());
+  }
 }
 
 /// Shows a mesh, or statuses, in place of the others in sequence with it.
@@ -289,7 +306,6 @@ void TrimActions::HideTrimsBefore(pqServerManagerModelItem* changed)
 
 void TrimActions::ColorFirstElements(pqPipelineSource* source)
 {
-  constexpr const char* statuses = "ElementStatus";
   const char* const wants = "NURBSTrimWantsColor";
   const QVariant before = source->property(wants);
   if (!IsTrim(source->getProxy()) || (before.isValid() && !before.toBool()))
@@ -297,7 +313,7 @@ void TrimActions::ColorFirstElements(pqPipelineSource* source)
     return;
   }
   const vtkPVDataInformation* data = source->getSourceProxy()->GetDataInformation(0);
-  const bool hasElements = data->GetArrayInformation(statuses, vtkDataObject::CELL) != nullptr;
+  const bool hasElements = data->GetArrayInformation(StatusArray, vtkDataObject::CELL) != nullptr;
   source->setProperty(wants, !hasElements);
   if (!hasElements || !before.isValid())
   {
@@ -309,8 +325,11 @@ void TrimActions::ColorFirstElements(pqPipelineSource* source)
     if (shown->getView() && vtkSMPVRepresentationProxy::SafeDownCast(representation) &&
       !vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
     {
-      vtkSMPVRepresentationProxy::SetScalarColoring(representation, statuses, vtkDataObject::CELL);
+      vtkSMPVRepresentationProxy::SetScalarColoring(
+        representation, StatusArray, vtkDataObject::CELL);
       CorrectionComparison::ShowLegend(representation, shown->getViewProxy());
+      // A trace heeds nothing that happens within its update of the view.
+      QTimer::singleShot(0, shown, [shown] { TraceFirstColors(shown); });
     }
   }
 }

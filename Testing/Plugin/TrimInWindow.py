@@ -157,8 +157,11 @@ window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
 
 window.run("trim-in-window")
 
-# A surface that misses the sheet leaves nothing; when something is left it is shown as always.
+# A surface that misses the sheet leaves nothing; when something is left it is shown as always, in a
+# trace as well.
 window = Window(size=(1400, 900))
+window.menu("menuTools", "actionToolsStartStopTrace")
+window.event("TraceOptionsDialog/widget/OKButton", "activate")
 window.open("sheet.vtu")
 window.apply()
 window.python("from Checks import plane_at\n[plane_at(x) for x in (8.3, 4.3, -3)]")
@@ -170,7 +173,11 @@ window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
 window.set_check("InvertSide", True)
 window.apply()
 window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
-window.python("check_first_view()")
+window.python("check_first_view()\n"
+              "trace = servermanager.vtkSMTrace.StopTrace()\n"
+              "for line in (\"ColorBy(trimHexahedralGrid1Display, ('CELLS', 'ElementStatus'))\",\n"
+              "             'trimHexahedralGrid1Display.SetScalarBarVisibility(renderView1, True)'):\n"
+              "    check(line in trace, 'not in the trace: ' + line)")
 window.event(MAIN + "/propertiesDock/propertiesPanel/Delete", "activate")
 
 # Of trims in sequence the last one is shown, also where the statuses of the one before were; or that
