@@ -7,6 +7,8 @@ namespace
 /// ParaView looks up array_lookup_tables.<array name> when an array is first used for colouring.
 /// A legend names a value if it has an annotation (value, name, value, name, ...) and the map is
 /// indexed. Never rescaled: the values are categories.
+/// What is not computed far from the cut is grey: in ParaView's yellow for NaN it would draw all
+/// the attention.
 const char* const Colors = R"json({
   "array_lookup_tables" :
   {
@@ -55,10 +57,18 @@ const char* const Colors = R"json({
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.99, 0.72, 0.26,  0.89, 0.40, 0.10,
         0.84, 0.19, 0.15,  0.60, 0.31, 0.64,  0.12, 0.47, 0.71,  0.20, 0.63, 0.17 ],
       "IndexedOpacities" : [ 1, 1, 1, 1, 1, 1, 1 ] } },
+    "SignedDistance" : { "PVLookupTable" : { "NanColor" : [ 0.55, 0.55, 0.55 ] } },
+    "ScaledJacobian" : { "PVLookupTable" : { "NanColor" : [ 0.55, 0.55, 0.55 ] } },
     "NewBoundary" : { "PVLookupTable" : {
       "IndexedLookup" : 1,
       "AutomaticRescaleRangeMode" : -1,
       "Annotations" : [ "0", "other", "1", "new border" ],
+      "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71 ],
+      "IndexedOpacities" : [ 1, 1 ] } },
+    "Inserted" : { "PVLookupTable" : {
+      "IndexedLookup" : 1,
+      "AutomaticRescaleRangeMode" : -1,
+      "Annotations" : [ "0", "of the input", "1", "inserted" ],
       "IndexedColors" : [ 0.85, 0.85, 0.85,  0.12, 0.47, 0.71 ],
       "IndexedOpacities" : [ 1, 1 ] } },
     "CornerLost" : { "PVLookupTable" : {

@@ -10,6 +10,7 @@
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqPluginManager.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -20,6 +21,7 @@
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
 
 #include <QAction>
@@ -33,7 +35,10 @@
 
 namespace
 {
+constexpr const char* StatusArray = "ElementStatus"; ///< the array of the first view
 constexpr const char* NotApplied = "Click Apply first: there are values that were not applied yet.";
+constexpr const char* NoPlugin = "The server has not loaded the plugin NURBSTrim: Tools > Manage "
+                                 "Plugins, Remote Plugins.";
 constexpr const char* NoElements = "There are no elements: none was left, or the filter failed, or "
                                    "it was not shown yet (the eye beside it).";
 
@@ -58,6 +63,10 @@ void Enable(QAction* action, const QString& help, const QString& missing)
 /// What a line to be drawn wants for; nothing if it can be drawn.
 QString MissingForLine()
 {
+  if (!HasServerPlugin())
+  {
+    return NoPlugin;
+  }
   const SelectedOutput mesh = TrimLineDrawing::FindMesh();
   if (!mesh.Source)
   {
@@ -70,11 +79,16 @@ QString MissingForLine()
   return IsApplied(mesh.Source) ? NoElements : "Click Apply first: there are no elements yet.";
 }
 
+bool Is3DView(const pqView* view)
+{
+  return view && view->getViewProxy()->IsA("vtkSMRenderViewProxy");
+}
+
 /// What the statuses want for to be shown.
 QString MissingForStatuses(const TrimSelection& selection)
 {
   const pqView* view = pqActiveObjects::instance().activeView();
-  if (!selection.Trim || !view || !view->getViewProxy()->IsA("vtkSMRenderViewProxy"))
+  if (!selection.Trim || !Is3DView(view))
   {
     return "Select a Trim Hexahedral Grid in the Pipeline Browser, and a 3D view.";
   }
@@ -84,6 +98,10 @@ QString MissingForStatuses(const TrimSelection& selection)
 /// What the comparison wants for.
 QString MissingForComparison(const TrimSelection& selection)
 {
+  if (!HasServerPlugin())
+  {
+    return NoPlugin;
+  }
   if (!selection.IsComplete())
   {
     return "Select a Trim Hexahedral Grid in the Pipeline Browser, or a mesh and a surface.";
@@ -93,34 +111,67 @@ QString MissingForComparison(const TrimSelection& selection)
   return applied ? QString() : NotApplied;
 }
 
-/// What is left by this trim, and its statuses.
-void Hide(vtkSMParaViewPipelineControllerWithRendering* controller, vtkSMSourceProxy* trim,
+/// A mesh; of a trim, what it left and its statuses.
+void Hide(vtkSMParaViewPipelineControllerWithRendering* controller, vtkSMSourceProxy* mesh,
   vtkSMViewProxy* view)
 {
   for (int port : { 0, 1 })
   {
-    if (controller->GetVisibility(trim, port, view))
+    if (controller->GetVisibility(mesh, port, view))
     {
-      controller->Hide(trim, port, view);
+      controller->Hide(mesh, port, view);
     }
   }
 }
 
-/// The trims before this one and those after it.
-std::vector<vtkSMSourceProxy*> TrimsInSequence(vtkSMSourceProxy* trim)
+/// What lies at the same place as this mesh: what it was made of, and the trims that are made of
+/// it.
+std::vector<vtkSMSourceProxy*> MeshesInSequence(vtkSMSourceProxy* mesh)
 {
-  std::vector<vtkSMSourceProxy*> trims = TrimsBefore(trim);
+  std::vector<vtkSMSourceProxy*> meshes = SourcesBefore(mesh);
   const auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
     vtkSMSourceProxy* const other = source->getSourceProxy();
-    const auto before = IsTrim(other) ? TrimsBefore(other) : std::vector<vtkSMSourceProxy*>();
-    if (std::find(before.begin(), before.end(), trim) != before.end())
+    const auto before = IsTrim(other) ? SourcesBefore(other) : std::vector<vtkSMSourceProxy*>();
+    if (std::find(before.begin(), before.end(), mesh) != before.end())
     {
-      trims.push_back(other);
+      meshes.push_back(other);
     }
   }
-  return trims;
+  return meshes;
+}
+
+/// Records the colours and the legend that a representation has got.
+void TraceFirstColors(pqDataRepresentation* shown)
+{
+  {
+    SM_SCOPED_TRACE(SetScalarColoring)
+      .arg("display", shown->getProxy())
+      .arg("arrayname", StatusArray)
+      .arg("attribute_type", vtkDataObject::CELL);
+  }
+  if (shown->getView())
+  {
+    CorrectionComparison::ShowLegend(shown->getProxy(), shown->getViewProxy());
+  }
+}
+
+/// Shows a mesh, or statuses, in place of the others in sequence with it.
+void ShowInPlace(const SelectedOutput& shown, pqView* view)
+{
+  vtkSMViewProxy* const proxy = view->getViewProxy();
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  for (vtkSMSourceProxy* other : MeshesInSequence(shown.Source))
+  {
+    Hide(controller, other, proxy);
+  }
+  if (IsTrim(shown.Source))
+  {
+    Hide(controller, shown.Source, proxy);
+  }
+  CorrectionComparison::ShowLegend(controller->Show(shown.Source, shown.Port, proxy), proxy);
+  view->render();
 }
 }
 
@@ -152,6 +203,9 @@ TrimActions::TrimActions(QObject* parent)
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::UpdateEnabled);
   QObject::connect(
     model, &pqServerManagerModel::modifiedStateChanged, this, &TrimActions::HideTrimsBefore);
+  // A server may load the plugin later than the client.
+  QObject::connect(pqApplicationCore::instance()->getPluginManager(),
+    &pqPluginManager::pluginsUpdated, this, &TrimActions::UpdateEnabled);
   QObject::connect(model, QOverload<pqPipelineSource*>::of(&pqServerManagerModel::dataUpdated),
     this, &TrimActions::ColorFirstElements);
   this->UpdateEnabled();
@@ -193,7 +247,14 @@ void TrimActions::UpdateEnabled()
 void TrimActions::DrawTrimLine()
 {
   SCOPED_UNDO_SET("Draw Trim Line");
-  TrimLineDrawing::Start(TrimLineDrawing::FindMesh());
+  const SelectedOutput mesh = TrimLineDrawing::FindMesh();
+  pqView* view = pqActiveObjects::instance().activeView();
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  if (Is3DView(view) && !controller->GetVisibility(mesh.Source, mesh.Port, view->getViewProxy()))
+  {
+    ShowInPlace(mesh, view); // as a mesh that was trimmed before is hidden
+  }
+  TrimLineDrawing::Start(mesh);
 }
 
 void TrimActions::ShowSummary()
@@ -204,18 +265,11 @@ void TrimActions::ShowSummary()
 void TrimActions::ToggleStatuses()
 {
   vtkSMSourceProxy* trim = FindTrimSelection().Trim;
-  vtkSMViewProxy* view = pqActiveObjects::instance().activeView()->getViewProxy();
+  pqView* view = pqActiveObjects::instance().activeView();
   SCOPED_UNDO_SET("Show Statuses");
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-  const int shown = controller->GetVisibility(trim, 1, view) ? 0 : 1;
-  controller->Hide(trim, 1 - shown, view);
-  for (vtkSMSourceProxy* other : TrimsInSequence(trim))
-  {
-    Hide(controller, other, view);
-  }
-  vtkSMProxy* representation = controller->Show(trim, shown, view);
-  CorrectionComparison::ShowLegend(representation, view);
-  pqActiveObjects::instance().activeView()->render();
+  const int shown = controller->GetVisibility(trim, 1, view->getViewProxy()) ? 0 : 1;
+  ShowInPlace({ trim, shown }, view);
 }
 
 void TrimActions::CompareCorrectionTypes()
@@ -252,7 +306,6 @@ void TrimActions::HideTrimsBefore(pqServerManagerModelItem* changed)
 
 void TrimActions::ColorFirstElements(pqPipelineSource* source)
 {
-  constexpr const char* statuses = "ElementStatus";
   const char* const wants = "NURBSTrimWantsColor";
   const QVariant before = source->property(wants);
   if (!IsTrim(source->getProxy()) || (before.isValid() && !before.toBool()))
@@ -260,7 +313,7 @@ void TrimActions::ColorFirstElements(pqPipelineSource* source)
     return;
   }
   const vtkPVDataInformation* data = source->getSourceProxy()->GetDataInformation(0);
-  const bool hasElements = data->GetArrayInformation(statuses, vtkDataObject::CELL) != nullptr;
+  const bool hasElements = data->GetArrayInformation(StatusArray, vtkDataObject::CELL) != nullptr;
   source->setProperty(wants, !hasElements);
   if (!hasElements || !before.isValid())
   {
@@ -272,8 +325,11 @@ void TrimActions::ColorFirstElements(pqPipelineSource* source)
     if (shown->getView() && vtkSMPVRepresentationProxy::SafeDownCast(representation) &&
       !vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
     {
-      vtkSMPVRepresentationProxy::SetScalarColoring(representation, statuses, vtkDataObject::CELL);
+      vtkSMPVRepresentationProxy::SetScalarColoring(
+        representation, StatusArray, vtkDataObject::CELL);
       CorrectionComparison::ShowLegend(representation, shown->getViewProxy());
+      // A trace heeds nothing that happens within its update of the view.
+      QTimer::singleShot(0, shown, [shown] { TraceFirstColors(shown); });
     }
   }
 }

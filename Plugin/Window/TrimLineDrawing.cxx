@@ -65,7 +65,7 @@ void AskForApply(pqPipelineSource* source)
 SelectedOutput TrimLineDrawing::FindMesh()
 {
   const TrimSelection selection = FindTrimSelection();
-  return selection.Trim ? SelectedOutput{ selection.Trim, 0 } : selection.Mesh;
+  return selection.Trim ? SelectedOutput{ selection.Trim, selection.TrimPort } : selection.Mesh;
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,8 @@
 
 namespace TrimLineDrawing
 {
-/// The mesh that is to be trimmed next: the one selected, or what a selected trim has left.
+/// The mesh that is to be trimmed next: the one selected, what a selected trim has left, or its
+/// offcut, if that is selected.
 SelectedOutput FindMesh();
 
 /**

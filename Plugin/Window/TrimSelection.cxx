@@ -4,12 +4,15 @@
 #include "pqApplicationCore.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqServer.h"
 #include "pqServerManagerModel.h"
 
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace
@@ -40,22 +43,33 @@ bool IsTrim(vtkSMProxy* proxy)
   return proxy && std::strcmp(proxy->GetXMLName(), "TrimHexahedralGrid") == 0;
 }
 
-std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* trim)
+bool HasServerPlugin()
 {
-  constexpr int offcut = 2; // of whatever is made of it nothing is in the trimmed grid
-  std::vector<vtkSMSourceProxy*> trims;
-  for (SelectedOutput input = InputOf(trim, "Input"); input.Source;
+  const pqServer* server = pqActiveObjects::instance().activeServer();
+  return server && server->proxyManager()->HasDefinition("filters", "TrimHexahedralGrid");
+}
+
+std::vector<vtkSMSourceProxy*> SourcesBefore(vtkSMSourceProxy* source)
+{
+  std::vector<vtkSMSourceProxy*> sources;
+  for (SelectedOutput input = InputOf(source, "Input"); input.Source;
        input = InputOf(input.Source, "Input"))
   {
-    if (IsTrim(input.Source))
+    if (IsTrim(input.Source) && input.Port == OffcutPort)
     {
-      if (input.Port == offcut)
-      {
-        break;
-      }
-      trims.push_back(input.Source);
+      break; // nothing of it is in the trimmed grid
     }
+    sources.push_back(input.Source);
   }
+  return sources;
+}
+
+std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* source)
+{
+  std::vector<vtkSMSourceProxy*> trims = SourcesBefore(source);
+  trims.erase(std::remove_if(trims.begin(), trims.end(),
+                [](vtkSMSourceProxy* before) { return !IsTrim(before); }),
+    trims.end());
   return trims;
 }
 
@@ -79,6 +93,7 @@ TrimSelection FindTrimSelection()
     if (IsTrim(output.Source))
     {
       found.Trim = output.Source;
+      found.TrimPort = output.Port == OffcutPort ? OffcutPort : 0;
       continue;
     }
     vtkPVDataInformation* information = output.Source->GetDataInformation(output.Port);
@@ -98,7 +113,7 @@ TrimSelection FindTrimSelection()
   }
   else if (found.Trim && !found.Mesh.Source)
   {
-    found.Mesh = { found.Trim, 0 };
+    found.Mesh = { found.Trim, found.TrimPort };
   }
   return found;
 }

@@ -23,6 +23,7 @@ struct TrimSelection
   SelectedOutput Mesh;
   SelectedOutput Surface;
   vtkSMSourceProxy* Trim = nullptr;
+  int TrimPort = 0; ///< its output that can be trimmed next: the trimmed grid or the offcut
 
   bool IsComplete() const { return this->Mesh.Source && this->Surface.Source; }
 };
@@ -30,15 +31,25 @@ struct TrimSelection
 /**
  * The trim, or the mesh and the surface, that are selected in the Pipeline Browser. With a trim
  * alone, the mesh and the surface are its inputs; with a trim and a surface, the mesh is what the
- * trim left.
+ * trim left, or its offcut, if that is selected.
  */
 TrimSelection FindTrimSelection();
+
+/// The third output of a trim.
+constexpr int OffcutPort = 2;
 
 /// Is this a Trim Hexahedral Grid?
 bool IsTrim(vtkSMProxy* proxy);
 
-/// The trims whose result is the mesh of this one, directly or by way of other filters.
-std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* trim);
+/// Has the server that is connected the plugin's filters? They are not there if only the client has
+/// loaded the plugin.
+bool HasServerPlugin();
+
+/// What the mesh of this source was made of, directly or by way of other filters.
+std::vector<vtkSMSourceProxy*> SourcesBefore(vtkSMSourceProxy* source);
+
+/// The trims whose result is the mesh of this source, directly or by way of other filters.
+std::vector<vtkSMSourceProxy*> TrimsBefore(vtkSMSourceProxy* source);
 
 /// Has the proxy the values that its panel shows?
 bool IsApplied(vtkSMProxy* proxy);

@@ -66,6 +66,12 @@ def check_values(trim):
     check_equal(list(trim.KeepPoint), [1, 2, 3], "KeepPoint")
 
 
+def check_no_slider(proxy, name):
+    """The panel shows a slider where a range has both its ends: none where no step of it is right."""
+    domain = proxy.SMProxy.GetProperty(name).GetDomain("range")
+    check(domain.GetMinimumExists(0) and not domain.GetMaximumExists(0), name + " has a slider")
+
+
 def check_trim_line():
     line = TrimLineSource()
     check_equal(line.Sheet, None, "default of Sheet, whatever source is active")
@@ -78,6 +84,12 @@ def check_trim_line():
                  "LengthUnit", "Resolution"):
         check(len(line.SMProxy.GetProperty(name).GetDocumentation().GetDescription()) > 20,
               name + " has no help text")
+    groups = [line.SMProxy.GetPropertyGroup(i)
+              for i in range(line.SMProxy.GetNumberOfPropertyGroups())]
+    for widget in ("InteractiveSpline", "InteractivePolyLine"):
+        group = [g for g in groups if g.GetPanelWidget() == widget][0]
+        for function in ("HandlePositions", "Closed"):
+            check(group.GetProperty(function) is not None, "%s without %s" % (widget, function))
 
 
 def check_ports(trim):
@@ -100,6 +112,7 @@ def check_file_types():
     opened = OpenDataFile(os.path.join(DATA_DIRECTORY, "WheelArch.igs"))
     check_equal(opened.GetXMLName(), "CADSurfaceReader", "reader of a .igs file")
     check_equal(opened.TimeLimit, 0, "TimeLimit of the reader")
+    check_no_slider(opened, "TimeLimit")
     opened.TimeLimit = 250
     opened.UpdateVTKObjects()
     check("TimeLimit: 250" in str(opened.GetClientSideObject()), "TimeLimit as given")
@@ -109,6 +122,7 @@ check_proxies()
 filter_proxy = TrimHexahedralGrid(Input=sheet(), TrimmingSurface=plane_at(10.3))
 check_defaults(filter_proxy)
 check_values(filter_proxy)
+check_no_slider(filter_proxy, "Tolerance")
 check_ports(filter_proxy)
 check_trim_line()
 check_file_types()

@@ -2,25 +2,36 @@
 
 Arguments: the client's script, and the command that starts the server on several ranks, if any.
 """
+import contextlib
 import re
 import subprocess
 import sys
 
-server = subprocess.Popen(sys.argv[2:] + ["pvserver", "--server-port=0"], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True)
-try:
-    said = ""
-    for line in server.stdout:
-        said += line
-        found = re.search(r"Accepting connection\(s\): \S+:(\d+)", line)
-        if found:
-            break
-    else:
-        sys.exit("The server did not say where it listens:\n" + said)
-    client = subprocess.run(["pvpython", "--dr", sys.argv[1], found.group(1)])
-    # The server ends with its client.
-    print(server.communicate(timeout=60)[0])
-finally:
-    if server.poll() is None:
-        server.kill()
-sys.exit(client.returncode or server.returncode)
+
+@contextlib.contextmanager
+def server(*launcher, environment=None):
+    """A pvserver, with its port as the attribute port; it is ended if it does not end with its client."""
+    process = subprocess.Popen([*launcher, "pvserver", "--server-port=0"], stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, text=True, env=environment)
+    try:
+        said = ""
+        for line in process.stdout:
+            said += line
+            found = re.search(r"Accepting connection\(s\): \S+:(\d+)", line)
+            if found:
+                break
+        else:
+            sys.exit("The server did not say where it listens:\n" + said)
+        process.port = found.group(1)
+        yield process
+    finally:
+        if process.poll() is None:
+            process.kill()
+
+
+if __name__ == "__main__":
+    with server(*sys.argv[2:]) as running:
+        client = subprocess.run(["pvpython", "--dr", sys.argv[1], running.port])
+        # The server ends with its client.
+        print(running.communicate(timeout=60)[0])
+    sys.exit(client.returncode or running.returncode)

@@ -17,6 +17,7 @@ NAMES = {
                   "3", "invalid", "4", "invalid as it came", "5", "short edge", "6", "loose part"],
     "NewBoundary": ["0", "other", "1", "new border"],
     "CornerLost": ["0", "none", "1", "corner lost"],
+    "Inserted": ["0", "of the input", "1", "inserted"],
 }
 
 
@@ -28,6 +29,9 @@ def check_maps():
         count = len(names) // 2
         triples = [tuple(colors.IndexedColors[3 * i:3 * i + 3]) for i in range(count)]
         check_equal(len(set(triples)), count, "different colours of " + array)
+    # What is not computed is as grey as the rest.
+    for array in ("SignedDistance", "ScaledJacobian"):
+        check_equal(list(GetColorTransferFunction(array).NanColor), [0.55] * 3, "NaN of " + array)
 
 
 def colors_in(path):

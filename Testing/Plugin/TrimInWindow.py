@@ -157,8 +157,11 @@ window.event(MAIN + "/TrimSummary/qt_dockwidget_closebutton", "activate")
 
 window.run("trim-in-window")
 
-# A surface that misses the sheet leaves nothing; when something is left it is shown as always.
+# A surface that misses the sheet leaves nothing; when something is left it is shown as always, in a
+# trace as well.
 window = Window(size=(1400, 900))
+window.menu("menuTools", "actionToolsStartStopTrace")
+window.event("TraceOptionsDialog/widget/OKButton", "activate")
 window.open("sheet.vtu")
 window.apply()
 window.python("from Checks import plane_at\n[plane_at(x) for x in (8.3, 4.3, -3)]")
@@ -170,7 +173,11 @@ window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
 window.set_check("InvertSide", True)
 window.apply()
 window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
-window.python("check_first_view()")
+window.python("check_first_view()\n"
+              "trace = servermanager.vtkSMTrace.StopTrace()\n"
+              "for line in (\"ColorBy(trimHexahedralGrid1Display, ('CELLS', 'ElementStatus'))\",\n"
+              "             'trimHexahedralGrid1Display.SetScalarBarVisibility(renderView1, True)'):\n"
+              "    check(line in trace, 'not in the trace: ' + line)")
 window.event(MAIN + "/propertiesDock/propertiesPanel/Delete", "activate")
 
 # Of trims in sequence the last one is shown, also where the statuses of the one before were; or that
@@ -189,4 +196,26 @@ for name, left, before in (("TrimHexahedralGrid2", 4, 8), ("TrimHexahedralGrid1"
     for rows in (before, left):
         window.action("ShowStatuses")
         window.python("check_equal(shown_elements(), %d * 24, 'elements in the view')" % rows)
+
+# A line is drawn on a mesh in view: in place of its trims, which Undo brings back, or on the offcut,
+# where that is selected. (The undone one comes first, as a command to the shell clears the stack.)
+window.python("mesh, first = FindSource('sheet.vtu'), FindSource('TrimHexahedralGrid1')\n"
+              "first.ProduceOffcut = 1\nfirst.UpdatePipeline()\nselect(mesh)")
+window.action("DrawTrimLine")
+window.menu("menu_Edit", "actionEditUndo")
+window.python("check_equal(shown_elements(), 8 * 24, 'elements in the view after Undo')\n"
+              "select(mesh)")
+for selected, elements, sheet in (("mesh", 20, "mesh"), ("(first, 2)", 12, "first")):
+    window.python("select(%s)" % selected)
+    window.action("DrawTrimLine")
+    window.python("check_equal(shown_elements(), %d * 24, 'elements in the view of a line')\n"
+                  "check(active().Sheet.SMProxy == %s.SMProxy, 'the sheet of the line')" %
+                  (elements, sheet))
+window.python("check_equal(active().Sheet.Port, 2, 'the output that the line is drawn on')")
+
+# With a file the widgets of the line that is drawn are gone, as it is not used; Closed is still there.
+for widget, with_file in (("InteractiveSpline/PointsTable", False), ("Closed/CheckBox", True)):
+    for name, visible in (("", not with_file), ("points.csv", with_file)):
+        window.python("active().FileName = %r" % name)
+        window.expect_visible(widget, visible)
 window.run("trims-in-sequence")

@@ -35,6 +35,16 @@ def active():
     return GetActiveSource()
 
 
+def select(*selected):
+    """Selects these in the Pipeline Browser: sources, or outputs as (source, port)."""
+    model = servermanager.ActiveConnection.Session.GetSessionProxyManager().GetSelectionModel(
+        "ActiveSources")
+    model.SetCurrentProxy(None, model.CLEAR)
+    for one in selected:
+        proxy = one[0].SMProxy.GetOutputPort(one[1]) if isinstance(one, tuple) else one.SMProxy
+        model.SetCurrentProxy(proxy, model.SELECT)
+
+
 def screen():
     """The pixels of the screen, rows x columns x RGB, from the display's frame buffer file."""
     with open(os.environ["NURBSTRIM_FRAMEBUFFER"], "rb") as file:
