@@ -120,6 +120,23 @@ std::string PlacementWords(const std::string& kind, const Placement& at)
   return text;
 }
 
+/// A round hole and a plane that touches it.
+Cut DrawTouching(Dice& dice, const Frame& box)
+{
+  Placement at = DrawPlacement(dice, "cylinder");
+  at.Lean = 0;
+  at.Angle = dice.Chance(0.5) ? 0 : at.Angle;
+  at.Reversed = false;
+  const double radius = at.Size * std::min(box.HalfX, box.HalfY);
+  const double way = dice.Chance(0.5) ? 0.5 * M_PI * dice.Below(4) : 2 * M_PI * dice.Any();
+  const Vec3 normal = box.Axes * Vec3(std::cos(way), std::sin(way), 0);
+  const Vec3 centre = box.Centre + box.Axes * Vec3(at.X * box.HalfX, at.Y * box.HalfY, 0);
+  const double side = dice.Chance(0.5) ? 1 : -1;
+  return { "touching " + PlacementWords("cylinder", at),
+    Together(MakeSurface("cylinder", box, at).Data,
+      PlaneThrough(centre + radius * normal, side * normal, 100 * box.HalfX).Data) };
+}
+
 Cut DrawOne(Dice& dice, const Frame& box)
 {
   const double which = dice.Any();
@@ -136,6 +153,10 @@ Cut DrawOne(Dice& dice, const Frame& box)
     const Vec3 normal = Vec3(dice.Any() - 0.5, dice.Any() - 0.5, dice.Any() - 0.5).normalized();
     const double size = box.ElementSize * (0.2 + 3 * dice.Any());
     return { "patch", PlaneThrough(box.Centre + box.Axes * local, normal, size) };
+  }
+  if (which < 0.06)
+  {
+    return DrawTouching(dice, box);
   }
   const std::string kind = dice.Pick(AllSurfaceKinds());
   const Placement at = DrawPlacement(dice, kind);
@@ -507,7 +528,9 @@ Grid WithAllPoints(vtkUnstructuredGrid* whole, vtkUnstructuredGrid* piece)
     cells.push_back(
       static_cast<vtkIdType>(piece->GetCellData()->GetArray("WholeCell")->GetComponent(c, 0)));
   }
-  return cells.empty() ? Grid(piece) : Select(whole, Ids(whole->GetNumberOfPoints()), cells);
+  return cells.empty() && whole->GetNumberOfCells() % 2
+    ? Grid(piece)
+    : Select(whole, Ids(whole->GetNumberOfPoints()), cells);
 }
 
 using Differences = std::vector<std::pair<std::string, std::string>>;
@@ -664,7 +687,7 @@ Surfaces GiveToRanks(vtkDataObject* data, int count, bool parted, Dice& dice)
   for (unsigned i = 0; blocks && parted && i < blocks->GetNumberOfBlocks(); ++i)
   {
     auto* own = vtkMultiBlockDataSet::SafeDownCast(given[dice.Below(count)]);
-    own->SetBlock(own->GetNumberOfBlocks(), blocks->GetBlock(i));
+    own->SetBlock(i, blocks->GetBlock(i)); // as a reader of many files leaves them
   }
   return given;
 }
