@@ -12,7 +12,7 @@ namespace trim
 
 Vec3 FindMixedPlace(const Ranks& ranks, const std::vector<MixedNode>& own)
 {
-  using Node = std::tuple<std::array<long long, 2>, Place, unsigned char>;
+  using Node = std::tuple<std::array<Id, 2>, Place, unsigned char>;
   std::vector<Node> nodes;
   for (const MixedNode& node : ranks.Gather(own))
   {

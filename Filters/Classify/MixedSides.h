@@ -5,6 +5,7 @@
 #ifndef MixedSides_h
 #define MixedSides_h
 
+#include "HexMesh.h"
 #include "Place.h"
 
 #include <array>
@@ -17,7 +18,7 @@ class Ranks;
 /// A node of a set whose nodes lie on both sides.
 struct MixedNode
 {
-  std::array<long long, 2> Set; ///< the same for all nodes of a set on all ranks
+  std::array<Id, 2> Set; ///< the same for all nodes of a set on all ranks
   Place At;
   unsigned char Side;
 };

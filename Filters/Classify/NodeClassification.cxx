@@ -271,7 +271,7 @@ std::vector<MixedNode> ListMixedNodes(const HexMesh& mesh, const Piece& piece, c
     {
       // What is no other rank's has no number but on its rank.
       const Id part = joined.PartOf(root);
-      const int rank = part < 0 ? piece.All.Rank() : -1;
+      const Id rank = part < 0 ? piece.All.Rank() : -1;
       mixed.push_back({ { rank, part < 0 ? root : part }, ToPlace(mesh.Point(node)), status });
     }
   }
