@@ -26,6 +26,7 @@ add_library(NURBSTrimStages STATIC
   Classify/ElementClassification.cxx
   Classify/EndInside.cxx
   Classify/KeptSide.cxx
+  Classify/MixedSides.cxx
   Classify/NodeClassification.cxx
   Classify/PieceSides.cxx
   Decide/CutEdges.cxx

@@ -2,6 +2,7 @@
 
 #include "ElementTopology.h"
 #include "EndInside.h"
+#include "MixedSides.h"
 #include "PieceSides.h"
 #include "Runs.h"
 #include "SetSides.h"
@@ -15,6 +16,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <unordered_map>
 
 namespace trim
@@ -127,31 +129,37 @@ void ResolveBorderNodes(const HexMesh& mesh, const Piece& piece, const std::vect
   }
 }
 
-/// A place where the surface ends inside the grid, and how near a node is to it.
-struct SurfaceEnd
+/// A free border of the surface, and how near a node is to it.
+struct SurfaceBorder
 {
   double Distance = std::numeric_limits<double>::infinity();
   Place At{};
 };
 
-/// The end that was found (distance 0), or else the border point nearest to a projected node;
-/// without one the surface contradicts itself near the place that was found.
-std::string EndOfSurface(const Piece& piece, const NodeFeet& near, const SurfaceEnd& found)
+/// What is wrong with a surface that leaves nodes on both sides of it joined: it ends within the
+/// grid, or else contradicts itself. Collective.
+std::string TextOfMixed(const HexMesh& mesh, const Piece& piece,
+  const nurbs::TrimmingSurface& surface, const NodeClassification& nodes, const Vec3& mixed)
 {
-  std::vector<SurfaceEnd> ends{ found };
-  for (const auto& foot : near.Feet)
+  if (const auto end = FindEndInside(mesh, piece, nodes, surface))
   {
-    if (foot.Kind == FootKind::Border && foot.Distance < ends.front().Distance)
+    return EndsInsideText(*end);
+  }
+  const auto isNearer = [](const SurfaceBorder& a, const SurfaceBorder& b)
+  { return std::tie(a.Distance, a.At) < std::tie(b.Distance, b.At); };
+  SurfaceBorder nearest;
+  for (const auto& foot : nodes.Near.Feet)
+  {
+    const SurfaceBorder border{ foot.Distance, ToPlace(foot.Point) };
+    if (foot.Kind == FootKind::Border && isNearer(border, nearest))
     {
-      ends.front() = { foot.Distance, ToPlace(foot.Point) };
+      nearest = border;
     }
   }
-  ends = piece.All.Gather(ends);
-  const auto nearest = std::min_element(ends.begin(), ends.end(),
-    [](const SurfaceEnd& a, const SurfaceEnd& b) { return a.Distance < b.Distance; });
-  const Vec3 at = ToVec3(nearest->At);
-  return nearest->Distance >= std::numeric_limits<double>::max() ? SidesMixedUpText(at)
-                                                                 : EndsInsideText(at);
+  const auto all = piece.All.Gather(std::vector<SurfaceBorder>{ nearest });
+  nearest = *std::min_element(all.begin(), all.end(), isNearer);
+  return std::isfinite(nearest.Distance) ? EndsInsideText(ToVec3(nearest.At))
+                                         : SidesMixedUpText(mixed);
 }
 
 struct FarPart
@@ -226,12 +234,13 @@ void ClassifyFarParts(const Piece& piece, const nurbs::TrimmingSurface& surface,
   SortUnique(result.PartsBesideEnd);
 }
 
-/// Sides by the root of each set of nodes, from those that were projected or voted for. False
-/// where a set has both; `place` is then one of its nodes.
+/// Sides by the root of each set of nodes, from those that were projected or voted for.
+/// @return whether no set has both.
 template <typename Index>
-bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassification& result,
-  SideSets<Index>& sets, SetSides& ofRoot, SurfaceEnd& place)
+bool FindSidesOfSets(
+  const NodeFeet& near, const NodeClassification& result, SideSets<Index>& sets, SetSides& ofRoot)
 {
+  bool parted = true;
   for (const Id node : near.Ids)
   {
     const unsigned char status = result.Status[node];
@@ -240,15 +249,33 @@ bool FindSidesOfSets(const HexMesh& mesh, const NodeFeet& near, const NodeClassi
       continue;
     }
     const Index root = sets.Find(node);
-    const unsigned char known = ofRoot.Of(root);
-    if (known != NodeUnknown && known != status)
-    {
-      place = { std::numeric_limits<double>::max(), ToPlace(mesh.Point(node)) };
-      return false;
-    }
-    ofRoot.Set(root, status);
+    const unsigned char side = JoinedSide(ofRoot.Of(root), status);
+    ofRoot.Set(root, side);
+    parted = parted && side != NodeOnBothSides;
   }
-  return true;
+  return parted;
+}
+
+/// The nodes of this piece that tell the sides of sets which have both.
+template <typename Index>
+std::vector<MixedNode> ListMixedNodes(const HexMesh& mesh, const Piece& piece, const NodeFeet& near,
+  const NodeClassification& result, const JoinedSets& joined, const SetSides& ofRoot,
+  SideSets<Index>& sets)
+{
+  std::vector<MixedNode> mixed;
+  for (const Id node : near.Ids)
+  {
+    const unsigned char status = result.Status[node];
+    const Index root = sets.Find(node);
+    if ((status == NodeKeep || status == NodeEliminate) && ofRoot.Of(root) == NodeOnBothSides)
+    {
+      // What is no other rank's has no number but on its rank.
+      const Id part = joined.PartOf(root);
+      const Id rank = part < 0 ? piece.All.Rank() : -1;
+      mixed.push_back({ { rank, part < 0 ? root : part }, ToPlace(mesh.Point(node)), status });
+    }
+  }
+  return mixed;
 }
 
 /// Gives nodes the side of their set; returns, ascending, those that still have none.
@@ -331,18 +358,15 @@ bool CarryStatus(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& pie
   SideSets<Index>& sets, std::string& error)
 {
   SetSides ofRoot(sets.Size());
-  SurfaceEnd place;
-  const bool parted = FindSidesOfSets(mesh, near, result, sets, ofRoot, place);
+  const bool parted = FindSidesOfSets(near, result, sets, ofRoot);
   JoinedSets joined;
   const bool partedAll = joined.Join(
     piece, [&sets](Id node) { return sets.Find(node); }, ofRoot);
   if (piece.All.Any(!parted || !partedAll))
   {
-    if (const auto end = FindEndInside(mesh, result, surface))
-    {
-      place = { 0.0, ToPlace(*end) };
-    }
-    error = EndOfSurface(piece, near, place);
+    const Vec3 mixed =
+      FindMixedPlace(piece.All, ListMixedNodes(mesh, piece, near, result, joined, ofRoot, sets));
+    error = TextOfMixed(mesh, piece, surface, result, mixed);
     return false;
   }
   auto farParts = AssignSides(mesh, blocks, ofRoot, sets, result);
@@ -378,13 +402,9 @@ bool Classify(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
   {
     return true;
   }
-  const auto end = FindEndInside(mesh, result, surface);
-  if (!piece.All.Any(end.has_value()))
-  {
-    return true;
-  }
-  error = EndOfSurface(piece, near, end ? SurfaceEnd{ 0.0, ToPlace(*end) } : SurfaceEnd());
-  return false;
+  const auto end = FindEndInside(mesh, piece, result, surface);
+  error = end ? EndsInsideText(*end) : "";
+  return !end;
 }
 
 /// By the feet of the nodes near the surface.

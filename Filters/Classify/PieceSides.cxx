@@ -38,17 +38,6 @@ struct SentOutermost
   OutermostNodes Nodes;
 };
 
-/// The two sides of one set make it contradict itself.
-unsigned char Combine(unsigned char a, unsigned char b, bool& contradiction)
-{
-  if (a == NodeUnknown || b == NodeUnknown)
-  {
-    return a == NodeUnknown ? b : a;
-  }
-  contradiction |= a != b;
-  return a;
-}
-
 /// Order of two places along one axis, the other coordinates deciding where they are level.
 bool ComesBefore(const Place& a, const Place& b, int axis)
 {
@@ -201,7 +190,8 @@ bool JoinedSets::Join(const Piece& piece, const std::function<Id(Id)>& rootOf, S
   for (std::size_t set = 0; set < allSides.size(); ++set)
   {
     auto& side = sideOfPart[joined.Find(static_cast<Id>(set))];
-    side = Combine(side, allSides[set], contradiction);
+    side = JoinedSide(side, allSides[set]);
+    contradiction |= side == NodeOnBothSides;
   }
   const int self = piece.All.Rank();
   const Id first = self > 0 ? static_cast<Id>(setEnds[self - 1]) : 0;

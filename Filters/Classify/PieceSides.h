@@ -75,7 +75,7 @@ public:
    *
    * @param rootOf the set (its root) of a node of this piece.
    * @param[in,out] ofRoot the side of each set by its root; sets joined get the side that one of
-   * them has.
+   * them has, NodeOnBothSides where they have different ones.
    * @return false, on all ranks, if joined sets have different sides.
    */
   bool Join(const Piece& piece, const std::function<Id(Id)>& rootOf, SetSides& ofRoot);

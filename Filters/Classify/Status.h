@@ -13,8 +13,20 @@ enum NodeStatus : unsigned char
   NodeKeep = 0,
   NodeEliminate = 1,
   NodeOnSurface = 2,
-  NodeUnknown = 3 ///< only while classifying
+  // Only while classifying:
+  NodeUnknown = 3,
+  NodeOnBothSides = 4 ///< of a set whose nodes contradict each other
 };
+
+/// The side of what is joined.
+inline unsigned char JoinedSide(unsigned char a, unsigned char b)
+{
+  if (a == NodeUnknown || b == NodeUnknown)
+  {
+    return a == NodeUnknown ? b : a;
+  }
+  return a == b ? a : static_cast<unsigned char>(NodeOnBothSides);
+}
 
 enum ElementStatus : unsigned char
 {

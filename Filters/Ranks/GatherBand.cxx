@@ -1,5 +1,6 @@
 #include "GatherBand.h"
 
+#include "NodeNumbers.h"
 #include "Place.h"
 #include "PlaceText.h"
 
@@ -25,43 +26,6 @@ struct SentCell
   int Ring;
   unsigned char Status;
   std::array<Id, 8> Node; ///< numbers over all ranks
-};
-
-/// Numbers the nodes of all ranks: first the shared ones, then the others rank by rank.
-class Numbers
-{
-public:
-  Numbers(const HexMesh& mesh, const Piece& piece)
-    : Shared(piece.Shared)
-    , First(piece.Shared.Total())
-    , Count(mesh.NumberOfPoints)
-  {
-    const auto counts = piece.All.Gather(std::vector<Id>{ mesh.NumberOfPoints });
-    for (int rank = 0; rank < piece.All.Rank(); ++rank)
-    {
-      this->First += counts[rank];
-    }
-  }
-
-  Id NumberOf(Id local) const
-  {
-    const Id shared = this->Shared.NumberOf(local);
-    return shared >= 0 ? shared : this->First + local;
-  }
-
-  /// -1: this piece does not have the node.
-  Id LocalOf(Id number) const
-  {
-    if (number < this->Shared.Total())
-    {
-      return this->Shared.LocalByNumber[number];
-    }
-    return number >= this->First && number < this->First + this->Count ? number - this->First : -1;
-  }
-
-private:
-  const SharedNodes& Shared;
-  Id First, Count;
 };
 
 /// An error text if two cells lie at one place; else empty. Nodes inside a piece are known to that
@@ -123,7 +87,7 @@ bool GatherBandCells(const HexMesh& mesh, const Piece& piece, BandCells& band, s
   {
     return true;
   }
-  const Numbers numbers(mesh, piece);
+  const NodeNumbers numbers(mesh, piece);
   std::vector<SentNode> nodes;
   for (const auto& node : band.Nodes)
   {

@@ -5,6 +5,7 @@
 #ifndef SharedSurface_h
 #define SharedSurface_h
 
+#include "HexMesh.h"
 #include "NurbsSurface.h"
 #include "Ranks.h"
 
@@ -14,12 +15,15 @@ namespace trim
 {
 
 /**
- * The faces of all ranks, rank by rank, each once; collective. A source gives the whole surface to
- * each rank or to the first alone, a file of many blocks is spread over the ranks, and CAD programs
- * write a body as a solid and once more as its shells.
+ * The faces of all ranks, each once; collective. A source gives the whole surface to each rank or
+ * to the first alone, a file of many blocks is spread over the ranks, and CAD programs write a body
+ * as a solid and once more as its shells.
+ *
+ * @param blocks of each face its place among the blocks of the composite that it is from: the order
+ * of the faces, which decides ties, is that of these, then rank by rank.
  */
 std::vector<nurbs::NurbsSurface> ShareFaces(
-  const Ranks& ranks, const std::vector<nurbs::NurbsSurface>& own);
+  const Ranks& ranks, const std::vector<nurbs::NurbsSurface>& own, const std::vector<Id>& blocks);
 
 }
 

@@ -78,6 +78,23 @@ bool IsEmpty(vtkDataObject* surface)
     [](vtkDataObject* leaf) { return nurbs::HasNURBSFieldData(leaf->GetFieldData()); });
 }
 
+/// Places of the faces among the blocks, the same on all ranks, as those that a rank was not given
+/// are there, but empty.
+std::vector<Id> BlocksOf(vtkDataObject* surface)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(surface);
+  if (!composite)
+  {
+    return { 0 };
+  }
+  std::vector<Id> blocks;
+  for (const auto leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
+  {
+    blocks.push_back(leaf.GetFlatIndex());
+  }
+  return blocks;
+}
+
 /// The grid itself, or, where its points are in another layout than one array, as numpy and
 /// simulations hand them over, one that is the same but for that.
 vtkSmartPointer<vtkUnstructuredGrid> WithPointsInOneArray(vtkUnstructuredGrid* grid)
@@ -274,11 +291,16 @@ bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
   if (IsEmpty(data))
   {
     this->OwnFaces.clear(); // other ranks may have the surface
+    this->BlocksOfFaces.clear();
   }
   else if (!nurbs::ReadTrimmingSurface(data, this->OwnFaces, error))
   {
     error = "The trimming surface is not valid: " + error + ".";
     return false;
+  }
+  else
+  {
+    this->BlocksOfFaces = BlocksOf(data);
   }
   this->Shown = SamplePolygons(data);
   this->SurfaceData = data;
@@ -293,7 +315,7 @@ bool TrimInputs::JoinSurface(const Ranks& ranks, std::string& error)
     return true;
   }
   this->TheSurface = nullptr;
-  auto faces = ShareFaces(ranks, this->OwnFaces);
+  auto faces = ShareFaces(ranks, this->OwnFaces, this->BlocksOfFaces);
   if (faces.empty())
   {
     error = "The trimming surface is empty: see the error of its source, or connect a CAD Surface "

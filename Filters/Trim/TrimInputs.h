@@ -74,7 +74,8 @@ private:
   vtkWeakPointer<vtkDataObject> SurfaceData;
   vtkMTimeType SurfaceTime = 0;
   std::vector<nurbs::NurbsSurface> OwnFaces; ///< those that this rank was given
-  std::vector<Vec3> Shown;                   ///< see SamplePolygons
+  std::vector<Id> BlocksOfFaces;
+  std::vector<Vec3> Shown; ///< see SamplePolygons
   std::string SurfaceRemark;
   std::unique_ptr<nurbs::TrimmingSurface> TheSurface; ///< of all ranks' faces; null: not made yet
 };

@@ -97,12 +97,23 @@ constexpr Text<Shortfall> OffcutTexts[] = {
     "solver cannot hold: move the surface, or refine the mesh there." },
 };
 
-/// How many there are of a kind, and the first of them.
+/// How many there are of a kind, and the first of them by its place: the cells of several pieces
+/// have no other order.
 struct Count
 {
   Id Number = 0;
   Id Cell = -1; ///< in the input; not said of one piece among several
   Place At{};
+
+  void Add(const Count& other)
+  {
+    const Id both = this->Number + other.Number;
+    if (this->Number == 0 || (other.Number > 0 && other.At < this->At))
+    {
+      *this = other;
+    }
+    this->Number = both;
+  }
 };
 
 template <typename Finding>
@@ -125,18 +136,16 @@ void WarnOfFeasibilities(const HexMesh& mesh, const Piece& piece, TrimResult& re
     Count own;
     for (const auto& item : result.Found.Feasibilities)
     {
-      if (item.second == text.Value && own.Number++ == 0)
+      if (item.second == text.Value)
       {
-        own.Cell = piece.All.Alone() ? piece.InputCell(item.first) : Id(-1);
-        own.At = ToPlace(mesh.Point(mesh.FirstNode(item.first)));
+        own.Add({ 1, piece.All.Alone() ? piece.InputCell(item.first) : Id(-1),
+          ToPlace(mesh.Point(mesh.FirstNode(item.first))) });
       }
     }
     Count all;
     for (const Count& count : piece.All.Gather(std::vector<Count>{ own }))
     {
-      const Id before = all.Number;
-      all = before == 0 ? count : all;
-      all.Number = before + count.Number;
+      all.Add(count);
     }
     Warn(all, text, result.Warnings);
   }

@@ -385,18 +385,17 @@ std::vector<std::string> PartitionNames()
   return { "slabs", "scattered", "layers", "empty", "ghosts", "ids" };
 }
 
-std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
-  const Mesh& mesh, vtkUnstructuredGrid* whole, const std::string& partition, int ranks)
+std::vector<vtkSmartPointer<vtkUnstructuredGrid>> DivideBy(
+  vtkUnstructuredGrid* whole, const std::vector<int>& rankOf, const DivideOptions& options)
 {
-  const std::vector<int> rankOf = RankOfCells(mesh, whole, partition, ranks);
   vtkNew<vtkUnstructuredGrid> source;
   source->ShallowCopy(whole);
-  if (partition != "ids")
+  if (!options.WithIds)
   {
     source->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   }
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> pieces;
-  for (int rank = 0; rank < ranks; ++rank)
+  for (int rank = 0; rank < options.Ranks; ++rank)
   {
     std::vector<vtkIdType> cells;
     for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
@@ -407,9 +406,16 @@ std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
       }
     }
     pieces.push_back(
-      partition == "ghosts" ? ExtractWithGhosts(source, rankOf, rank) : Extract(source, cells));
+      options.WithGhosts ? ExtractWithGhosts(source, rankOf, rank) : Extract(source, cells));
   }
   return pieces;
+}
+
+std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
+  const Mesh& mesh, vtkUnstructuredGrid* whole, const std::string& partition, int ranks)
+{
+  return DivideBy(whole, RankOfCells(mesh, whole, partition, ranks),
+    { ranks, partition == "ghosts", partition == "ids" });
 }
 
 namespace
@@ -530,6 +536,40 @@ std::string DifferenceOfSummaries(vtkUnstructuredGrid* input, vtkUnstructuredGri
       {
         return name + " differs";
       }
+    }
+  }
+  return {};
+}
+
+namespace
+{
+/// Without the filter's address and the number of a cell, which pieces have none of.
+std::string PlainText(const std::string& text)
+{
+  const std::size_t start = text.find("): ");
+  std::string plain = start == std::string::npos ? text : text.substr(start + 3);
+  const std::string ending = " of the input) ";
+  const std::size_t cell = plain.find("(cell ");
+  const std::size_t end = plain.find(ending);
+  if (cell != std::string::npos && end != std::string::npos)
+  {
+    plain.erase(cell, end + ending.size() - cell);
+  }
+  plain.erase(plain.find_last_not_of('\n') + 1);
+  return plain;
+}
+}
+
+std::string DifferenceOfTexts(
+  const std::vector<std::string>& whole, const std::vector<std::string>& pieces)
+{
+  for (std::size_t i = 0; i < std::max(whole.size(), pieces.size()); ++i)
+  {
+    const std::string expected = i < whole.size() ? PlainText(whole[i]) : "nothing";
+    const std::string found = i < pieces.size() ? PlainText(pieces[i]) : "nothing";
+    if (expected != found)
+    {
+      return "it says: " + found + "\n     instead of: " + expected;
     }
   }
   return {};

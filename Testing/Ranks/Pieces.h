@@ -32,6 +32,17 @@ std::vector<std::string> PartitionNames();
 std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
   const Mesh& mesh, vtkUnstructuredGrid* whole, const std::string& partition, int ranks);
 
+struct DivideOptions
+{
+  int Ranks = 2;
+  bool WithGhosts = false; ///< each piece has a ring of ghost cells
+  bool WithIds = false;    ///< the pieces have the whole's global point ids
+};
+
+/// The same by the rank of each cell.
+std::vector<vtkSmartPointer<vtkUnstructuredGrid>> DivideBy(
+  vtkUnstructuredGrid* whole, const std::vector<int>& rankOf, const DivideOptions& options);
+
 /// What the ranks have made.
 struct PiecesOutcome
 {
@@ -58,6 +69,11 @@ PiecesOutcome TrimPieces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>
  */
 std::string DifferenceFromWhole(
   vtkUnstructuredGrid* whole, const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces);
+
+/// Whether two runs have said the same, whoever said it and whichever number a cell has; the first
+/// text that differs from that of the whole. Empty: they have.
+std::string DifferenceOfTexts(
+  const std::vector<std::string>& whole, const std::vector<std::string>& pieces);
 
 /// Whether vtkOriginalPointIds and vtkOriginalCellIds are the ids in the piece that each result was
 /// made of. Empty: they are.

@@ -7,6 +7,7 @@
  * trim makes an offcut too, every second one maps the values, every third one may insert a layer.
  */
 #include "Pieces.h"
+#include "SplineData.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -64,8 +65,11 @@ std::string DifferenceOfOffcuts(const Mesh& mesh, const Outcome& whole, const Pi
   return difference + summary == "" ? "" : "offcut: " + difference + summary;
 }
 
-void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
-  const TrimOptions& options, const std::string& partition, int ranks)
+using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
+
+/// @param divide makes the pieces of a grid WithWholeIds.
+void CompareDivided(const std::string& trial, const Mesh& mesh, const Surface& surface,
+  const TrimOptions& options, const std::function<Grids(vtkUnstructuredGrid*)>& divide)
 {
   ++Trials;
   Mesh marked = mesh;
@@ -74,21 +78,17 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
   Rescued += !Rescues(whole.Case.Trimmed).empty();
   Layers += options.InsertLayer &&
     whole.Case.Trimmed->GetFieldData()->GetArray("InsertedElements")->GetComponent(0, 0) > 0;
-  const auto pieces = Divide(mesh, marked.Grid, partition, ranks);
+  const Grids pieces = divide(marked.Grid);
   const PiecesOutcome parts = TrimPieces(pieces, { pieces.size(), surface.Data }, options);
-  if (whole.Errors.size() != parts.Errors.size() || whole.Warnings.size() != parts.Warnings.size())
-  {
-    Fail(
-      trial, "errors and warnings differ" + (parts.Errors.empty() ? "" : ": " + parts.Errors[0]));
-    return;
-  }
+  const std::string said = DifferenceOfTexts(whole.Errors, parts.Errors) +
+    DifferenceOfTexts(whole.Warnings, parts.Warnings);
   const std::string trimmed = DifferenceFromWhole(whole.Case.Trimmed, parts.Trimmed);
   const std::string statuses = DifferenceFromWhole(whole.Case.Whole, parts.Statuses);
   const std::string summary = DifferenceOfSummaries(mesh.Grid, whole.Case.Trimmed, parts.Trimmed);
   const std::string offcut = DifferenceOfOffcuts(mesh, whole, parts);
   const std::string ids =
     DifferenceOfOriginalIds(pieces, parts.Trimmed) + DifferenceOfOriginalIds(pieces, parts.Offcuts);
-  for (const auto& difference : { trimmed, statuses, summary, offcut, ids })
+  for (const auto& difference : { said, trimmed, statuses, summary, offcut, ids })
   {
     if (!difference.empty())
     {
@@ -96,6 +96,13 @@ void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
       return;
     }
   }
+}
+
+void Compare(const std::string& trial, const Mesh& mesh, const Surface& surface,
+  const TrimOptions& options, const std::string& partition, int ranks)
+{
+  CompareDivided(trial, mesh, surface, options,
+    [&](vtkUnstructuredGrid* whole) { return Divide(mesh, whole, partition, ranks); });
 }
 
 using Places = std::set<std::array<double, 3>>;
@@ -154,6 +161,55 @@ void TestLostVolume(int ranks)
   }
 }
 
+/// What is wrong with a surface is said alike, with the same place, whichever rank sees it.
+void TestErrors(int ranks)
+{
+  MeshOptions plain;
+  plain.Data = false;
+  const Mesh mesh = Sheet(20, 16, 2, Vec3(1, 1, 0.4), plain);
+  const Vec3 middle(0, 0, mesh.Box.Centre[2]);
+  const auto wall = [&middle](double x, double from, double to) {
+    return ToPolyData(Wall({ { x, from }, { x, to } }, middle));
+  };
+  const auto check = [&](const std::string& what, const std::string& words, vtkDataObject* data)
+  {
+    Surface surface;
+    surface.Data = data;
+    const Outcome whole = RunTrim(mesh, surface, TrimOptions());
+    if (whole.Errors.size() != 1 || whole.Errors[0].find(words) == std::string::npos)
+    {
+      Fail(what, "no error that it " + words);
+    }
+    for (const std::string& partition : PartitionNames())
+    {
+      Compare(what + " " + partition, mesh, surface, TrimOptions(), partition, ranks);
+    }
+  };
+  // The strip between them lies on both sides; either side is that of the fewer once.
+  for (const double at : { 4.3, 15.3 })
+  {
+    check("two walls that face alike", "has its two sides mixed up",
+      Together(wall(at, -9, 30), wall(9.6, -9, 30)).Data);
+  }
+  check("a wall that ends", "ends inside the grid", wall(9.6, -9, 7.3));
+  // Its ends lie on faces: only the elements on both sides of these together hold them.
+  check("a wall within elements", "ends inside the grid", wall(9.6, 7, 8));
+  Surface within;
+  within.Data = wall(9.6, 7, 8);
+  CompareDivided("a wall within the elements of a rank", mesh, within, TrimOptions(),
+    [](vtkUnstructuredGrid* whole)
+    {
+      std::vector<int> rankOf;
+      for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+      {
+        double bounds[6];
+        whole->GetCellBounds(c, bounds);
+        rankOf.push_back(bounds[2] > 6.5 && bounds[3] < 8.5 ? 0 : 1);
+      }
+      return DivideBy(whole, rankOf, DivideOptions());
+    });
+}
+
 std::vector<std::string> Chosen(const std::string& argument, const std::vector<std::string>& all)
 {
   return argument == "all" ? all : std::vector<std::string>{ argument };
@@ -196,6 +252,7 @@ int main(int argc, char* argv[])
   }
   TestPermuted();
   TestLostVolume(ranks);
+  TestErrors(ranks);
   if (argument(2) == "block" && argument(3) == "aslant" && Layers == 0)
   {
     Fail("block aslant", "no layer was inserted");

@@ -210,10 +210,15 @@ void TestScatteredSurfaces()
   const auto shell = MakeSurface("roundrect", TheMesh().Box, Placement()).Data;
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(shell);
   const unsigned count = blocks->GetNumberOfBlocks();
+  // The order of faces decides what is a matter of rounding: it is that of the blocks.
+  const auto walls = MakeSurface("rectangle", TheMesh().Box, Placement()).Data;
+  auto* four = vtkMultiBlockDataSet::SafeDownCast(walls);
   const std::pair<Surfaces, Surfaces> cases[] = {
     { planes, { nothing, planes[1], nothing } },
     { { shell, shell, shell },
       { SomeBlocks(blocks, 0, 3), SomeBlocks(blocks, 3, 4), SomeBlocks(blocks, 4, count) } },
+    { { walls, walls, walls },
+      { SomeBlocks(four, 2, 3), SomeBlocks(four, 3, 4), SomeBlocks(four, 0, 2) } },
   };
   for (const auto& item : cases)
   {
