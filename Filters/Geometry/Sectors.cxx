@@ -364,6 +364,8 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
   };
   Sector sector;
   sector.Face = patch.Face;
+  sector.Patch = contact.Patch;
+  sector.Pole = side;
   sector.Nearest = contact.Foot.Point;
   sector.Away = std::sqrt(contact.Foot.Squared);
   Vec3 last = direction(0);

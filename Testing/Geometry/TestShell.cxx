@@ -555,6 +555,47 @@ void TestNearlyCusps()
   }
 }
 
+/// Points that end in a needle, whose normals at its tip cancel; also where it is what a body
+/// leaves.
+void TestNeedles()
+{
+  using Profile = std::vector<Eigen::Vector3d>;
+  const std::vector<double> knots = { 0, 0, 0, 1, 1, 1 };
+  // Radii at height z, times z or its square.
+  for (const double steepness : { 0.3, 1e-2, 1e-4 })
+  {
+    for (const bool straight : { false, true })
+    {
+      const double middle = straight ? 0.5 * steepness : 0.0;
+      const NurbsSurface needle =
+        samples::Revolve(2, knots, Profile{ { 0, 0, 1 }, { middle, 0.5, 1 }, { steepness, 1, 1 } });
+      NurbsSurface disc = samples::Cone(steepness, 0);
+      for (Vec4& point : disc.ControlPoints)
+      {
+        point.z() = 1;
+      }
+      for (const std::vector<NurbsSurface>& faces :
+        { std::vector<NurbsSurface>{ needle, disc }, std::vector<NurbsSurface>{ needle } })
+      {
+        const TrimmingSurface surface(Shuffled(faces), 1e-7);
+        const double outside = surface.ClosestPoint(Vec3(1, 0.3, 0.5)).SignedDistance;
+        for (int k = 0; k < check::Trials(300); ++k)
+        {
+          const Vec3 p(Uniform(-1, 1), k % 5 == 0 ? 0 : Uniform(-1, 1), Uniform(-2, 0.4));
+          const Foot foot = surface.ClosestPoint(p);
+          const double radius = p.head<2>().norm(), inner = steepness * (straight ? 1 : p.z());
+          if (p.z() < 0 || radius > 1.01 * inner * p.z())
+          {
+            check::That(foot.Kind == FootKind::Interior && foot.SignedDistance * outside > 0,
+              "a needle of " + std::to_string(steepness) + (straight ? ", straight" : "") +
+                Place(p, foot));
+          }
+        }
+      }
+    }
+  }
+}
+
 /// Bodies that have an edge in common: what lies on either side of it between two faces is told by
 /// those that are next to each other, not by all four.
 void TestBodiesThatTouch()
@@ -787,6 +828,7 @@ int main()
   TestClosedSurfaces();
   TestCusps();
   TestNearlyCusps();
+  TestNeedles();
   TestBodiesThatTouch();
   TestGaps();
   TestFreeBorders();
