@@ -49,7 +49,7 @@ std::vector<Vec2> WaysInParameters(const Sector& sector, const Vec2& size)
   Vec2 way = Vec2::Zero();
   for (int k = 0; k < sector.RayCount; ++k)
   {
-    const Vec2 ray = (sector.Rays[k].To - sector.Rays[k].From).normalized();
+    const Vec2 ray = (sector.Rays[k].To - sector.Rays[k].From).cwiseQuotient(size).normalized();
     way += (sector.Rays[k].InsideIsLeft ? 1.0 : -1.0) * Vec2(-ray.y(), ray.x());
   }
   return { way.normalized().cwiseProduct(size) };

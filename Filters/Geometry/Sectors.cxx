@@ -31,10 +31,11 @@ struct LoopPlace
 /// there is no way to go.
 Vec3 TangentAlong(const BezierPatch& patch, const SurfaceJet& jet, const Vec2& d)
 {
-  const Vec3 x = d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
+  const Vec2 local(d.x() / (patch.U1 - patch.U0), d.y() / (patch.V1 - patch.V0));
+  const Vec3 x = local.x() * jet.Su + local.y() * jet.Sv;
   const double length = x.norm();
-  return length > 1e-9 * d.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
-                                                                    : Vec3(Vec3::Zero());
+  return length > 1e-9 * local.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
+                                                                        : Vec3(Vec3::Zero());
 }
 
 /// The angle of a face at a vertex of a loop that goes on forward and backward.
