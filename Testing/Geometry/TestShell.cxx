@@ -596,6 +596,31 @@ void TestNeedles()
   }
 }
 
+/// An edge that repeated control points make where the knots alone would join smoothly.
+void TestEdgeOfControlPoints()
+{
+  constexpr double Slope = 3.0; // steep: the normals of the two sides turn by more than 90 degrees
+  const double places[] = { -9, -6, -3, 0, 0, 0, 3, 6, 9 };
+  for (const int degreeV : { 1, 3 })
+  {
+    const NurbsSurface roof = samples::FromNet(3, degreeV, 9, 7,
+      [&](double u, double v)
+      {
+        const double x = places[static_cast<int>(std::lround(8 * u))];
+        Vec4 point;
+        point << x, -Slope * std::abs(x), 20 * v - 10, 1;
+        return point;
+      });
+    TestSigns("an edge of control points", { roof }, Vec3(-1, -1, -2), Vec3(1, 2, 2),
+      [](const Vec3& p)
+      {
+        const double x = std::abs(p.x()), length = std::hypot(1, Slope);
+        const double along = (x - Slope * p.y()) / length, off = (Slope * x + p.y()) / length;
+        return along < 0 ? std::hypot(x, p.y()) : off;
+      });
+  }
+}
+
 /// Bodies that have an edge in common: what lies on either side of it between two faces is told by
 /// those that are next to each other, not by all four.
 void TestBodiesThatTouch()
@@ -829,6 +854,7 @@ int main()
   TestCusps();
   TestNearlyCusps();
   TestNeedles();
+  TestEdgeOfControlPoints();
   TestBodiesThatTouch();
   TestGaps();
   TestFreeBorders();
