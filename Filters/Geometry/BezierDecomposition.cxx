@@ -139,6 +139,29 @@ void FindCollapsedSides(BezierPatch& patch, const Vec4* net, double reach)
   }
 }
 
+/// Finds sides that the knots join smoothly, but where the derivative across vanishes:
+/// control points that are repeated make an edge.
+/// @param reach at least the extent of the patch.
+void FindSharpSides(BezierPatch& patch, const Vec4* net, double reach)
+{
+  constexpr double Share = 1e-10;
+  const int p = patch.DegreeU, q = patch.DegreeV, nu = p + 1;
+  const int first[] = { 0, p, 0, q * nu }, inwards[] = { 1, -1, nu, -nu };
+  for (int side = 0; side < 4; ++side)
+  {
+    const int step = side < 2 ? nu : 1, count = side < 2 ? q : p;
+    bool sharp = patch.Sides[side] == SideKind::Smooth;
+    for (int k = 0; k <= count && sharp; ++k)
+    {
+      const Vec4* point = net + first[side] + k * step;
+      sharp =
+        (CartesianPoint(point[0]) - CartesianPoint(point[inwards[side]])).cwiseAbs().maxCoeff() <=
+        Share * reach;
+    }
+    patch.Sides[side] = sharp ? SideKind::Sharp : patch.Sides[side];
+  }
+}
+
 /// More than any two points of the surface are apart.
 double ReachOf(const NurbsSurface& surface, const Vec3& origin)
 {
@@ -212,6 +235,7 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
       }
       patch.Rational = NormaliseWeights(net, size);
       FindCollapsedSides(patch, net, reach);
+      FindSharpSides(patch, net, reach);
       patches.push_back(patch);
     }
   }

@@ -21,6 +21,7 @@ enum class SideKind : unsigned char
 {
   Smooth, ///< the next patch of the face, with a continuous normal
   Crease, ///< the next patch of the face, joined without a continuous tangent plane
+  Sharp,  ///< the same though the knots are smooth: the derivative across vanishes
   Border  ///< nothing of this face (its border, or a jump)
 };
 

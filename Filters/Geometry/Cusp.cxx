@@ -1,5 +1,6 @@
 #include "Cusp.h"
 
+#include "BezierEvaluation.h"
 #include "ModelEvaluation.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ std::vector<Vec2> WaysInParameters(const Sector& sector, const Vec2& size)
   Vec2 way = Vec2::Zero();
   for (int k = 0; k < sector.RayCount; ++k)
   {
-    const Vec2 ray = (sector.Rays[k].To - sector.Rays[k].From).normalized();
+    const Vec2 ray = (sector.Rays[k].To - sector.Rays[k].From).cwiseQuotient(size).normalized();
     way += (sector.Rays[k].InsideIsLeft ? 1.0 : -1.0) * Vec2(-ray.y(), ray.x());
   }
   return { way.normalized().cwiseProduct(size) };
@@ -108,6 +109,79 @@ double HeightBeyond(const SurfaceModel& model, const Sector& one, const Sector& 
   return 0.0;
 }
 
+/// A piece of the line round a needle at some depth from its tip.
+struct RingPiece
+{
+  Vec3 Middle, Normal; ///< oriented
+  double Length;
+};
+
+/// The line round a needle, as deep as a part of the patches that meet at its tip.
+std::vector<RingPiece> RingAt(
+  const SurfaceModel& model, const std::vector<Sector>& sectors, double depth)
+{
+  constexpr int Pieces = 12;
+  std::vector<RingPiece> ring;
+  for (const Sector& sector : sectors)
+  {
+    const BezierPatch& patch = model.Patches[sector.Patch];
+    const FaceData& data = model.Data[patch.Face];
+    const double across = sector.Pole % 2 == 0 ? depth : 1 - depth;
+    const auto place = [&](double along)
+    { return sector.Pole < 2 ? Vec2(across, along) : Vec2(along, across); };
+    const auto point = [&](double along)
+    { return BezierPoint(patch, model.Net(patch), place(along).x(), place(along).y()); };
+    for (int k = 0; k < Pieces; ++k)
+    {
+      const double from = k / double(Pieces), to = (k + 1) / double(Pieces);
+      const Vec2 middle = place(0.5 * (from + to));
+      if (data.Loops.Empty() ||
+        data.Loops.Inside(patch.U(middle.x(), middle.y()), patch.V(middle.x(), middle.y())))
+      {
+        ring.push_back(
+          { point(0.5 * (from + to)), data.Sign * UnitNormal(model, patch, middle.x(), middle.y()),
+            (point(to) - point(from)).norm() });
+      }
+    }
+  }
+  return ring;
+}
+
+/// Where patches end in a tip under no angle, in a needle: 1 if their normals point out of it, -1
+/// if into it; 0 if it is none.
+double SideOfNeedle(const SurfaceModel& model, const std::vector<Sector>& sectors, double gap)
+{
+  constexpr double LeastShare = 0.01; // of the area in the square of the length; of a circle 0.08
+  if (std::any_of(sectors.begin(), sectors.end(), [](const Sector& s) { return s.Pole < 0; }))
+  {
+    return 0.0;
+  }
+  // Of several faces each may end beside the others.
+  const bool oneFace = std::all_of(sectors.begin(), sectors.end(),
+    [&](const Sector& s) { return s.Face == sectors.front().Face; });
+  const double shortest = oneFace ? 1e3 * model.Resolution : 6 * gap;
+  for (double depth = 1e-3; depth < 0.5; depth *= 3)
+  {
+    const std::vector<RingPiece> ring = RingAt(model, sectors, depth);
+    Vec3 centre = Vec3::Zero();
+    double length = 0.0, area = 0.0;
+    for (const RingPiece& piece : ring)
+    {
+      centre += piece.Length * piece.Middle;
+      length += piece.Length;
+    }
+    for (const RingPiece& piece : ring)
+    {
+      area += 0.5 * piece.Length * piece.Normal.dot(piece.Middle - centre / length);
+    }
+    if (length > shortest && std::abs(area) > LeastShare * length * length)
+    {
+      return area > 0 ? 1.0 : -1.0;
+    }
+  }
+  return 0.0;
+}
+
 }
 
 Cusp ExamineCusp(
@@ -139,6 +213,7 @@ Cusp ExamineCusp(
       }
     }
   }
+  cusp.Side = SideOfNeedle(model, sectors, gap);
   return cusp;
 }
 

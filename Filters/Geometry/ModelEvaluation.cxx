@@ -24,9 +24,47 @@ LocalFoot FootOnLeaf(const SurfaceModel& model, int index, const Vec3& p)
   return InvertPoint(patch, model.Net(patch), p, s, t, domain);
 }
 
+namespace
+{
+
+/// Whether a place is on a side of the patch where the derivative across vanishes but for rounding.
+bool IsOnSharpSide(const BezierPatch& patch, double s, double t)
+{
+  const double away[4] = { s, 1 - s, t, 1 - t };
+  bool is = false;
+  for (int side = 0; side < 4; ++side)
+  {
+    is = is || (patch.Sides[side] == SideKind::Sharp && away[side] < 1e-3);
+  }
+  return is;
+}
+
+/// The normal of a patch beside a place where rounding is all of a derivative.
+Vec3 NormalBeside(const BezierPatch& patch, const Vec4* net, double s, double t)
+{
+  SurfaceJet jet;
+  EvaluateBezier(patch, net, 0.5, 0.5, jet);
+  const double least = 1e-8 * jet.Su.norm(), leastV = 1e-8 * jet.Sv.norm();
+  for (const double step : { 1e-3, 1e-2, 1e-1, 0.5 })
+  {
+    EvaluateBezier(patch, net, s + step * (0.5 - s), t + step * (0.5 - t), jet);
+    if (jet.Su.norm() > least && jet.Sv.norm() > leastV)
+    {
+      break;
+    }
+  }
+  return jet.Su.cross(jet.Sv).normalized();
+}
+
+}
+
 Vec3 UnitNormal(const SurfaceModel& model, const BezierPatch& patch, double s, double t)
 {
   const Vec4* net = model.Net(patch);
+  if (IsOnSharpSide(patch, s, t))
+  {
+    return NormalBeside(patch, net, s, t);
+  }
   SurfaceJet jet;
   EvaluateBezier(patch, net, s, t, jet);
   constexpr double Small = 1e-8;

@@ -31,10 +31,32 @@ struct LoopPlace
 /// there is no way to go.
 Vec3 TangentAlong(const BezierPatch& patch, const SurfaceJet& jet, const Vec2& d)
 {
-  const Vec3 x = d.x() / (patch.U1 - patch.U0) * jet.Su + d.y() / (patch.V1 - patch.V0) * jet.Sv;
+  const Vec2 local(d.x() / (patch.U1 - patch.U0), d.y() / (patch.V1 - patch.V0));
+  const Vec3 x = local.x() * jet.Su + local.y() * jet.Sv;
   const double length = x.norm();
-  return length > 1e-9 * d.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
-                                                                    : Vec3(Vec3::Zero());
+  return length > 1e-9 * local.norm() * (jet.Su.norm() + jet.Sv.norm()) ? Vec3(x / length)
+                                                                        : Vec3(Vec3::Zero());
+}
+
+/// Where a patch goes from one place towards another one, also where its derivative vanishes.
+Vec3 WayAlong(const BezierPatch& patch, const Vec4* net, const Vec2& from, const Vec2& to)
+{
+  SurfaceJet jet;
+  EvaluateBezier(patch, net, from.x(), from.y(), jet);
+  const Vec2 d = to - from;
+  const Vec3 tangent = d.x() * jet.Su + d.y() * jet.Sv;
+  const Vec3 chord = BezierPoint(patch, net, to.x(), to.y()) - jet.S;
+  if (tangent.norm() > 1e-6 * chord.norm())
+  {
+    return tangent;
+  }
+  Vec3 way = Vec3::Zero();
+  for (double part = 1e-3; part < 1 && !(way.norm() > 1e-9 * chord.norm()); part *= 4)
+  {
+    const Vec2 near = from + part * d;
+    way = BezierPoint(patch, net, near.x(), near.y()) - jet.S;
+  }
+  return way;
 }
 
 /// The angle of a face at a vertex of a loop that goes on forward and backward.
@@ -82,6 +104,7 @@ public:
   }
 
 private:
+  LocalFoot FootOn(int index) const;
   void FindContacts();
   void AddLoopSector(const Contact& contact);
   void AddPatchSector(const Contact& contact, std::size_t loopSectors);
@@ -103,6 +126,30 @@ private:
   std::vector<std::pair<int, int>> Poles; ///< patch and side of those that were added
 };
 
+/// The foot on a leaf. Newton's steps towards a side where the derivative vanishes are short: what
+/// is nearest there is looked for along the side.
+LocalFoot SectorFinder::FootOn(int index) const
+{
+  const SurfaceModel& model = this->Model;
+  const BezierPatch& patch = model.Patches[model.Leaves[index].Patch];
+  const LeafDomain domain = DomainOf(patch, index);
+  LocalFoot foot = FootOnLeaf(model, index, this->X);
+  const double ends[4] = { domain.S0, domain.S1, domain.T0, domain.T1 };
+  for (int side = 0; side < 4 && !patch.Curve; ++side)
+  {
+    if (patch.Sides[side] == SideKind::Sharp && ends[side] == side % 2)
+    {
+      LeafDomain line = domain;
+      (side < 2 ? line.S0 : line.T0) = (side < 2 ? line.S1 : line.T1) = side % 2;
+      const double s = std::clamp(foot.S, line.S0, line.S1);
+      const double t = std::clamp(foot.T, line.T0, line.T1);
+      const LocalFoot onSide = InvertPoint(patch, model.Net(patch), this->X, s, t, line);
+      foot = onSide.Squared < foot.Squared ? onSide : foot;
+    }
+  }
+  return foot;
+}
+
 void SectorFinder::FindContacts()
 {
   const SurfaceModel& model = this->Model;
@@ -110,7 +157,7 @@ void SectorFinder::FindContacts()
     [&](int index)
     {
       const Leaf& leaf = model.Leaves[index];
-      const LocalFoot foot = FootOnLeaf(model, index, this->X);
+      const LocalFoot foot = this->FootOn(index);
       if (foot.Squared > this->Gap * this->Gap)
       {
         return;
@@ -224,15 +271,7 @@ void SectorFinder::AddLoopSector(const Contact& contact)
 void SectorFinder::AddRay(Sector& sector, const BezierPatch& patch, double s0, double t0, double s1,
   double t1, bool insideIsLeft)
 {
-  const Vec4* net = this->Model.Net(patch);
-  SurfaceJet jet;
-  EvaluateBezier(patch, net, s0, t0, jet);
-  Vec3 direction = (s1 - s0) * jet.Su + (t1 - t0) * jet.Sv;
-  const Vec3 chord = BezierPoint(patch, net, s1, t1) - jet.S;
-  if (!(direction.norm() > 1e-6 * chord.norm()))
-  {
-    direction = BezierPoint(patch, net, s0 + 1e-3 * (s1 - s0), t0 + 1e-3 * (t1 - t0)) - jet.S;
-  }
+  const Vec3 direction = WayAlong(patch, this->Model.Net(patch), Vec2(s0, t0), Vec2(s1, t1));
   if (!(direction.norm() > 0))
   {
     return;
@@ -302,9 +341,8 @@ double SectorFinder::AddSideRays(
   { return on[side] && patch.Sides[side] == SideKind::Border && !patch.Collapsed[side]; };
   if (onS && onT)
   {
-    SurfaceJet jet;
-    EvaluateBezier(patch, this->Model.Net(patch), s, t, jet);
-    const Vec3 a = s == 0 ? jet.Su : Vec3(-jet.Su), b = t == 0 ? jet.Sv : Vec3(-jet.Sv);
+    const Vec3 a = WayAlong(patch, this->Model.Net(patch), Vec2(s, t), Vec2(1 - s, t));
+    const Vec3 b = WayAlong(patch, this->Model.Net(patch), Vec2(s, t), Vec2(s, 1 - t));
     const bool even = (s == 0) == (t == 0);
     if (border(s == 0 ? 0 : 1))
     {
@@ -364,6 +402,8 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
   };
   Sector sector;
   sector.Face = patch.Face;
+  sector.Patch = contact.Patch;
+  sector.Pole = side;
   sector.Nearest = contact.Foot.Point;
   sector.Away = std::sqrt(contact.Foot.Squared);
   Vec3 last = direction(0);

@@ -30,6 +30,7 @@ struct Sector
   Vec3 Weighted = Vec3::Zero(); ///< integral of the unit normal over the angle (no face sign)
   int RayCount = 0;             ///< 0 in the interior, else 2; 1 where the loops end the other
   bool Straight = false;        ///< the two rays are opposite: the middle of an edge
+  int Patch = -1, Pole = -1;    ///< at a pole: whose side of which patch is collapsed; else -1
   BorderRay Rays[2];
 };
 

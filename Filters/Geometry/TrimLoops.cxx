@@ -48,8 +48,11 @@ int TrimLoops::VotesForLeft(int loop) const
   for (int e = first; e < last; e += stride)
   {
     const Edge& edge = this->Edges[e];
-    const Vec2 d = edge.To - edge.From;
-    const Vec2 middle = 0.5 * (edge.From + edge.To), normal(-d.y(), d.x());
+    // Across it where both parameters reach equally far: one may go to a million and the other one
+    // to a millionth.
+    const Vec2 d = (edge.To - edge.From).cwiseQuotient(this->Size);
+    const Vec2 middle = 0.5 * (edge.From + edge.To);
+    const Vec2 normal = Vec2(-d.y(), d.x()).cwiseProduct(this->Size);
     for (double step : { 1e-7, 1e-5, 1e-3 })
     {
       const Vec2 a = middle + step * normal, b = middle - step * normal;
@@ -70,12 +73,15 @@ void TrimLoops::BuildBands()
   {
     return;
   }
-  this->Low = this->High = this->Edges[0].From.y();
+  Vec2 low = this->Edges[0].From, high = low;
   for (const Edge& edge : this->Edges)
   {
-    this->Low = std::min(this->Low, edge.From.y());
-    this->High = std::max(this->High, edge.From.y());
+    low = low.cwiseMin(edge.From);
+    high = high.cwiseMax(edge.From);
   }
+  this->Low = low.y();
+  this->High = high.y();
+  this->Size = (low.array() < high.array()).select(high - low, Vec2::Ones());
   const int bands = std::clamp(static_cast<int>(this->Edges.size()) / 2, 1, 4096);
   this->Scale = this->High > this->Low ? bands / (this->High - this->Low) : 0.0;
   this->BandStart.assign(bands + 1, 0);

@@ -55,6 +55,7 @@ private:
   std::vector<int> FirstEdge; ///< of each loop, and one past the last
   std::vector<bool> LeftInside;
   double Low = 0, High = 0, Scale = 0;
+  Vec2 Size = Vec2::Ones(); ///< of the box round all loops
   std::vector<int> BandStart, BandEdges;
 };
 

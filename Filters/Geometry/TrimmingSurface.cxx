@@ -42,10 +42,13 @@ bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s
     return false;
   }
   constexpr double Rim = 1e-9; // relative to the patch: seen from afar the point is on the side
-  const bool on[4] = { s <= Rim, s >= 1 - Rim, t <= Rim, t >= 1 - Rim };
+  constexpr double SharpRim = 1e-3; // where the derivative vanishes a foot is not found exactly
+  const double away[4] = { s, 1 - s, t, 1 - t };
   for (int side = 0; side < 4; ++side)
   {
-    if (on[side] && (patch.Sides[side] != SideKind::Smooth || patch.Collapsed[side]))
+    const SideKind kind = patch.Sides[side];
+    if (away[side] <= (kind == SideKind::Sharp ? SharpRim : Rim) &&
+      (kind != SideKind::Smooth || patch.Collapsed[side]))
     {
       return false;
     }

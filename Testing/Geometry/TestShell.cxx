@@ -555,6 +555,72 @@ void TestNearlyCusps()
   }
 }
 
+/// Points that end in a needle, whose normals at its tip cancel; also where it is what a body
+/// leaves.
+void TestNeedles()
+{
+  using Profile = std::vector<Eigen::Vector3d>;
+  const std::vector<double> knots = { 0, 0, 0, 1, 1, 1 };
+  // Radii at height z, times z or its square.
+  for (const double steepness : { 0.3, 1e-2, 1e-4 })
+  {
+    for (const bool straight : { false, true })
+    {
+      const double middle = straight ? 0.5 * steepness : 0.0;
+      const NurbsSurface needle =
+        samples::Revolve(2, knots, Profile{ { 0, 0, 1 }, { middle, 0.5, 1 }, { steepness, 1, 1 } });
+      NurbsSurface disc = samples::Cone(steepness, 0);
+      for (Vec4& point : disc.ControlPoints)
+      {
+        point.z() = 1;
+      }
+      for (const std::vector<NurbsSurface>& faces :
+        { std::vector<NurbsSurface>{ needle, disc }, std::vector<NurbsSurface>{ needle } })
+      {
+        const TrimmingSurface surface(Shuffled(faces), 1e-7);
+        const double outside = surface.ClosestPoint(Vec3(1, 0.3, 0.5)).SignedDistance;
+        for (int k = 0; k < check::Trials(300); ++k)
+        {
+          const Vec3 p(Uniform(-1, 1), k % 5 == 0 ? 0 : Uniform(-1, 1), Uniform(-2, 0.4));
+          const Foot foot = surface.ClosestPoint(p);
+          const double radius = p.head<2>().norm(), inner = steepness * (straight ? 1 : p.z());
+          if (p.z() < 0 || radius > 1.01 * inner * p.z())
+          {
+            check::That(foot.Kind == FootKind::Interior && foot.SignedDistance * outside > 0,
+              "a needle of " + std::to_string(steepness) + (straight ? ", straight" : "") +
+                Place(p, foot));
+          }
+        }
+      }
+    }
+  }
+}
+
+/// An edge that repeated control points make where the knots alone would join smoothly.
+void TestEdgeOfControlPoints()
+{
+  constexpr double Slope = 3.0; // steep: the normals of the two sides turn by more than 90 degrees
+  const double places[] = { -9, -6, -3, 0, 0, 0, 3, 6, 9 };
+  for (const int degreeV : { 1, 3 })
+  {
+    const NurbsSurface roof = samples::FromNet(3, degreeV, 9, 7,
+      [&](double u, double v)
+      {
+        const double x = places[static_cast<int>(std::lround(8 * u))];
+        Vec4 point;
+        point << x, -Slope * std::abs(x), 20 * v - 10, 1;
+        return point;
+      });
+    TestSigns("an edge of control points", { roof }, Vec3(-1, -1, -2), Vec3(1, 2, 2),
+      [](const Vec3& p)
+      {
+        const double x = std::abs(p.x()), length = std::hypot(1, Slope);
+        const double along = (x - Slope * p.y()) / length, off = (Slope * x + p.y()) / length;
+        return along < 0 ? std::hypot(x, p.y()) : off;
+      });
+  }
+}
+
 /// Bodies that have an edge in common: what lies on either side of it between two faces is told by
 /// those that are next to each other, not by all four.
 void TestBodiesThatTouch()
@@ -787,6 +853,8 @@ int main()
   TestClosedSurfaces();
   TestCusps();
   TestNearlyCusps();
+  TestNeedles();
+  TestEdgeOfControlPoints();
   TestBodiesThatTouch();
   TestGaps();
   TestFreeBorders();

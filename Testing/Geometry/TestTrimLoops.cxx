@@ -449,6 +449,50 @@ void TestTouchingLoops()
   }
 }
 
+/// A face with a hole and the one that fills it, turned round, whose parameters may go to a million
+/// one way and to a millionth the other way: how far that is says nothing of where a loop lies.
+void TestParameterRanges()
+{
+  const auto stretched = [](NurbsSurface face, double u, double v)
+  {
+    for (double& knot : face.KnotsU)
+    {
+      knot *= u;
+    }
+    for (double& knot : face.KnotsV)
+    {
+      knot *= v;
+    }
+    for (auto& loop : face.TrimLoops)
+    {
+      for (Vec2& point : loop)
+      {
+        point = point.cwiseProduct(Vec2(u, v));
+      }
+    }
+    return face;
+  };
+  NurbsSurface plate = samples::Plane(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  plate.TrimLoops = { { Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1) },
+    Circle(Vec2(0.5, 0.5), 0.3, 60) };
+  NurbsSurface lid = samples::Plane(Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0));
+  lid.TrimLoops = { Circle(Vec2(0.5, 0.5), 0.3, 60) };
+  for (const double u : { 1e-6, 1.0, 1e6 })
+  {
+    for (const double v : { 1e-6, 1.0, 1e6 })
+    {
+      const TrimmingSurface surface({ stretched(plate, u, v), stretched(lid, v, u) }, 1e-7);
+      for (int k = 0; k < check::Trials(200); ++k)
+      {
+        const Vec3 p(Uniform(0.02, 0.98), Uniform(0.02, 0.98), Uniform(-0.01, 0.01));
+        const Foot foot = surface.ClosestPoint(p);
+        check::That(foot.Kind == FootKind::Interior && foot.SignedDistance * p.z() > 0,
+          "parameters to " + std::to_string(u) + ", " + std::to_string(v) + Place(p, foot));
+      }
+    }
+  }
+}
+
 }
 
 int main()
@@ -466,5 +510,6 @@ int main()
   TestWholeRectangle();
   TestSmallLoop();
   TestTouchingLoops();
+  TestParameterRanges();
   return check::Result();
 }
