@@ -25,8 +25,6 @@ namespace
 /// Of the volumes that OpenCASCADE integrates over curved faces.
 constexpr double VolumeTolerance = 1e-3;
 
-using BodyList = std::vector<size_t>;
-
 double VolumeOf(const TopoDS_Shape& shape)
 {
   GProp_GProps properties;
@@ -34,37 +32,57 @@ double VolumeOf(const TopoDS_Shape& shape)
   return properties.Mass();
 }
 
-/// Bodies that hang together by their boxes, two at least, none of which is inside out.
-std::vector<BodyList> GroupBodies(
-  const std::vector<TopoDS_Shape>& bodies, const std::vector<double>& volumes)
+/// A body as it may be joined.
+struct Candidate
 {
-  std::vector<Bnd_Box> boxes(bodies.size());
-  BodyList left;
+  size_t Index; ///< in the model
+  double Volume;
+  Bnd_Box Box;
+};
+
+/// Those that are sound enough: not inside out, and measured without an exception.
+std::vector<Candidate> FindCandidates(const std::vector<TopoDS_Shape>& bodies)
+{
+  std::vector<Candidate> candidates;
   for (size_t i = 0; i < bodies.size(); ++i)
   {
-    BRepBndLib::Add(bodies[i], boxes[i], false);
-    if (volumes[i] > 0.0)
-    {
-      left.push_back(i);
-    }
+    CatchReason(
+      [&]
+      {
+        Candidate candidate{ i, VolumeOf(bodies[i]), Bnd_Box() };
+        BRepBndLib::Add(bodies[i], candidate.Box, false);
+        if (candidate.Volume > 0.0)
+        {
+          candidates.push_back(candidate);
+        }
+        return std::string();
+      });
   }
-  std::vector<BodyList> groups;
+  return candidates;
+}
+
+using Group = std::vector<Candidate>;
+
+/// Bodies that hang together by their boxes, two at least, in the order of the file.
+std::vector<Group> GroupByBoxes(std::vector<Candidate> left)
+{
+  std::vector<Group> groups;
   while (!left.empty())
   {
-    BodyList group{ left.back() };
+    Group group{ left.back() };
     left.pop_back();
     for (size_t k = 0; k < group.size(); ++k)
     {
-      const Bnd_Box& box = boxes[group[k]];
-      const auto meets = [&](size_t other) { return !box.IsOut(boxes[other]); };
-      const auto apart =
-        std::stable_partition(left.begin(), left.end(), [&](size_t i) { return !meets(i); });
+      const Bnd_Box box = group[k].Box;
+      const auto apart = std::stable_partition(
+        left.begin(), left.end(), [&box](const Candidate& other) { return box.IsOut(other.Box); });
       group.insert(group.end(), apart, left.end());
       left.erase(apart, left.end());
     }
     if (group.size() > 1)
     {
-      std::sort(group.begin(), group.end());
+      std::sort(group.begin(), group.end(),
+        [](const Candidate& one, const Candidate& other) { return one.Index < other.Index; });
       groups.push_back(group);
     }
   }
@@ -102,14 +120,14 @@ enum class Outcome
 class Union
 {
 public:
-  Union(const CADModel& model, const BodyList& group, const Message_ProgressRange& progress)
+  Union(const CADModel& model, const Group& group, const Message_ProgressRange& progress)
   {
     TopTools_ListOfShape first;
     TopTools_ListOfShape others;
-    for (size_t body : group)
+    for (const Candidate& body : group)
     {
-      (first.IsEmpty() ? first : others).Append(model.Bodies[body]);
-      this->Given.push_back(model.Bodies[body]);
+      (first.IsEmpty() ? first : others).Append(model.Bodies[body.Index]);
+      this->Given.push_back(model.Bodies[body.Index]);
     }
     this->Fuse.SetArguments(first);
     this->Fuse.SetTools(others);
@@ -118,7 +136,7 @@ public:
   }
 
   /// Warnings say little: most of them come with a sound result, and some faults without one.
-  Outcome Judge(const std::vector<double>& volumes)
+  Outcome Judge(const Group& group)
   {
     if (this->Fuse.HasErrors() || this->Fuse.Shape().IsNull())
     {
@@ -132,10 +150,10 @@ public:
     }
     double largest = 0.0;
     double sum = 0.0;
-    for (double volume : volumes)
+    for (const Candidate& body : group)
     {
-      largest = std::max(largest, volume);
-      sum += volume;
+      largest = std::max(largest, body.Volume);
+      sum += body.Volume;
     }
     const double volume = VolumeOf(result);
     const bool sound = solids > 0 && IsClosed(result) && BRepCheck_Analyzer(result).IsValid() &&
@@ -184,24 +202,18 @@ private:
 };
 
 /// Joins those of one group, if it can be done.
-Outcome JoinGroup(CADModel& model, const std::vector<double>& volumes, const BodyList& group,
-  const Message_ProgressRange& progress)
+Outcome JoinGroup(CADModel& model, const Group& group, const Message_ProgressRange& progress)
 {
   Union joined(model, group, progress);
-  std::vector<double> own;
-  for (size_t body : group)
-  {
-    own.push_back(volumes[body]);
-  }
-  const Outcome outcome = joined.Judge(own);
+  const Outcome outcome = joined.Judge(group);
   if (outcome != Outcome::Joined)
   {
     return outcome;
   }
   const auto isOfGroup = [&](const CADFace& face)
   {
-    return face.Body >= 0 &&
-      std::binary_search(group.begin(), group.end(), static_cast<size_t>(face.Body));
+    return std::any_of(group.begin(), group.end(),
+      [&face](const Candidate& body) { return static_cast<int>(body.Index) == face.Body; });
   };
   std::vector<CADFace> given;
   std::copy_if(model.Faces.begin(), model.Faces.end(), std::back_inserter(given), isOfGroup);
@@ -232,12 +244,7 @@ Outcome JoinGroup(CADModel& model, const std::vector<double>& volumes, const Bod
 //------------------------------------------------------------------------------
 bool JoinBodies(CADModel& model, const std::function<bool(double)>& progress)
 {
-  std::vector<double> volumes;
-  for (const TopoDS_Shape& body : model.Bodies)
-  {
-    volumes.push_back(VolumeOf(body));
-  }
-  const std::vector<BodyList> groups = GroupBodies(model.Bodies, volumes);
+  const std::vector<Group> groups = GroupByBoxes(FindCandidates(model.Bodies));
   Handle(ProgressBridge) bridge = new ProgressBridge(progress, 0.0);
   Message_ProgressScope scope(
     bridge->Start(), "Joining bodies", static_cast<double>(groups.size()));
@@ -248,7 +255,7 @@ bool JoinBodies(CADModel& model, const std::function<bool(double)>& progress)
     CatchReason(
       [&]
       {
-        outcome = JoinGroup(model, volumes, groups[i], scope.Next());
+        outcome = JoinGroup(model, groups[i], scope.Next());
         return std::string();
       });
     model.Unjoined += outcome == Outcome::Failed ? static_cast<int>(groups[i].size()) : 0;
