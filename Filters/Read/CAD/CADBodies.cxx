@@ -38,19 +38,28 @@ struct Candidate
   size_t Index; ///< in the model
   double Volume;
   Bnd_Box Box;
+  bool IsRight; ///< has the faces that it is to have
 };
 
-/// Those that are sound enough: not inside out, and measured without an exception.
-std::vector<Candidate> FindCandidates(const std::vector<TopoDS_Shape>& bodies)
+/// Those that are not inside out, and are measured without an exception.
+std::vector<Candidate> FindCandidates(const CADModel& model)
 {
+  std::vector<bool> isRight(model.Bodies.size(), true);
+  for (const CADFace& face : model.Faces)
+  {
+    if (face.Body >= 0 && face.IsOtherPart)
+    {
+      isRight[static_cast<size_t>(face.Body)] = false;
+    }
+  }
   std::vector<Candidate> candidates;
-  for (size_t i = 0; i < bodies.size(); ++i)
+  for (size_t i = 0; i < model.Bodies.size(); ++i)
   {
     CatchReason(
       [&]
       {
-        Candidate candidate{ i, VolumeOf(bodies[i]), Bnd_Box() };
-        BRepBndLib::Add(bodies[i], candidate.Box, false);
+        Candidate candidate{ i, VolumeOf(model.Bodies[i]), Bnd_Box(), isRight[i] };
+        BRepBndLib::Add(model.Bodies[i], candidate.Box, false);
         if (candidate.Volume > 0.0)
         {
           candidates.push_back(candidate);
@@ -244,7 +253,14 @@ Outcome JoinGroup(CADModel& model, const Group& group, const Message_ProgressRan
 //------------------------------------------------------------------------------
 bool JoinBodies(CADModel& model, const std::function<bool(double)>& progress)
 {
-  const std::vector<Group> groups = GroupByBoxes(FindCandidates(model.Bodies));
+  std::vector<Group> groups = GroupByBoxes(FindCandidates(model));
+  for (Group& group : groups)
+  {
+    const auto wrong = std::stable_partition(
+      group.begin(), group.end(), [](const Candidate& body) { return body.IsRight; });
+    model.Unjoined += static_cast<int>(group.end() - wrong);
+    group.erase(wrong, group.end());
+  }
   Handle(ProgressBridge) bridge = new ProgressBridge(progress, 0.0);
   Message_ProgressScope scope(
     bridge->Start(), "Joining bodies", static_cast<double>(groups.size()));
@@ -255,7 +271,8 @@ bool JoinBodies(CADModel& model, const std::function<bool(double)>& progress)
     CatchReason(
       [&]
       {
-        outcome = JoinGroup(model, groups[i], scope.Next());
+        const Message_ProgressRange share = scope.Next();
+        outcome = groups[i].size() < 2 ? Outcome::Apart : JoinGroup(model, groups[i], share);
         return std::string();
       });
     model.Unjoined += outcome == Outcome::Failed ? static_cast<int>(groups[i].size()) : 0;

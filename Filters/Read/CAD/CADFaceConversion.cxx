@@ -1,5 +1,6 @@
 #include "CADFaceConversion.h"
 
+#include "CADSeams.h"
 #include "CADWires.h"
 #include "LoopThinning.h"
 #include "ParameterPolygon.h"
@@ -306,7 +307,7 @@ double ToleranceOf(const TopoDS_Face& face)
 
 //------------------------------------------------------------------------------
 std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limits, double scale,
-  std::vector<NurbsSurface>& surfaces)
+  std::vector<NurbsSurface>& surfaces, bool isOtherPart)
 {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   const Handle(Geom_Surface) basis = BRep_Tool::Surface(forward);
@@ -314,7 +315,11 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
   {
     return "it has no surface";
   }
-  const std::vector<BoundaryWire> wires = CollectWires(forward, basis);
+  std::vector<BoundaryWire> wires = CollectWires(forward, basis);
+  if (isOtherPart)
+  {
+    TakeOtherPart(basis, wires);
+  }
   ParameterRange range;
   const std::string reason = FindRange(wires, basis, limits, range);
   if (!reason.empty())
@@ -353,5 +358,18 @@ std::string ConvertFace(const TopoDS_Face& face, const std::vector<double>& limi
     surfaces.push_back(std::move(surface));
   }
   return surfaces.empty() ? "its wires enclose nothing" : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool HasOtherPart(const TopoDS_Face& face)
+{
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  const Handle(Geom_Surface) basis = BRep_Tool::Surface(forward);
+  if (basis.IsNull())
+  {
+    return false;
+  }
+  std::vector<BoundaryWire> wires = CollectWires(forward, basis);
+  return TakeOtherPart(basis, wires);
 }
 }

@@ -108,8 +108,10 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
     }
     std::vector<NurbsSurface> turns;
     const std::string reason = CatchReason(
-      [&] {
-        return ConvertFace(TopoDS::Face(model.Faces[i].Shape), model.Faces[i].Range, scale, turns);
+      [&]
+      {
+        const CADFace& face = model.Faces[i];
+        return ConvertFace(TopoDS::Face(face.Shape), face.Range, scale, turns, face.IsOtherPart);
       });
     if (!reason.empty())
     {

@@ -1,6 +1,7 @@
 #include "CADModel.h"
 
 #include "CADFormat.h"
+#include "CADOtherParts.h"
 #include "CADProgress.h"
 #include "IgesConics.h"
 #include "IgesWeights.h"
@@ -49,6 +50,7 @@
 #include <exception>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <unordered_map>
 
@@ -199,6 +201,7 @@ struct ShapeNote
   std::string Name;
   std::vector<double> Range;
   bool IsTrimmedSurface = false; ///< of IGES (type 144): one face with holes
+  std::optional<bool> HasSense;  ///< of a face of STEP: its normal is the surface's
 };
 using NoteMap = std::unordered_map<const TopoDS_TShape*, ShapeNote>;
 
@@ -256,6 +259,10 @@ NoteMap CollectNotes(const Handle(Transfer_TransientProcess) & process)
       {
         known.Range = IgesRange(iges);
       }
+      if (const auto face = Handle(StepShape_FaceSurface)::DownCast(entity))
+      {
+        known.HasSense = face->SameSense();
+      }
       known.IsTrimmedSurface =
         known.IsTrimmedSurface || !Handle(IGESGeom_TrimmedSurface)::DownCast(entity).IsNull();
     }
@@ -308,7 +315,9 @@ public:
 
   /// @param owner the nearest named shape around it.
   /// @param body  the index of the body around it, or -1.
-  void Collect(const TopoDS_Shape& given, const std::string& owner = std::string(), int body = -1)
+  /// @param shell the number of the shell around it, or -1.
+  void Collect(const TopoDS_Shape& given, const std::string& owner = std::string(), int body = -1,
+    int shell = -1)
   {
     auto found = this->Notes.find(given.TShape().get());
     const ShapeNote note = found == this->Notes.end() ? ShapeNote() : found->second;
@@ -329,7 +338,7 @@ public:
     }
     if (type == TopAbs_FACE)
     {
-      this->Model.Faces.push_back(CADFace{ shape, note.Name, owner, note.Range, body });
+      this->Model.Faces.push_back(CADFace{ shape, note.Name, owner, note.Range, body, shell });
       return;
     }
     if (type == TopAbs_EDGE)
@@ -342,10 +351,11 @@ public:
       body = static_cast<int>(this->Model.Bodies.size());
       this->Model.Bodies.push_back(shape);
     }
+    shell = type == TopAbs_SHELL ? this->Shells++ : shell;
     // TopoDS_Iterator puts the owner's location and orientation on what it owns.
     for (TopoDS_Iterator it(shape); it.More(); it.Next())
     {
-      this->Collect(it.Value(), name, body);
+      this->Collect(it.Value(), name, body, shell);
     }
   }
 
@@ -353,6 +363,7 @@ private:
   const NoteMap& Notes;
   CADModel& Model;
   TopTools_MapOfShape Seen;
+  int Shells = 0;
 };
 
 int CountEdges(const TopoDS_Shape& shape)
@@ -457,6 +468,12 @@ bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::s
   {
     collector.Collect(reader.Shape(i));
   }
+  const auto senseOf = [&notes](const CADFace& face)
+  {
+    const auto found = notes.find(face.Shape.TShape().get());
+    return found == notes.end() ? std::nullopt : found->second.HasSense;
+  };
+  MarkOtherParts(model, senseOf);
   CountUntransferred(reader, process, model);
   return true;
 }

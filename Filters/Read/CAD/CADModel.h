@@ -22,7 +22,10 @@ struct CADFace
   /// Part of the surface's parameters u, u, v, v that the file restricts the face to, where
   /// OpenCASCADE does not; empty: all of it.
   std::vector<double> Range;
-  int Body = -1; ///< index of the body that it is of; -1: none
+  int Body = -1;  ///< index of the body that it is of; -1: none
+  int Shell = -1; ///< number of the shell that it is of; -1: none
+  /// It goes from pole to pole, and OpenCASCADE has taken the wrong part of its surface.
+  bool IsOtherPart = false;
 };
 
 /// An edge that belongs to no face.

@@ -68,6 +68,40 @@ BoundaryWire BorderOf(const ParameterRange& bounds)
   }
   return wire;
 }
+
+/// The stretches of a closed wire between those that run along two poles, in its order.
+std::vector<BoundaryWire> WaysBetween(const BoundaryWire& wire, const Vec2& poles, double tolerance)
+{
+  const auto isAlong = [&](const BoundaryCurve& curve, double pole)
+  {
+    return std::abs(curve(curve.First).y() - pole) <= tolerance &&
+      std::abs(curve(0.5 * (curve.First + curve.Last)).y() - pole) <= tolerance &&
+      std::abs(curve(curve.Last).y() - pole) <= tolerance;
+  };
+  std::vector<BoundaryWire> ways(1);
+  for (const BoundaryCurve& curve : wire)
+  {
+    if (!isAlong(curve, poles[0]) && !isAlong(curve, poles[1]))
+    {
+      ways.back().push_back(curve);
+    }
+    else if (!ways.back().empty())
+    {
+      ways.emplace_back();
+    }
+  }
+  if (ways.size() == 3)
+  {
+    // It began in the midst of one.
+    ways.back().insert(ways.back().end(), ways.front().begin(), ways.front().end());
+    ways.erase(ways.begin());
+  }
+  if (ways.back().empty())
+  {
+    ways.pop_back();
+  }
+  return ways;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -85,5 +119,53 @@ void CompleteSeams(const Handle(Geom_Surface) & surface, std::vector<BoundaryWir
       wire = BorderOf(bounds);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool TakeOtherPart(const Handle(Geom_Surface) & surface, std::vector<BoundaryWire>& wires)
+{
+  if (wires.size() != 1 || !surface->IsUPeriodic())
+  {
+    return false;
+  }
+  const ParameterRange bounds = BoundsOf(surface), range = RangeOf(wires[0]);
+  const Vec2 poles(range.First.y(), range.Last.y());
+  if (!IsPole(surface, bounds, 1, poles[0]) || !IsPole(surface, bounds, 1, poles[1]))
+  {
+    return false;
+  }
+  const double tolerance = SeamShare * (poles[1] - poles[0]);
+  std::vector<BoundaryWire> ways = WaysBetween(wires[0], poles, tolerance);
+  if (ways.size() != 2)
+  {
+    return false;
+  }
+  const auto middle = [](const BoundaryWire& way)
+  {
+    const ParameterRange own = RangeOf(way);
+    return 0.5 * (own.First.x() + own.Last.x());
+  };
+  const bool firstIsRight = middle(ways[0]) > middle(ways[1]);
+  const BoundaryWire& right = ways[firstIsRight ? 0 : 1];
+  BoundaryWire left = ways[firstIsRight ? 1 : 0];
+  for (BoundaryCurve& curve : left)
+  {
+    curve.Shift.x() += surface->UPeriod();
+  }
+  const auto begin = [](const BoundaryWire& way) { return way.front()(way.front().First); };
+  const auto end = [](const BoundaryWire& way) { return way.back()(way.back().Last); };
+  const Vec2 there = begin(left) - end(right), back = begin(right) - end(left);
+  const double least = SeamShare * surface->UPeriod();
+  if (std::abs(there.y()) > tolerance || std::abs(back.y()) > tolerance || there.x() < least ||
+    -back.x() < least)
+  {
+    return false;
+  }
+  BoundaryWire other = right;
+  other.push_back(StraightBetween(end(right), begin(left)));
+  other.insert(other.end(), left.begin(), left.end());
+  other.push_back(StraightBetween(end(left), begin(right)));
+  wires[0] = other;
+  return true;
 }
 }
