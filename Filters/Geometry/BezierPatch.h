@@ -25,6 +25,10 @@ enum class SideKind : unsigned char
   Border  ///< nothing of this face (its border, or a jump)
 };
 
+/// How near a sharp side, relative to the patch, a derivative is but rounding and a foot is not
+/// found exactly.
+constexpr double SharpRim = 1e-3;
+
 struct BezierPatch
 {
   int Face = -1;

@@ -34,7 +34,7 @@ bool IsOnSharpSide(const BezierPatch& patch, double s, double t)
   bool is = false;
   for (int side = 0; side < 4; ++side)
   {
-    is = is || (patch.Sides[side] == SideKind::Sharp && away[side] < 1e-3);
+    is = is || (patch.Sides[side] == SideKind::Sharp && away[side] < SharpRim);
   }
   return is;
 }

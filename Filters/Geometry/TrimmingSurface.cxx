@@ -42,7 +42,6 @@ bool TrimmingSurface::Implementation::IsPlain(const BezierPatch& patch, double s
     return false;
   }
   constexpr double Rim = 1e-9; // relative to the patch: seen from afar the point is on the side
-  constexpr double SharpRim = 1e-3; // where the derivative vanishes a foot is not found exactly
   const double away[4] = { s, 1 - s, t, 1 - t };
   for (int side = 0; side < 4; ++side)
   {

@@ -426,10 +426,10 @@ bool ReadCADFileInChild(const std::string& path, double unitInMillimetres, bool 
   {
     return false;
   }
-  error = (error.empty() ? "CAD file \"" + path + "\": " : error + "; ") +
+  AddRemark(path,
     "its bodies could not be joined in the time and memory allowed: join those that touch in the "
-    "CAD "
-    "program, or raise TimeLimit";
+    "CAD program, or raise TimeLimit",
+    error);
   return true;
 }
 

@@ -160,7 +160,7 @@ struct vtkTrimLineSource::Cache
     }
     else if (!message.empty())
     {
-      this->Warning += (this->Warning.empty() ? "CAD file \"" + path + "\": " : "; ") + message;
+      nurbs::AddRemark(path, message, this->Warning);
     }
   }
 

@@ -41,6 +41,8 @@ vtkSmartPointer<vtkIdTypeArray> Count(const char* name, vtkIdType count)
   return ids;
 }
 
+}
+
 Vec3 CentreOf(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   vtkNew<vtkIdList> nodes;
@@ -55,6 +57,8 @@ Vec3 CentreOf(vtkUnstructuredGrid* grid, vtkIdType cell)
   return sum / nodes->GetNumberOfIds();
 }
 
+namespace
+{
 /// Rank of each cell by its place along an axis of the mesh, in slabs of equal numbers.
 std::vector<int> Slabs(vtkUnstructuredGrid* whole, const Vec3& axis, int first, int ranks)
 {

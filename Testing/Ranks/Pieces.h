@@ -28,6 +28,9 @@ vtkSmartPointer<vtkUnstructuredGrid> WithWholeIds(vtkUnstructuredGrid* grid);
  */
 std::vector<std::string> PartitionNames();
 
+/// The mean of a cell's nodes.
+Vec3 CentreOf(vtkUnstructuredGrid* grid, vtkIdType cell);
+
 /// The pieces of a grid WithWholeIds, one a rank.
 std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Divide(
   const Mesh& mesh, vtkUnstructuredGrid* whole, const std::string& partition, int ranks);

@@ -267,18 +267,6 @@ Mesh WithOddCells(const Mesh& mesh, double insideOut, bool wedgesAsHexahedra, Di
   return odd;
 }
 
-Vec3 CentreOf(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  vtkNew<vtkIdList> nodes;
-  grid->GetCellPoints(cell, nodes);
-  Vec3 sum = Vec3::Zero();
-  for (vtkIdType i = 0; i < nodes->GetNumberOfIds(); ++i)
-  {
-    sum += Vec3(grid->GetPoint(nodes->GetId(i)));
-  }
-  return sum / nodes->GetNumberOfIds();
-}
-
 const std::vector<std::string> Partitions{ "slabs", "scattered", "checkerboard", "voronoi",
   "singles", "few", "sides", "cut", "last", "columns" };
 
@@ -539,6 +527,7 @@ Differences Compare(vtkUnstructuredGrid* input, const Grids& pieces, const Piece
   const PiecesOutcome& parts)
 {
   Differences found;
+  const auto filled = [](const auto& piece) { return piece->GetNumberOfPoints() > 0; };
   const auto add = [&found](const std::string& what, const std::string& difference)
   {
     if (!difference.empty())
@@ -556,7 +545,6 @@ Differences Compare(vtkUnstructuredGrid* input, const Grids& pieces, const Piece
     DifferenceOfTexts(whole.Warnings, parts.Warnings));
   if (!whole.Errors.empty())
   {
-    const auto filled = [](const auto& piece) { return piece->GetNumberOfPoints() > 0; };
     add("no error, but output",
       std::any_of(parts.Trimmed.begin(), parts.Trimmed.end(), filled) ? "some" : "");
     return found;
@@ -578,7 +566,6 @@ Differences Compare(vtkUnstructuredGrid* input, const Grids& pieces, const Piece
   }
   else
   {
-    const auto filled = [](const auto& piece) { return piece->GetNumberOfPoints() > 0; };
     add("offcut",
       std::any_of(parts.Offcuts.begin(), parts.Offcuts.end(), filled) ? "one that the whole has not"
                                                                       : "");

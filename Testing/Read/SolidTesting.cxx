@@ -8,6 +8,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <IGESControl_Controller.hxx>
@@ -18,6 +19,7 @@
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <cmath>
@@ -82,10 +84,9 @@ bool IsWrong(const TopoDS_Shape& shape, const Vec3& p, const nurbs::Foot& foot)
 std::vector<nurbs::NurbsSurface> ReadWhole(const std::string& name, const std::string& path)
 {
   const ReadResult result = ReadFile(path);
-  const bool told =
-    !result.Warnings.empty() && result.Warnings[0].find("could not be joined") != std::string::npos;
-  CHECK(result.Errors.empty() && (result.Warnings.empty() || told) && !result.Surfaces.empty(),
-    name << ": it is not read whole");
+  const bool isWhole = result.Warnings.empty() || TellsOfUnjoined(result);
+  CHECK(
+    result.Errors.empty() && isWhole && !result.Surfaces.empty(), name << ": it is not read whole");
   return result.Surfaces;
 }
 }
@@ -99,15 +100,41 @@ void SilenceTranslators()
 }
 
 //------------------------------------------------------------------------------
+TopoDS_Shape Together(const std::vector<TopoDS_Shape>& bodies)
+{
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& body : bodies)
+  {
+    builder.Add(all, body);
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void WriteStep(const TopoDS_Shape& shape, const std::string& path)
+{
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  writer.Write(path.c_str());
+}
+
+//------------------------------------------------------------------------------
+bool TellsOfUnjoined(const ReadResult& read)
+{
+  return read.Warnings.size() == 1 &&
+    read.Warnings[0].find("could not be joined") != std::string::npos;
+}
+
+//------------------------------------------------------------------------------
 bool IsSound(const TopoDS_Shape& shape, const std::string& path, TopoDS_Shape& read)
 {
   if (shape.IsNull() || !BRepCheck_Analyzer(shape).IsValid() || VolumeOf(shape) < LeastVolume)
   {
     return false;
   }
-  STEPControl_Writer writer;
-  writer.Transfer(shape, STEPControl_AsIs);
-  writer.Write(path.c_str());
+  WriteStep(shape, path);
   STEPControl_Reader reader;
   reader.ReadFile(path.c_str());
   reader.TransferRoots();

@@ -12,9 +12,18 @@
 #include <vector>
 
 class TopoDS_Shape;
+struct ReadResult;
 
 /// Lets no translator print.
 void SilenceTranslators();
+
+/// Bodies as one shape, not united.
+TopoDS_Shape Together(const std::vector<TopoDS_Shape>& bodies);
+
+void WriteStep(const TopoDS_Shape& shape, const std::string& path);
+
+/// Whether the one warning of a reader is that bodies could not be joined.
+bool TellsOfUnjoined(const ReadResult& read);
 
 /// Whether a shape is one that OpenCASCADE itself reads as it wrote it.
 /// @param path of the STEP file that it writes.

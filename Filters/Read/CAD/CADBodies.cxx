@@ -98,16 +98,6 @@ std::vector<Group> GroupByBoxes(std::vector<Candidate> left)
   return groups;
 }
 
-size_t CountSolids(const TopoDS_Shape& shape)
-{
-  size_t count = 0;
-  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
-  {
-    ++count;
-  }
-  return count;
-}
-
 bool IsClosed(const TopoDS_Shape& shape)
 {
   bool closed = true;
@@ -152,8 +142,8 @@ public:
       return Outcome::Failed;
     }
     const TopoDS_Shape& result = this->Fuse.Shape();
-    const size_t solids = CountSolids(result);
-    if (solids >= this->Given.size())
+    const int solids = CountShapes(TopAbs_SOLID, result);
+    if (solids >= static_cast<int>(this->Given.size()))
     {
       return Outcome::Apart;
     }

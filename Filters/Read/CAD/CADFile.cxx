@@ -55,14 +55,10 @@ std::vector<std::string> NameFaces(const std::vector<CADFace>& faces)
   return names;
 }
 
-/// What was left out, without the file's name; empty: nothing.
+/// What was left out, which is something.
 std::string DescribeOmissions(
   size_t faces, const std::vector<std::string>& omissions, int untransferred)
 {
-  if (omissions.empty() && untransferred == 0)
-  {
-    return std::string();
-  }
   std::ostringstream text;
   if (untransferred > 0)
   {
@@ -123,13 +119,18 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
       surfaces.push_back({ names[i], std::move(surface) });
     }
   }
-  error = DescribeOmissions(model.Faces.size(), omissions, model.Untransferred);
+  error.clear();
+  if (!omissions.empty() || model.Untransferred > 0)
+  {
+    AddRemark(path, DescribeOmissions(model.Faces.size(), omissions, model.Untransferred), error);
+  }
   if (model.Unjoined > 0)
   {
-    error += (error.empty() ? "" : "; ") + std::to_string(model.Unjoined) +
-      " bodies near each other could not be joined: join those that touch in the CAD program";
+    AddRemark(path,
+      std::to_string(model.Unjoined) +
+        " bodies near each other could not be joined: join those that touch in the CAD program",
+      error);
   }
-  error = error.empty() ? error : "CAD file \"" + path + "\": " + error;
   return !surfaces.empty();
 }
 }

@@ -28,6 +28,12 @@ struct NamedSurface
 /// Called now and then with the share done, 0..1; false asks to stop.
 using ReadProgress = std::function<bool(double)>;
 
+/// Appends to the one line that there is to say of a file, which names it first.
+inline void AddRemark(const std::string& path, const std::string& text, std::string& remarks)
+{
+  remarks += (remarks.empty() ? "CAD file \"" + path + "\": " : "; ") + text;
+}
+
 /// Shares between which bodies are joined.
 constexpr double JoiningBegins = 0.5;
 constexpr double JoiningEnds = 0.7;

@@ -1,5 +1,6 @@
 #include "CADModel.h"
 
+#include "CADFile.h"
 #include "CADFormat.h"
 #include "CADOtherParts.h"
 #include "CADProgress.h"
@@ -366,16 +367,6 @@ private:
   int Shells = 0;
 };
 
-int CountEdges(const TopoDS_Shape& shape)
-{
-  int count = 0;
-  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
-  {
-    ++count;
-  }
-  return count;
-}
-
 /// Curves of a geometric set of a STEP file that gave no edge.
 int CountLost(const Handle(StepShape_GeometricSet) & set, const TopoDS_Shape& shape)
 {
@@ -384,7 +375,7 @@ int CountLost(const Handle(StepShape_GeometricSet) & set, const TopoDS_Shape& sh
   {
     curves += !set->ElementsValue(i).Curve().IsNull();
   }
-  return std::max(0, curves - CountEdges(shape));
+  return std::max(0, curves - CountShapes(TopAbs_EDGE, shape));
 }
 
 void CountUntransferred(
@@ -480,6 +471,17 @@ bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::s
 }
 
 //------------------------------------------------------------------------------
+int CountShapes(TopAbs_ShapeEnum type, const TopoDS_Shape& shape)
+{
+  int count = 0;
+  for (TopExp_Explorer it(shape, type); it.More(); it.Next())
+  {
+    ++count;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 void TellScale(const std::string& path, const CADModel& model, std::string& remarks)
 {
   if (std::abs(model.DrawnScale - 1.0) <= LargestScaleRounding || model.DrawnScale == 0.0)
@@ -487,11 +489,10 @@ void TellScale(const std::string& path, const CADModel& model, std::string& rema
     return;
   }
   std::ostringstream text;
-  text << (remarks.empty() ? "CAD file \"" + path + "\": " : remarks + "; ")
-       << "the file gives its model a scale of " << model.DrawnScale
+  text << "the file gives its model a scale of " << model.DrawnScale
        << ", and its coordinates are taken as they are: if the surface comes out in another size, "
           "export it at a scale of 1";
-  remarks = text.str();
+  AddRemark(path, text.str(), remarks);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #ifndef CADModel_h
 #define CADModel_h
 
+#include <TopAbs_ShapeEnum.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <functional>
@@ -64,6 +65,9 @@ bool CatchFailures(const std::string& path, std::string& error, const std::funct
 /// What `work` returns, or in a few words what OpenCASCADE or the standard library throws: what is
 /// wrong with one face or curve is not to lose the others.
 std::string CatchReason(const std::function<std::string()>& work);
+
+/// How many shapes of a type a shape holds, those in it more than once each time.
+int CountShapes(TopAbs_ShapeEnum type, const TopoDS_Shape& shape);
 
 /// Appends to what there is to say of a file that its scale is not applied; nothing if it is 1.
 void TellScale(const std::string& path, const CADModel& model, std::string& remarks);
