@@ -1,76 +1,47 @@
 #include "CADBodies.h"
 
 #include "CADProgress.h"
-#include "CADSides.h"
+#include "CADUnion.h"
 
-#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
-#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <Message_ProgressScope.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_DataMapOfShapeInteger.hxx>
-#include <TopTools_ListOfShape.hxx>
 
 #include <algorithm>
-#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace nurbs
 {
 namespace
 {
-/// Of the volumes that OpenCASCADE integrates over curved faces.
-constexpr double VolumeTolerance = 1e-3;
-
-double VolumeOf(const TopoDS_Shape& shape)
-{
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
-  return properties.Mass();
-}
-
 /// A body as it may be joined.
 struct Candidate
 {
   size_t Index; ///< in the model
-  double Volume;
   Bnd_Box Box;
-  bool IsRight; ///< has the faces that it is to have
+  double Volume = 0.0;
 };
 
-/// Those that are not inside out, and are measured without an exception.
-std::vector<Candidate> FindCandidates(const CADModel& model)
+using Group = std::vector<Candidate>;
+
+std::vector<Candidate> FindBoxes(const CADModel& model)
 {
-  std::vector<bool> isRight(model.Bodies.size(), true);
-  for (const CADFace& face : model.Faces)
-  {
-    if (face.Body >= 0 && face.IsOtherPart)
-    {
-      isRight[static_cast<size_t>(face.Body)] = false;
-    }
-  }
   std::vector<Candidate> candidates;
   for (size_t i = 0; i < model.Bodies.size(); ++i)
   {
     CatchReason(
       [&]
       {
-        Candidate candidate{ i, VolumeOf(model.Bodies[i]), Bnd_Box(), isRight[i] };
+        Candidate candidate{ i, Bnd_Box() };
         BRepBndLib::Add(model.Bodies[i], candidate.Box, false);
-        if (candidate.Volume > 0.0)
-        {
-          candidates.push_back(candidate);
-        }
+        candidates.push_back(candidate);
         return std::string();
       });
   }
   return candidates;
 }
-
-using Group = std::vector<Candidate>;
 
 /// Bodies that hang together by their boxes, two at least, in the order of the file.
 std::vector<Group> GroupByBoxes(std::vector<Candidate> left)
@@ -98,174 +69,206 @@ std::vector<Group> GroupByBoxes(std::vector<Candidate> left)
   return groups;
 }
 
-bool IsClosed(const TopoDS_Shape& shape)
+/// Measures those of a group and leaves out what cannot be joined: what is inside out, or cannot be
+/// measured, and what has a face whose other part is taken, as its solid still has the wrong one.
+/// @return how many of the latter there are.
+size_t TakeOutUnfit(const CADModel& model, Group& group)
 {
-  bool closed = true;
-  for (TopExp_Explorer it(shape, TopAbs_SHELL); it.More(); it.Next())
+  std::set<int> isWrong;
+  for (const CADFace& face : model.Faces)
   {
-    closed = closed && BRep_Tool::IsClosed(it.Current());
+    if (face.IsOtherPart)
+    {
+      isWrong.insert(face.Body);
+    }
   }
-  return closed;
+  Group fit;
+  size_t wrong = 0;
+  for (Candidate& body : group)
+  {
+    CatchReason(
+      [&]
+      {
+        body.Volume = VolumeOf(model.Bodies[body.Index]);
+        return std::string();
+      });
+    const bool isRight = isWrong.count(static_cast<int>(body.Index)) == 0;
+    wrong += body.Volume > 0.0 && !isRight;
+    if (body.Volume > 0.0 && isRight)
+    {
+      fit.push_back(body);
+    }
+  }
+  group.swap(fit);
+  return wrong;
 }
 
-enum class Outcome
+std::vector<TopoDS_Shape> ShapesOf(const CADModel& model, const Group& group)
 {
-  Joined,
-  Apart, ///< nothing to join
-  Failed ///< not soundly
-};
+  std::vector<TopoDS_Shape> shapes;
+  for (const Candidate& body : group)
+  {
+    shapes.push_back(model.Bodies[body.Index]);
+  }
+  return shapes;
+}
 
-/// Bodies and what became of them.
-class Union
+/// Joins those of one group, if it can be done: the first of them is the union then.
+UnionOutcome JoinGroup(CADModel& model, const Group& group, const Message_ProgressRange& progress)
 {
-public:
-  Union(const CADModel& model, const Group& group, const Message_ProgressRange& progress)
-  {
-    TopTools_ListOfShape first;
-    TopTools_ListOfShape others;
-    for (const Candidate& body : group)
-    {
-      (first.IsEmpty() ? first : others).Append(model.Bodies[body.Index]);
-      this->Given.push_back(model.Bodies[body.Index]);
-    }
-    this->Fuse.SetArguments(first);
-    this->Fuse.SetTools(others);
-    this->Fuse.SetNonDestructive(true);
-    this->Fuse.Build(progress);
-  }
-
-  /// Warnings say little: most of them come with a sound result, and some faults without one.
-  Outcome Judge(const Group& group)
-  {
-    if (this->Fuse.HasErrors() || this->Fuse.Shape().IsNull())
-    {
-      return Outcome::Failed;
-    }
-    const TopoDS_Shape& result = this->Fuse.Shape();
-    const int solids = CountShapes(TopAbs_SOLID, result);
-    if (solids >= static_cast<int>(this->Given.size()))
-    {
-      return Outcome::Apart;
-    }
-    double largest = 0.0;
-    double sum = 0.0;
-    for (const Candidate& body : group)
-    {
-      largest = std::max(largest, body.Volume);
-      sum += body.Volume;
-    }
-    const double volume = VolumeOf(result);
-    const bool sound = solids > 0 && IsClosed(result) && BRepCheck_Analyzer(result).IsValid() &&
-      volume >= largest * (1.0 - VolumeTolerance) && volume <= sum * (1.0 + VolumeTolerance) &&
-      FillTheSame(this->Given, result);
-    return sound ? Outcome::Joined : Outcome::Failed;
-  }
-
-  /// Of each face given the faces of the union that are it, or a part of it; none if a face of the
-  /// union is of none.
-  std::vector<std::vector<CADFace>> TakeFaces(const std::vector<CADFace>& faces)
-  {
-    TopTools_DataMapOfShapeInteger origins;
-    for (size_t i = 0; i < faces.size(); ++i)
-    {
-      const TopoDS_Shape& face = faces[i].Shape;
-      const TopTools_ListOfShape& parts = this->Fuse.Modified(face);
-      // Bind leaves what is bound already.
-      if (parts.IsEmpty() && !this->Fuse.IsDeleted(face))
-      {
-        origins.Bind(face, static_cast<int>(i));
-      }
-      for (const TopoDS_Shape& part : parts)
-      {
-        origins.Bind(part, static_cast<int>(i));
-      }
-    }
-    std::vector<std::vector<CADFace>> taken(faces.size());
-    for (TopExp_Explorer it(this->Fuse.Shape(), TopAbs_FACE); it.More(); it.Next())
-    {
-      const int* origin = origins.Seek(it.Current());
-      if (!origin)
-      {
-        return {};
-      }
-      const size_t i = static_cast<size_t>(*origin);
-      taken[i].push_back(faces[i]);
-      taken[i].back().Shape = it.Current();
-    }
-    return taken;
-  }
-
-private:
-  std::vector<TopoDS_Shape> Given;
-  BRepAlgoAPI_Fuse Fuse;
-};
-
-/// Joins those of one group, if it can be done.
-Outcome JoinGroup(CADModel& model, const Group& group, const Message_ProgressRange& progress)
-{
-  Union joined(model, group, progress);
-  const Outcome outcome = joined.Judge(group);
-  if (outcome != Outcome::Joined)
+  CADUnion joined(ShapesOf(model, group), progress);
+  const UnionOutcome outcome = joined.Judge();
+  if (outcome != UnionOutcome::Joined)
   {
     return outcome;
   }
-  const auto isOfGroup = [&](const CADFace& face)
-  {
-    return std::any_of(group.begin(), group.end(),
-      [&face](const Candidate& body) { return static_cast<int>(body.Index) == face.Body; });
-  };
+  std::vector<bool> isOfGroup(model.Faces.size());
   std::vector<CADFace> given;
-  std::copy_if(model.Faces.begin(), model.Faces.end(), std::back_inserter(given), isOfGroup);
-  const std::vector<std::vector<CADFace>> taken = joined.TakeFaces(given);
+  for (size_t i = 0; i < model.Faces.size(); ++i)
+  {
+    const int body = model.Faces[i].Body;
+    isOfGroup[i] = std::any_of(group.begin(), group.end(),
+      [body](const Candidate& member) { return static_cast<int>(member.Index) == body; });
+    if (isOfGroup[i])
+    {
+      given.push_back(model.Faces[i]);
+    }
+  }
+  std::vector<std::vector<CADFace>> taken = joined.TakeFaces(given);
   if (taken.empty())
   {
-    return Outcome::Failed;
+    return UnionOutcome::Failed;
   }
   std::vector<CADFace> faces;
   size_t next = 0;
-  for (const CADFace& face : model.Faces)
+  for (size_t i = 0; i < model.Faces.size(); ++i)
   {
-    if (isOfGroup(face))
+    if (isOfGroup[i])
     {
-      faces.insert(faces.end(), taken[next].begin(), taken[next].end());
+      for (CADFace& face : taken[next])
+      {
+        face.Body = static_cast<int>(group.front().Index);
+        faces.push_back(std::move(face));
+      }
       ++next;
     }
     else
     {
-      faces.push_back(face);
+      faces.push_back(model.Faces[i]);
     }
   }
   model.Faces.swap(faces);
-  return Outcome::Joined;
+  model.Bodies[group.front().Index] = joined.Shape();
+  return UnionOutcome::Joined;
+}
+
+/// What is thrown over one group is not to lose the rest.
+UnionOutcome TryGroup(CADModel& model, const Group& group, const Message_ProgressRange& progress)
+{
+  UnionOutcome outcome = UnionOutcome::Failed;
+  CatchReason(
+    [&]
+    {
+      outcome = group.size() < 2 ? UnionOutcome::Apart : JoinGroup(model, group, progress);
+      return std::string();
+    });
+  return outcome;
+}
+
+/**
+ * Joins one body with all that it can be joined with, which are taken from `left`, one after the
+ * other: what touches one of them is near it then.
+ *
+ * @param spoilers gets those that it cannot be joined with, and itself if there are no others.
+ */
+void Grow(CADModel& model, Candidate core, Group& left, std::set<size_t>& spoilers,
+  Message_ProgressScope& scope)
+{
+  std::map<size_t, UnionOutcome> known;
+  bool fails = false;
+  bool grows = false;
+  for (size_t i = 0; i < left.size() && scope.More();)
+  {
+    const Candidate body = left[i];
+    if (core.Box.IsOut(body.Box) || known.count(body.Index) != 0)
+    {
+      ++i;
+      continue;
+    }
+    const UnionOutcome outcome = TryGroup(model, { core, body }, scope.Next());
+    known[body.Index] = outcome;
+    if (outcome == UnionOutcome::Failed)
+    {
+      spoilers.insert(body.Index);
+      fails = true;
+    }
+    if (outcome == UnionOutcome::Joined)
+    {
+      grows = true;
+      core.Box.Add(body.Box);
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+      for (const Candidate& other : left)
+      {
+        const auto found = known.find(other.Index);
+        if (found != known.end() && found->second == UnionOutcome::Apart &&
+          !body.Box.IsOut(other.Box))
+        {
+          known.erase(found);
+        }
+      }
+      i = 0;
+    }
+  }
+  if (fails && !grows)
+  {
+    spoilers.insert(core.Index);
+  }
+}
+
+/// Joins those of a group one by one, the largest first; the number of those that cannot be.
+size_t JoinOneByOne(CADModel& model, Group left, const Message_ProgressRange& progress)
+{
+  std::stable_sort(left.begin(), left.end(),
+    [](const Candidate& one, const Candidate& other) { return one.Volume > other.Volume; });
+  Message_ProgressScope scope(progress, "Joining one by one", static_cast<double>(left.size()));
+  std::set<size_t> spoilers;
+  while (left.size() > 1 && scope.More())
+  {
+    const Candidate core = left.front();
+    left.erase(left.begin());
+    Grow(model, core, left, spoilers, scope);
+  }
+  return spoilers.size();
+}
+
+/**
+ * Joins those of a group that can be: all at once, which is fastest and mostly works, or one by
+ * one, as often a single one spoils all, such as a letter on a chip that crosses itself.
+ *
+ * @return how many could not be joined.
+ */
+size_t JoinMost(CADModel& model, const Group& group, const Message_ProgressRange& progress)
+{
+  Message_ProgressScope scope(progress, "Joining a group", 2);
+  if (TryGroup(model, group, scope.Next()) != UnionOutcome::Failed)
+  {
+    return 0;
+  }
+  return group.size() == 2 ? 2 : JoinOneByOne(model, group, scope.Next());
 }
 }
 
 //------------------------------------------------------------------------------
 bool JoinBodies(CADModel& model, const std::function<bool(double)>& progress)
 {
-  std::vector<Group> groups = GroupByBoxes(FindCandidates(model));
-  for (Group& group : groups)
-  {
-    const auto wrong = std::stable_partition(
-      group.begin(), group.end(), [](const Candidate& body) { return body.IsRight; });
-    model.Unjoined += static_cast<int>(group.end() - wrong);
-    group.erase(wrong, group.end());
-  }
+  std::vector<Group> groups = GroupByBoxes(FindBoxes(model));
   Handle(ProgressBridge) bridge = new ProgressBridge(progress, 0.0);
   Message_ProgressScope scope(
     bridge->Start(), "Joining bodies", static_cast<double>(groups.size()));
   for (size_t i = 0; i < groups.size() && scope.More(); ++i)
   {
-    // What is thrown over one group is not to lose the rest.
-    Outcome outcome = Outcome::Failed;
-    CatchReason(
-      [&]
-      {
-        const Message_ProgressRange share = scope.Next();
-        outcome = groups[i].size() < 2 ? Outcome::Apart : JoinGroup(model, groups[i], share);
-        return std::string();
-      });
-    model.Unjoined += outcome == Outcome::Failed ? static_cast<int>(groups[i].size()) : 0;
+    const size_t unfit = TakeOutUnfit(model, groups[i]);
+    model.Unjoined += static_cast<int>(unfit + JoinMost(model, groups[i], scope.Next()));
   }
   return !bridge->Stopped;
 }
