@@ -12,6 +12,7 @@
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
@@ -117,6 +118,14 @@ void WriteStep(const TopoDS_Shape& shape, const std::string& path)
 {
   STEPControl_Writer writer;
   writer.Transfer(shape, STEPControl_AsIs);
+  writer.Write(path.c_str());
+}
+
+//------------------------------------------------------------------------------
+void WriteIges(const TopoDS_Shape& shape, const std::string& path)
+{
+  IGESControl_Writer writer("MM", 0);
+  writer.AddShape(shape);
   writer.Write(path.c_str());
 }
 

@@ -22,6 +22,9 @@ TopoDS_Shape Together(const std::vector<TopoDS_Shape>& bodies);
 
 void WriteStep(const TopoDS_Shape& shape, const std::string& path);
 
+/// As faces that are of no body.
+void WriteIges(const TopoDS_Shape& shape, const std::string& path);
+
 /// Whether the one warning of a reader is that bodies could not be joined.
 bool TellsOfUnjoined(const ReadResult& read);
 

@@ -10,8 +10,11 @@
 #include "vtkMultiBlockDataSet.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopoDS_Shape.hxx>
@@ -34,6 +37,21 @@ TopoDS_Shape Cylinder(double x, double y, double z, double radius, double height
 TopoDS_Shape Ball(double x, double y, double z, double radius)
 {
   return BRepPrimAPI_MakeSphere(gp_Pnt(x, y, z), radius).Shape();
+}
+
+/// Its corners go round the middle twice, so that it crosses itself.
+TopoDS_Shape Star(double x, double y, double z, double radius, double height)
+{
+  BRepBuilderAPI_MakePolygon polygon;
+  for (int i = 0; i < 5; ++i)
+  {
+    const double angle = 0.8 * M_PI * i;
+    polygon.Add(gp_Pnt(x + radius * std::cos(angle), y + radius * std::sin(angle), z));
+  }
+  polygon.Close();
+  return BRepPrimAPI_MakePrism(
+    BRepBuilderAPI_MakeFace(polygon.Wire()).Shape(), gp_Vec(0, 0, height))
+    .Shape();
 }
 
 struct Assembly
@@ -91,6 +109,36 @@ void TestAssemblies()
   }
 }
 
+/// IGES leaves the faces of bodies loose. What lies in another body is a void there.
+void TestLooseFaces()
+{
+  const std::string path = OutputPath("bodies.igs");
+  for (const Assembly& assembly : MakeAssemblies())
+  {
+    const TopoDS_Shape shape = Together(assembly.Bodies);
+    WriteIges(shape, path);
+    const bool isVoid = assembly.Name == "a ball within a block";
+    const size_t joined = ReadFile(path).Surfaces.size();
+    const std::string name = assembly.Name + ", of loose faces";
+    CHECK(joined == (isVoid ? assembly.Apart : assembly.Joined), name << ": " << joined);
+    CHECK(isVoid || IsBoundary(name, path, shape), name << ": a face is within the bodies");
+  }
+}
+
+/// A body that cannot be joined stays apart alone.
+void TestSpoiler()
+{
+  const std::string path = OutputPath("spoiled.step");
+  const TopoDS_Shape block = Box(0, 0, 0, 10, 10, 4);
+  WriteStep(
+    Together({ block, Box(10, 2, 0, 5, 6, 4), Box(0, 0, 4, 3, 3, 3), Star(6, 6, 3, 2, 9) }), path);
+  const ReadResult read = ReadFile(path);
+  CHECK(TellsOfUnjoined(read) && read.Warnings[0].find(": 1 body ") != std::string::npos,
+    "a body that spoils others: no warning of it alone");
+  CHECK(CountUnjoined(path) == 33, "a body that spoils others: as they are, there are other faces");
+  CHECK(read.Surfaces.size() == 32, "a body that spoils others: " << read.Surfaces.size());
+}
+
 /// Joining that takes too long is given up, and the bodies are read as they are.
 void TestTimeLimit()
 {
@@ -116,6 +164,8 @@ int main()
 {
   SilenceTranslators();
   TestAssemblies();
+  TestLooseFaces();
+  TestSpoiler();
   TestTimeLimit();
   return Failures;
 }

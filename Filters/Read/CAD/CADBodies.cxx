@@ -1,6 +1,7 @@
 #include "CADBodies.h"
 
 #include "CADProgress.h"
+#include "CADShells.h"
 #include "CADUnion.h"
 
 #include <BRepBndLib.hxx>
@@ -134,6 +135,10 @@ UnionOutcome JoinGroup(CADModel& model, const Group& group, const Message_Progre
       given.push_back(model.Faces[i]);
     }
   }
+  if (joined.SwallowsSewn(given))
+  {
+    return group.size() == 2 ? UnionOutcome::Apart : UnionOutcome::Failed;
+  }
   std::vector<std::vector<CADFace>> taken = joined.TakeFaces(given);
   if (taken.empty())
   {
@@ -261,6 +266,12 @@ size_t JoinMost(CADModel& model, const Group& group, const Message_ProgressRange
 //------------------------------------------------------------------------------
 bool JoinBodies(CADModel& model, const std::function<bool(double)>& progress)
 {
+  CatchReason(
+    [&]
+    {
+      SewBodies(model);
+      return std::string();
+    });
   std::vector<Group> groups = GroupByBoxes(FindBoxes(model));
   Handle(ProgressBridge) bridge = new ProgressBridge(progress, 0.0);
   Message_ProgressScope scope(

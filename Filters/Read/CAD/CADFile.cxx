@@ -128,7 +128,9 @@ bool ConvertFaces(const std::string& path, const CADModel& model, double scale,
   {
     AddRemark(path,
       std::to_string(model.Unjoined) +
-        " bodies near each other could not be joined: join those that touch in the CAD program",
+        (model.Unjoined == 1 ? " body could not be joined with others near it"
+                             : " bodies near each other could not be joined") +
+        ": join those that touch in the CAD program",
       error);
   }
   return !surfaces.empty();
@@ -148,8 +150,7 @@ bool ReadCADFile(const std::string& path, double unitInMillimetres, bool joinBod
       error = "CAD file \"" + path + "\"" + DescribeLack(model);
       return false;
     }
-    if (joinBodies && model.Bodies.size() > 1 &&
-      (!joinProgress(0.0) || !JoinBodies(model, joinProgress)))
+    if (joinBodies && (!joinProgress(0.0) || !JoinBodies(model, joinProgress)))
     {
       return false;
     }

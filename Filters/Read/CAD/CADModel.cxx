@@ -339,7 +339,8 @@ public:
     }
     if (type == TopAbs_FACE)
     {
-      this->Model.Faces.push_back(CADFace{ shape, note.Name, owner, note.Range, body, shell });
+      this->Model.Faces.push_back(
+        CADFace{ shape, note.Name, owner, note.Range, body, shell, false, TopoDS_Shape() });
       return;
     }
     if (type == TopAbs_EDGE)

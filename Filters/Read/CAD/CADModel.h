@@ -27,6 +27,7 @@ struct CADFace
   int Shell = -1; ///< number of the shell that it is of; -1: none
   /// It goes from pole to pole, and OpenCASCADE has taken the wrong part of its surface.
   bool IsOtherPart = false;
+  TopoDS_Shape InBody; ///< as its body has it, which was sewn; null where that is `Shape`
 };
 
 /// An edge that belongs to no face.
@@ -39,7 +40,7 @@ struct CADEdge
 struct CADModel
 {
   std::vector<CADFace> Faces;
-  std::vector<TopoDS_Shape> Bodies; ///< solids, in millimetres, with location and orientation
+  std::vector<TopoDS_Shape> Bodies; ///< solids, of the file or sewn, in millimetres, with location and orientation
   std::vector<CADEdge> Edges;
   int Unjoined = 0;                    ///< bodies near each other that could not be joined
   int Untransferred = 0;               ///< surfaces in the file of which OpenCASCADE made no face

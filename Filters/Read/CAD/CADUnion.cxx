@@ -11,6 +11,7 @@
 #include <TopTools_ListOfShape.hxx>
 
 #include <algorithm>
+#include <map>
 
 namespace nurbs
 {
@@ -84,12 +85,27 @@ UnionOutcome CADUnion::Judge()
 }
 
 //------------------------------------------------------------------------------
+bool CADUnion::SwallowsSewn(const std::vector<CADFace>& faces)
+{
+  std::map<int, bool> isGone;
+  for (const CADFace& face : faces)
+  {
+    if (!face.InBody.IsNull())
+    {
+      const auto known = isGone.emplace(face.Body, true).first;
+      known->second = known->second && this->Fuse.IsDeleted(face.InBody);
+    }
+  }
+  return std::any_of(isGone.begin(), isGone.end(), [](const auto& body) { return body.second; });
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::vector<CADFace>> CADUnion::TakeFaces(const std::vector<CADFace>& faces)
 {
   TopTools_DataMapOfShapeInteger origins;
   for (size_t i = 0; i < faces.size(); ++i)
   {
-    const TopoDS_Shape& face = faces[i].Shape;
+    const TopoDS_Shape& face = faces[i].InBody.IsNull() ? faces[i].Shape : faces[i].InBody;
     const TopTools_ListOfShape& parts = this->Fuse.Modified(face);
     // Bind leaves what is bound already.
     if (parts.IsEmpty() && !this->Fuse.IsDeleted(face))
@@ -112,6 +128,8 @@ std::vector<std::vector<CADFace>> CADUnion::TakeFaces(const std::vector<CADFace>
     const size_t i = static_cast<size_t>(*origin);
     taken[i].push_back(faces[i]);
     taken[i].back().Shape = it.Current();
+    taken[i].back().InBody.Nullify();
+    taken[i].back().Range.clear();
   }
   return taken;
 }

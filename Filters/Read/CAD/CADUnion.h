@@ -33,6 +33,9 @@ public:
   /// neither less than the largest body nor more than all, and the same space.
   UnionOutcome Judge();
 
+  /// Whether nothing is left of the faces of a body that was sewn: it may be a void in another one.
+  bool SwallowsSewn(const std::vector<CADFace>& faces);
+
   const TopoDS_Shape& Shape() { return this->Fuse.Shape(); }
 
   /// Of each face of the bodies given the faces of the union that are it, or a part of it; none if
