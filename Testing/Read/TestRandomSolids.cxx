@@ -135,16 +135,17 @@ std::vector<Vec3> DrawPoints(const TopoDS_Shape& shape, RandomSolid& random)
   return points;
 }
 
-/// Bodies of which OpenCASCADE's union is closed, valid and wrong.
+/// Bodies of which OpenCASCADE's union of all at once is closed, valid and wrong.
 void TestWrongUnions()
 {
   const std::string path = OutputPath("wrong union.step");
   for (unsigned seed : { 117, 146, 293 })
   {
     TopoDS_Shape shape;
-    CHECK(IsSound(RandomSolid(seed).MakeSeveral(), path, shape), "bodies " << seed);
-    CHECK(TellsOfUnjoined(ReadFile(path)),
-      "bodies " << seed << ": joined wrong, or left apart without a word");
+    CHECK(IsSound(RandomSolid(seed).MakeSeveral(), path, shape), seed);
+    const std::string name = "bodies " + std::to_string(seed);
+    CHECK(TellsOfUnjoined(ReadFile(path)) || IsBoundary(name, path, shape),
+      name << ": joined wrong, or left apart without a word");
   }
 }
 

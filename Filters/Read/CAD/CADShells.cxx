@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace nurbs
 {
@@ -64,7 +63,7 @@ double SizeOf(const std::vector<CADFace*>& faces)
   return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
 }
 
-/// The edges of faces that no other face has, told by their ends.
+/// The edges of faces that no other face has, told by three places on them.
 class OpenEdges
 {
 public:
@@ -81,38 +80,48 @@ public:
       if (!BRep_Tool::Degenerated(edge))
       {
         const BRepAdaptor_Curve curve(edge);
-        this->Toggle({ curve.Value(curve.FirstParameter()), curve.Value(curve.LastParameter()) });
+        const double first = curve.FirstParameter(), last = curve.LastParameter();
+        this->Toggle({ curve.Value(first), curve.Value(0.5 * (first + last)), curve.Value(last) });
       }
     }
   }
 
-  bool IsEmpty() const { return this->Ends.empty(); }
+  bool IsEmpty() const { return this->Edges.empty(); }
 
 private:
-  using EndPair = std::pair<gp_Pnt, gp_Pnt>;
-
-  void Toggle(const EndPair& ends)
+  struct Places
   {
-    const auto same = [this](const gp_Pnt& one, const gp_Pnt& other)
-    { return one.SquareDistance(other) <= this->Tolerance * this->Tolerance; };
-    const auto known = std::find_if(this->Ends.begin(), this->Ends.end(),
-      [&](const EndPair& other)
-      {
-        return (same(ends.first, other.first) && same(ends.second, other.second)) ||
-          (same(ends.first, other.second) && same(ends.second, other.first));
-      });
-    if (known == this->Ends.end())
+    gp_Pnt First, Middle, Last;
+  };
+
+  /// The middles by their parameters may differ a little where the ends do not.
+  bool AreSame(const Places& one, const Places& other) const
+  {
+    constexpr double nearMiddle = 0.2;
+    const auto near = [this](const gp_Pnt& from, const gp_Pnt& to)
+    { return from.Distance(to) <= this->Tolerance; };
+    return one.Middle.Distance(other.Middle) <=
+      this->Tolerance + nearMiddle * one.Middle.Distance(one.First) &&
+      ((near(one.First, other.First) && near(one.Last, other.Last)) ||
+        (near(one.First, other.Last) && near(one.Last, other.First)));
+  }
+
+  void Toggle(const Places& edge)
+  {
+    const auto known = std::find_if(this->Edges.begin(), this->Edges.end(),
+      [&](const Places& other) { return this->AreSame(edge, other); });
+    if (known == this->Edges.end())
     {
-      this->Ends.push_back(ends);
+      this->Edges.push_back(edge);
     }
     else
     {
-      this->Ends.erase(known);
+      this->Edges.erase(known);
     }
   }
 
   double Tolerance;
-  std::vector<EndPair> Ends;
+  std::vector<Places> Edges;
 };
 
 /// Faces that close one after the other, and what is left. Those of a body follow each other in a
