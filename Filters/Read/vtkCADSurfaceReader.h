@@ -77,8 +77,8 @@ public:
   /**
    * Whether bodies of the file that touch or cross each other, as those of an assembly do, are
    * joined to one: where two lie against each other there is no surface then. Otherwise such a
-   * surface has its sides mixed up there. Bodies that OpenCASCADE cannot join, open shells and
-   * single faces stay as they are. Default: true.
+   * surface has its sides mixed up there. Closed shells of faces without a body are bodies, too.
+   * What OpenCASCADE cannot join and open shells stay as they are. Default: true.
    */
   vtkSetMacro(JoinBodies, bool);
   vtkGetMacro(JoinBodies, bool);
