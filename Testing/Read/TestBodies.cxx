@@ -10,6 +10,7 @@
 #include "vtkMultiBlockDataSet.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -17,6 +18,8 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <ShapeUpgrade_ShapeDivideAngle.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Ax2.hxx>
 
@@ -54,6 +57,14 @@ TopoDS_Shape Star(double x, double y, double z, double radius, double height)
     .Shape();
 }
 
+/// Its circles are two arcs each, as some programs write them.
+TopoDS_Shape CylinderInHalves(double x, double y, double z, double radius, double height)
+{
+  ShapeUpgrade_ShapeDivideAngle divide(M_PI, Cylinder(x, y, z, radius, height));
+  divide.Perform();
+  return divide.Result();
+}
+
 struct Assembly
 {
   std::string Name;
@@ -68,6 +79,7 @@ std::vector<Assembly> MakeAssemblies()
   const TopoDS_Shape pin = Cylinder(5, 5, -3, 2, 10);
   return {
     { "a block on a larger one", { block, Box(2, 3, 4, 5, 4, 3) }, 12, 11 },
+    { "a pin in halves on a block", { block, CylinderInHalves(5, 5, 4, 2, 3) }, 10, 9 },
     { "two halves", { block, Box(10, 0, 0, 7, 10, 4) }, 12, 10 },
     { "a pin through a block", { block, pin }, 9, 10 },
     { "a pin in the bore that it fills",
@@ -125,18 +137,37 @@ void TestLooseFaces()
   }
 }
 
-/// A body that cannot be joined stays apart alone.
+/// Each face twice, one after the other, as of a model with its construction: two that close are no
+/// body.
+void TestFacesTwice()
+{
+  const std::string path = OutputPath("twice.igs");
+  std::vector<TopoDS_Shape> faces;
+  const TopoDS_Shape bored = BRepAlgoAPI_Cut(Box(0, 0, 0, 10, 7, 4), Cylinder(5, 4, -1, 2, 7));
+  for (TopExp_Explorer it(bored, TopAbs_FACE); it.More(); it.Next())
+  {
+    faces.push_back(it.Current());
+    faces.push_back(BRepBuilderAPI_Copy(it.Current()).Shape());
+  }
+  WriteIges(Together(faces), path);
+  const ReadResult read = ReadFile(path);
+  CHECK(read.Warnings.empty(), "faces twice: " << read.Warnings[0]);
+  CHECK(read.Surfaces.size() == 14, "faces twice: " << read.Surfaces.size());
+}
+
+/// A body that cannot be joined stays apart alone; one that is joined by way of another is not.
 void TestSpoiler()
 {
   const std::string path = OutputPath("spoiled.step");
   const TopoDS_Shape block = Box(0, 0, 0, 10, 10, 4);
-  WriteStep(
-    Together({ block, Box(10, 2, 0, 5, 6, 4), Box(0, 0, 4, 3, 3, 3), Star(6, 6, 3, 2, 9) }), path);
+  WriteStep(Together({ block, Box(10, 2, 0, 5, 6, 4), Box(10, 2, 4, 6, 6, 4), Box(0, 0, 4, 3, 3, 3),
+              Star(6, 6, 3, 2, 9) }),
+    path);
   const ReadResult read = ReadFile(path);
   CHECK(TellsOfUnjoined(read) && read.Warnings[0].find(": 1 body ") != std::string::npos,
     "a body that spoils others: no warning of it alone");
-  CHECK(CountUnjoined(path) == 33, "a body that spoils others: as they are, there are other faces");
-  CHECK(read.Surfaces.size() == 32, "a body that spoils others: " << read.Surfaces.size());
+  CHECK(CountUnjoined(path) == 39, "a body that spoils others: as they are, there are other faces");
+  CHECK(read.Surfaces.size() == 37, "a body that spoils others: " << read.Surfaces.size());
 }
 
 /// Joining that takes too long is given up, and the bodies are read as they are.
@@ -165,6 +196,7 @@ int main()
   SilenceTranslators();
   TestAssemblies();
   TestLooseFaces();
+  TestFacesTwice();
   TestSpoiler();
   TestTimeLimit();
   return Failures;

@@ -140,6 +140,45 @@ void TestPartOfSpline()
   CHECK(off < 1e-12 * 50, "part of a spline differs by " << off);
 }
 
+/// Six planes round a box; of the first the file takes a part.
+void AddBox(
+  IgesText& iges, const Vec3& low, const Vec3& size, const std::vector<double>& firstRange)
+{
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2, next = (axis + 1) % 3, last = (axis + 2) % 3;
+    NurbsSurface plane = WavySurface(1, 1, { 0, 0, 1, 1 }, { 0, 0, 1, 1 }, false);
+    for (int i = 0; i < 4; ++i)
+    {
+      Vec3 corner = low;
+      corner[axis] += face % 2 * size[axis];
+      corner[next] += i % 2 * size[next];
+      corner[last] += i / 2 * size[last];
+      plane.ControlPoints[i] << corner, 1.0;
+    }
+    const std::string parameters = SurfaceParameters(plane);
+    iges.Add(128, face == 0 ? WithRange(parameters, firstRange) : parameters);
+  }
+}
+
+/// Bodies of untrimmed splines are joined where they touch, but for one that has a face of which
+/// the file takes a part: it is open.
+void TestBoxesOfSplines()
+{
+  for (const bool isPart : { false, true })
+  {
+    IgesText iges;
+    AddBox(iges, Vec3(0, 0, 0), Vec3(10, 10, 4), { 0, 1, 0, 1 });
+    AddBox(iges, Vec3(10, 2, 0), Vec3(5, 6, 3), { 0, 1, 0, isPart ? 0.5 : 1 });
+    const std::string path = OutputPath("boxes.igs");
+    iges.Write(path);
+    const ReadResult read = ReadFile(path);
+    CHECK(read.Errors.empty() && read.Warnings.empty(), "boxes of splines");
+    const size_t faces = isPart ? 12 : 11;
+    CHECK(read.Surfaces.size() == faces, "boxes of splines: " << read.Surfaces.size());
+  }
+}
+
 /// Type 114: two cubic patches, z a polynomial of x and y.
 void TestParametricSpline()
 {
@@ -420,6 +459,7 @@ int main()
 {
   TestSplines();
   TestPartOfSpline();
+  TestBoxesOfSplines();
   TestParametricSpline();
   TestRuled();
   TestRevolution();

@@ -129,7 +129,6 @@ std::vector<std::vector<CADFace>> CADUnion::TakeFaces(const std::vector<CADFace>
     taken[i].push_back(faces[i]);
     taken[i].back().Shape = it.Current();
     taken[i].back().InBody.Nullify();
-    taken[i].back().Range.clear();
   }
   return taken;
 }
