@@ -44,7 +44,7 @@ bool LiesBetween(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, dou
 /// Sets the statuses of the cells of some clusters by a node of theirs, those of candidates for
 /// now.
 void ClassifyClusters(const HexMesh& mesh, const MeshBlocks& blocks,
-  const NodeClassification& nodes, Id begin, Id end, PageVector<unsigned char>& status)
+  const NodeClassification& nodes, Id begin, Id end, UnsetVector<unsigned char>& status)
 {
   const auto& sides = nodes.ClusterSide;
   for (Id cluster = begin, next; cluster < end; cluster = next)
@@ -73,10 +73,10 @@ void ClassifyClusters(const HexMesh& mesh, const MeshBlocks& blocks,
 
 }
 
-PageVector<unsigned char> ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
+UnsetVector<unsigned char> ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
   const nurbs::TrimmingSurface& surface, double rounding, const NodeClassification& nodes)
 {
-  PageVector<unsigned char> status(mesh.NumberOfCells);
+  UnsetVector<unsigned char> status(mesh.NumberOfCells);
   ParallelFor(0, blocks.NumberOfClusters(), 6000,
     [&](Id begin, Id end) { ClassifyClusters(mesh, blocks, nodes, begin, end, status); });
   for (const Id c : nodes.CandidateCells)

@@ -132,6 +132,12 @@ public:
       // Nothing is done with the nodes of a run before all of its cells were looked at.
       if (this->Row.Take(this->Mesh, first))
       {
+        this->Blocks.Counts[run] = this->Row.Counts;
+        if (this->Row.Counts)
+        {
+          this->Row.ForCorners(
+            0, [&](int k, Id node) { this->Blocks.FirstNodes[run][k] = static_cast<int>(node); });
+        }
         this->Joiner.JoinRun(static_cast<int>(run), this->Row);
         this->MeasureInRow(first, whole);
         continue;
@@ -300,6 +306,8 @@ bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
   blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
   blocks.FirstLength.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerClusterRun));
+  blocks.Counts.resize(blocks.FirstLength.size());
+  blocks.FirstNodes.resize(blocks.FirstLength.size());
   blocks.ClusterOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   return mesh.PointsDouble ? Scan(mesh, mesh.PointsDouble, blocks)
                            : Scan(mesh, mesh.PointsFloat, blocks);

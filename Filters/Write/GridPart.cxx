@@ -99,6 +99,7 @@ PointFlags FlagSideOffBand(
       std::transform(status.begin() + begin, status.begin() + end, flags.begin() + begin,
         [side](unsigned char own) { return static_cast<unsigned char>(own == side); });
     });
+  std::fill(flags.begin() + mesh.NumberOfPoints, flags.end(), static_cast<unsigned char>(0));
   for (const Id p : blocks.UnusedNodes)
   {
     flags[p] = 0;

@@ -26,7 +26,7 @@ public:
   }
 
   /// Ids in any order; number[id] is the place of an id in the output, -1: it is not there.
-  static Selection Numbered(const IdList& ids, const PageVector<int>& number)
+  static Selection Numbered(const IdList& ids, const UnsetVector<int>& number)
   {
     return Selection(ids.data(), ids.size(), &number);
   }
@@ -79,7 +79,7 @@ public:
   }
 
 private:
-  Selection(const Id* ids, Id count, const PageVector<int>* number)
+  Selection(const Id* ids, Id count, const UnsetVector<int>* number)
     : Ids(ids)
     , Count(count)
     , Number(number)
@@ -88,7 +88,7 @@ private:
 
   const Id* Ids;
   Id Count;
-  const PageVector<int>* Number;
+  const UnsetVector<int>* Number;
 };
 
 }

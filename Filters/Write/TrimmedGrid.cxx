@@ -230,7 +230,7 @@ void WriteTrimmedGrid(
   std::optional<Renumbering> renumbered;
   if (from.Options.RenumberNodes && !from.Tell(0.65))
   {
-    renumbered = RenumberPart(mesh, from.Tell, kept, nodesOf);
+    renumbered = RenumberPart(mesh, from.Blocks, from.Tell, kept, nodesOf);
   }
   if (from.All.Any(from.Tell(0.85)))
   {
