@@ -79,6 +79,25 @@ struct GridPart
     return all == -1;
   }
 
+  /// Calls action(i) for the cells from begin to end that are in the band.
+  template <typename Action>
+  void ForInBand(Id begin, Id end, const Action& action) const
+  {
+    for (Id i = begin; i < end;)
+    {
+      if (i + Stretch <= end && this->AreOffBand(i))
+      {
+        i += Stretch;
+        continue;
+      }
+      if (this->InBand[i] >= 0)
+      {
+        action(i);
+      }
+      ++i;
+    }
+  }
+
   Selection CellIds() const { return Selection::Ascending(this->Cells); }
   Selection PointIds() const { return Selection::Numbered(this->Points, this->Number); }
 };

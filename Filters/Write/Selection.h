@@ -5,9 +5,11 @@
 #ifndef Selection_h
 #define Selection_h
 
+#include "FollowingIds.h"
 #include "IdList.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 namespace trim
@@ -43,11 +45,10 @@ public:
       std::copy(values + begin, values + end, output + begin);
       return;
     }
-    const Id* const ids = this->Ids; // which bytes that are written might change, for all it knows
-    for (Id i = begin; i < end; ++i)
-    {
-      output[i] = values[ids[i]];
-    }
+    // Not member by member, which bytes that are written might change, for all it knows.
+    ForFollowing(this->Ids, begin, end,
+      [values, output](Id i, Id id, auto count)
+      { std::memcpy(output + i, values + id, count * sizeof(Value)); });
   }
 
   /// Calls action(place) for each place of an id in the output.
