@@ -41,6 +41,14 @@ bool LiesBetween(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, dou
   return foot.Kind == nurbs::FootKind::Interior && foot.SignedDistance > rounding;
 }
 
+/// The first node of a cell; in a run that counts without a look at the cell.
+Id FirstNodeOf(const HexMesh& mesh, const MeshBlocks& blocks, Id cell)
+{
+  const Id run = cell / MeshBlocks::CellsPerClusterRun;
+  return blocks.Counts[run] ? blocks.FirstNodes[run][0] + cell % MeshBlocks::CellsPerClusterRun
+                            : mesh.FirstNode(cell);
+}
+
 /// Sets the statuses of the cells of some clusters by a node of theirs, those of candidates for
 /// now.
 void ClassifyClusters(const HexMesh& mesh, const MeshBlocks& blocks,
@@ -63,7 +71,7 @@ void ClassifyClusters(const HexMesh& mesh, const MeshBlocks& blocks,
     }
     for (Id c = first; c < last; ++c)
     {
-      const unsigned char node = nodes.Status[mesh.FirstNode(c)];
+      const unsigned char node = nodes.Status[FirstNodeOf(mesh, blocks, c)];
       status[c] = node == NodeKeep ? ElementKeep
         : node == NodeEliminate    ? ElementEliminate
                                    : StatusOfCell(mesh, nodes, c);

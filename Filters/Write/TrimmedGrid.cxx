@@ -63,6 +63,14 @@ struct CellInBand
 std::vector<CellInBand> CellsInBand(const TrimResult& result)
 {
   std::vector<CellInBand> cells;
+  if (result.Near && !result.Near->Mesh.BeforeLayer)
+  {
+    for (const int e : result.Near->Mesh.ElementsByCell())
+    {
+      cells.push_back({ result.Near->Mesh.Elements[e].Global, false, e });
+    }
+    return cells;
+  }
   for (int e = 0; result.Near && e < result.Near->Mesh.NumberOfElements(); ++e)
   {
     const Id cell = CellOf(result.Near->Mesh, e);
