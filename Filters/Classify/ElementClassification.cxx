@@ -41,10 +41,18 @@ bool LiesBetween(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, dou
   return foot.Kind == nurbs::FootKind::Interior && foot.SignedDistance > rounding;
 }
 
+/// The first node of a cell; in a run that counts without a look at the cell.
+Id FirstNodeOf(const HexMesh& mesh, const MeshBlocks& blocks, Id cell)
+{
+  const Id run = cell / MeshBlocks::CellsPerClusterRun;
+  return blocks.Counts[run] ? blocks.FirstNodes[run][0] + cell % MeshBlocks::CellsPerClusterRun
+                            : mesh.FirstNode(cell);
+}
+
 /// Sets the statuses of the cells of some clusters by a node of theirs, those of candidates for
 /// now.
 void ClassifyClusters(const HexMesh& mesh, const MeshBlocks& blocks,
-  const NodeClassification& nodes, Id begin, Id end, PageVector<unsigned char>& status)
+  const NodeClassification& nodes, Id begin, Id end, UnsetVector<unsigned char>& status)
 {
   const auto& sides = nodes.ClusterSide;
   for (Id cluster = begin, next; cluster < end; cluster = next)
@@ -63,7 +71,7 @@ void ClassifyClusters(const HexMesh& mesh, const MeshBlocks& blocks,
     }
     for (Id c = first; c < last; ++c)
     {
-      const unsigned char node = nodes.Status[mesh.FirstNode(c)];
+      const unsigned char node = nodes.Status[FirstNodeOf(mesh, blocks, c)];
       status[c] = node == NodeKeep ? ElementKeep
         : node == NodeEliminate    ? ElementEliminate
                                    : StatusOfCell(mesh, nodes, c);
@@ -73,10 +81,10 @@ void ClassifyClusters(const HexMesh& mesh, const MeshBlocks& blocks,
 
 }
 
-PageVector<unsigned char> ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
+UnsetVector<unsigned char> ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
   const nurbs::TrimmingSurface& surface, double rounding, const NodeClassification& nodes)
 {
-  PageVector<unsigned char> status(mesh.NumberOfCells);
+  UnsetVector<unsigned char> status(mesh.NumberOfCells);
   ParallelFor(0, blocks.NumberOfClusters(), 6000,
     [&](Id begin, Id end) { ClassifyClusters(mesh, blocks, nodes, begin, end, status); });
   for (const Id c : nodes.CandidateCells)

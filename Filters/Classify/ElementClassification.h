@@ -18,7 +18,7 @@ namespace trim
  * where its middle is so by more.
  * @param nodes classified by the surface, which is turned as they are.
  */
-PageVector<unsigned char> ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
+UnsetVector<unsigned char> ClassifyElements(const HexMesh& mesh, const MeshBlocks& blocks,
   const nurbs::TrimmingSurface& surface, double rounding, const NodeClassification& nodes);
 
 }

@@ -43,7 +43,7 @@ struct Piece;
 
 struct NodeClassification
 {
-  PageVector<unsigned char> Status;                  ///< of every node
+  UnsetVector<unsigned char> Status;                 ///< of every node
   std::vector<std::pair<Id, float>> SignedDistances; ///< of nodes that were projected, ascending
   std::vector<Id> CandidateCells;                    ///< whose boxes meet the surface, ascending
   /// Of each cluster of the mesh: the side of all its cells, if that is known. An empty second one

@@ -15,6 +15,7 @@
 #include "Team.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace trim
@@ -70,8 +71,22 @@ private:
   void ForCells(Id cluster, const Action& action) const
   {
     std::array<Id, 8> nodes;
+    const Id run = cluster / 2;
+    const Id begin = this->Blocks.FirstCellOfCluster(cluster);
     const Id end = std::min(this->Mesh.NumberOfCells, this->Blocks.FirstCellOfCluster(cluster + 1));
-    for (Id c = this->Blocks.FirstCellOfCluster(cluster); c < end; ++c)
+    if (begin < end && this->Blocks.Counts[run])
+    {
+      // Such a run is one cluster, and is not read from memory again.
+      const auto& first = this->Blocks.FirstNodes[run];
+      std::copy(first.begin(), first.end(), nodes.begin());
+      for (Id c = begin; c < end; ++c)
+      {
+        action(c, nodes, 8);
+        std::for_each(nodes.begin(), nodes.end(), [](Id& node) { ++node; });
+      }
+      return;
+    }
+    for (Id c = begin; c < end; ++c)
     {
       action(c, nodes, this->Mesh.Cell(c, nodes));
     }

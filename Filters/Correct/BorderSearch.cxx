@@ -29,6 +29,7 @@ bool BorderSearch::Has(const Vec3& place, double distance)
   {
     if (i == this->Facets.size())
     {
+      this->Facets.reserve(this->Around.size()); // as facets are long to be moved
       this->Facets.emplace_back(Facet(this->TheBand, this->TheBand.Faces[this->Around[i]]));
     }
     if (LiesOn(this->Facets[i], place, distance))

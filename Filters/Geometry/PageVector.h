@@ -23,6 +23,13 @@ enum class PageSize
   Large  ///< for what is written to throughout; a hint
 };
 
+/// What memory holds that is to be used.
+enum class PageContent
+{
+  Zeros,
+  Anything ///< of what is filled throughout
+};
+
 /// Which pages take less time for memory that is written to at so many places here and there.
 PageSize PagesForPlaces(std::size_t bytes, std::size_t places);
 
@@ -40,27 +47,30 @@ void FreeZeros(void* memory, std::size_t bytes);
 
 /// For std::vector: elements that no value is given for are left as they are, zero in new memory.
 /// Large pages are kept for the next one.
-template <typename T, PageSize Pages>
+template <typename T, PageSize Pages, PageContent Content = PageContent::Zeros>
 struct PageAllocator
 {
   using value_type = T;
   template <typename U>
   struct rebind
   {
-    using other = PageAllocator<U, Pages>;
+    using other = PageAllocator<U, Pages, Content>;
   };
 
   PageAllocator() = default;
   template <typename U>
-  PageAllocator(const PageAllocator<U, Pages>&)
+  PageAllocator(const PageAllocator<U, Pages, Content>&)
   {
   }
   T* allocate(std::size_t count)
   {
     static_assert(alignof(T) <= CacheLine, "of all pieces");
     const std::size_t bytes = count * sizeof(T);
-    return static_cast<T*>(
-      Pages == PageSize::Large ? TakeZeroPages(bytes) : AllocateZeros(bytes, Pages));
+    if (Pages == PageSize::Small)
+    {
+      return static_cast<T*>(AllocateZeros(bytes, Pages));
+    }
+    return static_cast<T*>(Content == PageContent::Zeros ? TakeZeroPages(bytes) : TakePages(bytes));
   }
   void deallocate(T* memory, std::size_t count)
   {
@@ -79,12 +89,12 @@ struct PageAllocator
     ::new (static_cast<void*>(item)) U(std::forward<Arguments>(arguments)...);
   }
   template <typename U>
-  bool operator==(const PageAllocator<U, Pages>&) const
+  bool operator==(const PageAllocator<U, Pages, Content>&) const
   {
     return true;
   }
   template <typename U>
-  bool operator!=(const PageAllocator<U, Pages>&) const
+  bool operator!=(const PageAllocator<U, Pages, Content>&) const
   {
     return false;
   }
@@ -93,6 +103,11 @@ struct PageAllocator
 /// A long array of values. PageVector<T>(count) is zero, and so is resize() of an empty one.
 template <typename T>
 using PageVector = std::vector<T, PageAllocator<T, PageSize::Large>>;
+
+/// The same for one that is filled throughout: UnsetVector<T>(count) and resize() leave it as it
+/// is, which may be anything.
+template <typename T>
+using UnsetVector = std::vector<T, PageAllocator<T, PageSize::Large, PageContent::Anything>>;
 
 /// The same for one of which few parts are written to: the rest takes no memory.
 template <typename T>

@@ -278,8 +278,8 @@ std::vector<int> OrderCells(const BandCells& band)
 }
 
 BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
-  const std::vector<Id>& near, int rings, const PageVector<unsigned char>& nodeStatus,
-  const PageVector<unsigned char>& elementStatus, const SpreadRing& spread)
+  const std::vector<Id>& near, int rings, const UnsetVector<unsigned char>& nodeStatus,
+  const UnsetVector<unsigned char>& elementStatus, const SpreadRing& spread)
 {
   Rings grown(mesh, near, seeds);
   grown.Grow(rings, spread);

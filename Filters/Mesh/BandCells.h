@@ -58,8 +58,8 @@ using SpreadRing = std::function<void(std::vector<Id>& nodes)>;
  * @param spread called once for each ring; may be empty.
  */
 BandCells CollectBandCells(const HexMesh& mesh, const std::vector<Id>& seeds,
-  const std::vector<Id>& near, int rings, const PageVector<unsigned char>& nodeStatus,
-  const PageVector<unsigned char>& elementStatus, const SpreadRing& spread);
+  const std::vector<Id>& near, int rings, const UnsetVector<unsigned char>& nodeStatus,
+  const UnsetVector<unsigned char>& elementStatus, const SpreadRing& spread);
 
 /// The order of places: by x, then y, then z.
 inline bool LiesBefore(const Vec3& a, const Vec3& b)

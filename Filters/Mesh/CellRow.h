@@ -52,6 +52,18 @@ struct CellRow
   std::array<Line, 4> Lines; ///< of nodes: by the corner of the face that a cell begins with
   bool Counts;               ///< each node is the one before it in its line, plus one
 
+  /// Calls action(corner, node) for the corners of a cell.
+  template <typename Action>
+  void ForCorners(int cell, const Action& action) const
+  {
+    const RowAxis& axis = RowAxes[this->Axis];
+    for (int i = 0; i < 4; ++i)
+    {
+      action(axis.Begin[i], this->Lines[i][cell]);
+      action(axis.End[i], this->Lines[i][cell + 1]);
+    }
+  }
+
   /// Takes the cells from `first` on, which need not be good; false if they are no row or have a
   /// defect.
   bool Take(const HexMesh& mesh, Id first)

@@ -29,15 +29,18 @@ inline bool ShareNode(
 class ClusterJoiner
 {
 public:
-  ClusterJoiner(const HexMesh& mesh, MeshBlocks& blocks, bool alone)
+  /// @param clusters first ones of the nodes.
+  /// @param alone whether no other thread is at these.
+  ClusterJoiner(const HexMesh& mesh, MeshBlocks& blocks, std::atomic<int>* clusters, bool alone)
     : Mesh(mesh)
     , Blocks(blocks)
+    , Clusters(clusters)
     , Alone(alone)
   {
   }
 
   MeshBlocks::LinkList Links;
-  Id NumberOfNodes = 0; ///< that no cell had used before
+  Id NumberOfNodes = 0; ///< that had no cluster before
 
   /// Finds the clusters of a run, and adds their nodes and links.
   void JoinRun(int run)
@@ -80,7 +83,7 @@ public:
   {
     const int cluster = 2 * run;
     const int own = MeshBlocks::NoCluster - cluster;
-    std::atomic<int>* const clusters = this->Blocks.ClusterOfNode.data();
+    std::atomic<int>* const clusters = this->Clusters;
     for (const CellRow::Line& line : row.Lines)
     {
       int known = own; // earlier cluster at the node before: most are the same
@@ -114,7 +117,7 @@ private:
   void JoinCorners(const std::array<Id, 8>& nodes, const int* corners, int count, int cluster,
     bool isCluster, std::array<int, 8>& known)
   {
-    std::atomic<int>* const clusters = this->Blocks.ClusterOfNode.data();
+    std::atomic<int>* const clusters = this->Clusters;
     const int own = MeshBlocks::NoCluster - cluster;
     for (int k = 0; k < count; ++k)
     {
@@ -169,7 +172,8 @@ private:
 
   const HexMesh& Mesh;
   MeshBlocks& Blocks;
-  bool Alone;                 ///< no other thread is at work
+  std::atomic<int>* Clusters;
+  bool Alone;
   MeshBlocks::LinkList Later; ///< from runs that another thread came to first
 };
 

@@ -1,5 +1,6 @@
 #include "GatherAttributes.h"
 
+#include "FollowingIds.h"
 #include "FreshArray.h"
 #include "Team.h"
 
@@ -30,10 +31,9 @@ void GatherRaw(vtkDataArray* source, const vtkIdType* ids, vtkIdType count, vtkD
   ParallelFor(0, count, 50000,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        std::memcpy(to + size * i, from + size * ids[i], size);
-      }
+      ForFollowing(ids, begin, end,
+        [&](vtkIdType i, vtkIdType id, auto tuples)
+        { std::memcpy(to + size * i, from + size * id, size * tuples); });
     });
 }
 

@@ -22,6 +22,7 @@ class vtkUnstructuredGrid;
 namespace trim
 {
 using nurbs::PageVector;
+using nurbs::UnsetVector;
 using nurbs::Vec3;
 using Id = vtkIdType;
 
@@ -78,11 +79,11 @@ struct HexMesh
   /// Hexahedra that are sound but for the order of their nodes.
   Id CountInsideOut() const;
 
-  /// 8 or 6.
-  int NumberOfNodes(Id c) const
+  /// 8 or 6 of each cell from first to last.
+  Id NumberOfNodes(Id first, Id last) const
   {
-    return static_cast<int>(this->Offsets64 ? this->Offsets64[c + 1] - this->Offsets64[c]
-                                            : this->Offsets32[c + 1] - this->Offsets32[c]);
+    return this->Offsets64 ? this->Offsets64[last + 1] - this->Offsets64[first]
+                           : this->Offsets32[last + 1] - this->Offsets32[first];
   }
 
   Id FirstNode(Id c) const
@@ -105,12 +106,7 @@ struct HexMesh
   /// within a page of memory only.
   EIGEN_ALWAYS_INLINE void Prefetch(Id c) const
   {
-    const Id first = 8 * c; // most are hexahedra
-    if (first < this->ConnectivitySize)
-    {
-      __builtin_prefetch(this->Offsets64 ? static_cast<const void*>(this->Connectivity64 + first)
-                                         : static_cast<const void*>(this->Connectivity32 + first));
-    }
+    this->PrefetchNode(8 * c); // most are hexahedra
   }
 
   /// The same for cells that are asked for here and there.
@@ -118,7 +114,8 @@ struct HexMesh
   {
     __builtin_prefetch(this->Offsets64 ? static_cast<const void*>(this->Offsets64 + c)
                                        : static_cast<const void*>(this->Offsets32 + c));
-    this->Prefetch(c);
+    this->PrefetchNode(8 * c);
+    this->PrefetchNode(8 * c + 7); // mostly in another line of the cache
   }
 
   /// Has the processor fetch the points of a cell.
@@ -135,6 +132,15 @@ struct HexMesh
   }
 
 private:
+  EIGEN_ALWAYS_INLINE void PrefetchNode(Id place) const
+  {
+    if (place < this->ConnectivitySize)
+    {
+      __builtin_prefetch(this->Offsets64 ? static_cast<const void*>(this->Connectivity64 + place)
+                                         : static_cast<const void*>(this->Connectivity32 + place));
+    }
+  }
+
   void OrientWedge(std::array<Id, 8>& nodes) const;
   bool OrientHexahedron(std::array<Id, 8>& nodes) const; ///< returns whether it had to
 

@@ -1,11 +1,10 @@
 #include "MeshBlocks.h"
 
 #include "CellMeasure.h"
+#include "ClusterArrays.h"
 #include "ClusterJoiner.h"
 #include "Jacobian.h"
 #include "Runs.h"
-
-#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <atomic>
@@ -108,11 +107,12 @@ template <typename Coordinate>
 class BlockScan
 {
 public:
-  BlockScan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks, bool alone)
+  BlockScan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks,
+    std::atomic<int>* clusters, bool alone)
     : Mesh(mesh)
     , Points(points)
     , Blocks(blocks)
-    , Joiner(mesh, blocks, alone)
+    , Joiner(mesh, blocks, clusters, alone)
   {
   }
 
@@ -132,6 +132,12 @@ public:
       // Nothing is done with the nodes of a run before all of its cells were looked at.
       if (this->Row.Take(this->Mesh, first))
       {
+        this->Blocks.Counts[run] = this->Row.Counts;
+        if (this->Row.Counts)
+        {
+          this->Row.ForCorners(
+            0, [&](int k, Id node) { this->Blocks.FirstNodes[run][k] = static_cast<int>(node); });
+        }
         this->Joiner.JoinRun(static_cast<int>(run), this->Row);
         this->MeasureInRow(first, whole);
         continue;
@@ -238,13 +244,14 @@ struct Stretch
 {
   BlockSizes Sizes;
   MeshBlocks::LinkList Links;
-  Id NumberOfNodes = 0; ///< that no stretch before it in time had used
+  Id NumberOfNodes = 0; ///< that no stretch before it in time had used, in the same array
 };
 
 /// Returns whether all coordinates certainly are finite.
-bool Gather(const HexMesh& mesh, std::vector<Stretch>& stretches, MeshBlocks& blocks)
+bool Gather(
+  const HexMesh& mesh, std::vector<Stretch>& stretches, ClusterArrays& clusters, MeshBlocks& blocks)
 {
-  Id usedNodes = 0;
+  Id usedNodes = -clusters.Join();
   bool finite = true;
   for (Stretch& stretch : stretches)
   {
@@ -266,26 +273,27 @@ template <typename Coordinate>
 bool Scan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks)
 {
   constexpr Id grain = 256;
-  const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() < 2;
+  ClusterArrays clusters(blocks);
   std::vector<Stretch> stretches(NumberOfRuns(blocks.NumberOfBlocks(), grain));
   std::atomic<bool> good{ true };
   ForRuns(blocks.NumberOfBlocks(), grain,
     [&](Id run, Id begin, Id end)
     {
-      BlockScan<Coordinate> scan(mesh, points, blocks, alone);
+      ClusterArrays::Array& array = clusters.Take();
+      BlockScan<Coordinate> scan(mesh, points, blocks, array.data(), clusters.AreApart());
       for (Id b = begin; b < end && good; ++b)
       {
         if (!scan.Scan(b))
         {
           good = false;
-          return;
         }
       }
+      clusters.Give(array);
       ClusterJoiner& joiner = scan.Joined();
       joiner.Links.shrink_to_fit();
       stretches[run] = { scan.Sizes(), std::move(joiner.Links), joiner.NumberOfNodes };
     });
-  return good && Gather(mesh, stretches, blocks);
+  return good && Gather(mesh, stretches, clusters, blocks);
 }
 
 }
@@ -300,6 +308,8 @@ bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
   blocks.RunBoxes.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerRun));
   blocks.Volumes.resize(mesh.NumberOfCells);
   blocks.FirstLength.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerClusterRun));
+  blocks.Counts.resize(blocks.FirstLength.size());
+  blocks.FirstNodes.resize(blocks.FirstLength.size());
   blocks.ClusterOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
   return mesh.PointsDouble ? Scan(mesh, mesh.PointsDouble, blocks)
                            : Scan(mesh, mesh.PointsFloat, blocks);

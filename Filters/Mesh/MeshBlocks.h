@@ -14,6 +14,7 @@
 #include "TrimmingSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
 #include <utility>
@@ -41,15 +42,20 @@ struct MeshBlocks
   static constexpr Id CellsPerBlock = 64;
   static constexpr Id CellsPerRun = 8;
 
-  PageVector<UnsetBox<double>> Boxes;
-  PageVector<UnsetBox<float>> RunBoxes; ///< of short runs of cells, rounded outwards
-  PageVector<double> Volumes;           ///< of every cell, >= 0
+  UnsetVector<UnsetBox<double>> Boxes;
+  UnsetVector<UnsetBox<float>> RunBoxes; ///< of short runs of cells, rounded outwards
+  UnsetVector<double> Volumes;           ///< of every cell, >= 0
 
   /// Clusters, whole pieces of the mesh: sequences of cells, each but the first of which shares a
   /// node with the one before. Each run of so many cells is two of them, the second one empty but
   /// where a row of elements ends. In a mesh in random order there are none.
   static constexpr Id CellsPerClusterRun = 16;
   std::vector<unsigned char> FirstLength; ///< cells of a run's first cluster; 0: it is no clusters
+  /// Of each of these runs: whether it is hexahedra the nodes of each of which are those of the one
+  /// before, plus one; the nodes of the first one, else nothing. For where these would be read here
+  /// and there.
+  std::vector<unsigned char> Counts;
+  UnsetVector<std::array<int, 8>> FirstNodes;
   /// How far the first cluster of each node is before NoCluster; 0: it has none.
   PageVector<std::atomic<int>> ClusterOfNode;
   /// Cluster and one before it with a common node. All clusters with a node are linked with one

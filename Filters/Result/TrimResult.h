@@ -19,9 +19,9 @@ namespace trim
 struct TrimResult
 {
   NodeClassification Nodes;
-  PageVector<unsigned char> ElementStatus; ///< of every cell
-  PageVector<char> Kept;                   ///< final fate of every cell
-  std::unique_ptr<TrimBand> Near;          ///< null if the surface touches nothing
+  UnsetVector<unsigned char> ElementStatus; ///< of every cell
+  UnsetVector<char> Kept;                   ///< final fate of every cell
+  std::unique_ptr<TrimBand> Near;           ///< null if the surface touches nothing
   Findings Found;
   std::vector<std::string> Warnings;
   std::string Error; ///< not empty: there is no result

@@ -4,7 +4,6 @@
 #include "CoincidentNodes.h"
 #include "ElementWorth.h"
 #include "NodesOfElements.h"
-#include "Runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,25 +78,6 @@ bool WasInvalid(const Band& band, int e)
 {
   const ElementShape before = ShapeBefore(band, e);
   return !IsValid(before.Points, before.Count, Optimization::None);
-}
-
-/// The touched elements that pass a test, ascending, asked by all threads.
-template <typename Test>
-std::vector<int> FindElements(const Band& band, const TrimmedBand& trimmed, const Test& test)
-{
-  const std::vector<int> touched = FindTouchedElements(band, trimmed);
-  std::vector<char> passes(touched.size(), 0);
-  ForAll(static_cast<int>(touched.size()),
-    [&](int i) { passes[i] = test(touched[i], FinalShape(band, trimmed, touched[i])); });
-  std::vector<int> found;
-  for (std::size_t i = 0; i < touched.size(); ++i)
-  {
-    if (passes[i])
-    {
-      found.push_back(touched[i]);
-    }
-  }
-  return found;
 }
 
 }
@@ -206,6 +186,20 @@ std::vector<int> BandQuality::FindLeavingBorder(const TrimmedBand& trimmed) cons
   return FindElements(this->TheBand, trimmed,
     [&](int e, const FinalElement& final)
     { return this->LeavesBorder(e, final.Node, final.Points, final.Count); });
+}
+
+std::vector<int> BandQuality::FindLeavingBorder(
+  const TrimmedBand& trimmed, const Moves& before) const
+{
+  const Moves& now = trimmed.NodeMoves;
+  return FindElements(this->TheBand, trimmed,
+    [&](int e, const FinalElement& final)
+    {
+      const bool differs = std::any_of(final.begin(), final.end(),
+        [&](int n)
+        { return now.Position[n] != before.Position[n] || now.Applied[n] != before.Applied[n]; });
+      return differs && this->LeavesBorder(e, final.Node, final.Points, final.Count);
+    });
 }
 
 bool BandQuality::IsBelowFloor(int e, double measured) const

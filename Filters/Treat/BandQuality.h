@@ -109,6 +109,8 @@ public:
 
   /// Touched elements that do, ascending.
   std::vector<int> FindLeavingBorder(const TrimmedBand& trimmed) const;
+  /// Those of them with a node that was elsewhere before, or not moved.
+  std::vector<int> FindLeavingBorder(const TrimmedBand& trimmed, const Moves& before) const;
 
 private:
   /// Of an element as it came.

@@ -118,17 +118,12 @@ bool HasBridge(const Band& band, const nurbs::TrimmingSurface& surface, int e, d
 std::vector<int> FindBridges(
   const Band& band, const nurbs::TrimmingSurface& surface, const TrimmedBand& trimmed)
 {
-  std::vector<int> found;
-  for (const int e : FindTouchedElements(band, trimmed))
-  {
-    const FinalElement final = FinalShape(band, trimmed, e);
-    if (!band.IsInserted(e) &&
-      HasBridge(band, surface, e, LongestEdgeOf(band, e), final.Node, final.Points, final.Count))
+  return FindElements(band, trimmed,
+    [&](int e, const FinalElement& final)
     {
-      found.push_back(e);
-    }
-  }
-  return found;
+      return !band.IsInserted(e) &&
+        HasBridge(band, surface, e, LongestEdgeOf(band, e), final.Node, final.Points, final.Count);
+    });
 }
 
 }

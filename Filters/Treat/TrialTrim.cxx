@@ -264,16 +264,22 @@ void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const 
 
 /// Takes nodes back to where they were, round elements that left the border of the model meanwhile,
 /// unless others become invalid, or short of what is aimed at, by that.
-/// @param leaving those that had left it before.
+/// @param unpolished what had left the border by these moves may.
 void TrialTrim::ReturnToBorder(
-  const Moves& before, const std::vector<int>& leaving, TrimmedBand& trimmed) const
+  const Moves& before, const Moves& unpolished, TrimmedBand& trimmed) const
 {
   const auto findLeft = [&]
   {
-    const std::vector<int> now = this->Quality.FindLeavingBorder(trimmed);
+    const std::vector<int> now = this->Quality.FindLeavingBorder(trimmed, unpolished);
     std::vector<int> left;
-    std::set_difference(
-      now.begin(), now.end(), leaving.begin(), leaving.end(), std::back_inserter(left));
+    if (!now.empty())
+    {
+      TrimmedBand first = trimmed;
+      first.NodeMoves = unpolished;
+      const std::vector<int> leaving = this->Quality.FindLeavingBorder(first);
+      std::set_difference(
+        now.begin(), now.end(), leaving.begin(), leaving.end(), std::back_inserter(left));
+    }
     return left;
   };
   std::vector<int> left = findLeft();
@@ -327,12 +333,12 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
   // What the mesh had below the floor may gain at the cost of its neighbours: where that spoils
   // one, step by step.
   const std::size_t below = this->Quality.FindBelowFloor(trimmed).size();
-  const std::vector<int> leaving = this->Quality.FindLeavingBorder(trimmed);
+  const Moves unpolished = trimmed.NodeMoves;
   const auto polish = [&](auto first, auto last)
   {
     const Moves before = trimmed.NodeMoves;
     std::for_each(first, last, [](const auto& step) { step(); });
-    this->ReturnToBorder(before, leaving, trimmed);
+    this->ReturnToBorder(before, unpolished, trimmed);
     const bool good = this->Quality.FindBelowFloor(trimmed).size() <= below &&
       this->Quality.FindInvalid(trimmed).size() <= trimmed.Invalid.size();
     if (!good)

@@ -104,8 +104,7 @@ private:
   bool Differ(const TrimmedBand& a, const TrimmedBand& b, int element) const;
   std::vector<char> TakeRelaxed(
     const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const;
-  void ReturnToBorder(
-    const Moves& before, const std::vector<int>& leaving, TrimmedBand& trimmed) const;
+  void ReturnToBorder(const Moves& before, const Moves& unpolished, TrimmedBand& trimmed) const;
   void PolishTo(const Choices& set, double goal, bool onCutToo, TrimmedBand& trimmed) const;
   double GoalForLeft() const;
   /// What must not become more when nodes that were left return.

@@ -6,6 +6,7 @@
 #define TrimmedBand_h
 
 #include "Pentahedra.h"
+#include "Runs.h"
 
 #include <memory>
 #include <vector>
@@ -59,6 +60,25 @@ FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int elemen
 
 /// Kept elements that have a moved node or were replaced, ascending: a small part of the band.
 std::vector<int> FindTouchedElements(const Band& band, const TrimmedBand& trimmed);
+
+/// The touched elements that pass a test, ascending, asked by all threads.
+template <typename Test>
+std::vector<int> FindElements(const Band& band, const TrimmedBand& trimmed, const Test& test)
+{
+  const std::vector<int> touched = FindTouchedElements(band, trimmed);
+  std::vector<char> passes(touched.size(), 0);
+  ForAll(static_cast<int>(touched.size()),
+    [&](int i) { passes[i] = test(touched[i], FinalShape(band, trimmed, touched[i])); });
+  std::vector<int> found;
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    if (passes[i])
+    {
+      found.push_back(touched[i]);
+    }
+  }
+  return found;
+}
 
 /// Nodes of the new boundary: of facets between kept and eliminated elements, and of those that
 /// wedges have where they dropped an edge.

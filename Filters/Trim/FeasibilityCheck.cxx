@@ -65,8 +65,18 @@ public:
       this->CellsOfStrips = CellsOf(WithoutLayer(near.Mesh), FindPartedStrips(near));
     }
     std::vector<Feasibility> values(cells.size(), Feasibility::Fine);
+    const int last = static_cast<int>(cells.size()) - 1;
     ForAll(
-      static_cast<int>(cells.size()), [&](int i) { values[i] = this->Check(cells[i]); }, 64);
+      last + 1,
+      [&](int i)
+      {
+        // The cells lie here and there, so that the processor does not foresee them.
+        constexpr int cellsAhead = 6, pointsAhead = 3;
+        this->Mesh.PrefetchCell(cells[std::min(i + cellsAhead, last)]);
+        this->Mesh.PrefetchPoints(cells[std::min(i + pointsAhead, last)]);
+        values[i] = this->Check(cells[i]);
+      },
+      64);
     std::vector<std::pair<Id, Feasibility>> found;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {

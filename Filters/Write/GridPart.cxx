@@ -2,6 +2,7 @@
 
 #include "ArrayRanges.h"
 #include "FindingArrays.h"
+#include "FollowingIds.h"
 #include "GatherAttributes.h"
 #include "SparseArray.h"
 #include "Team.h"
@@ -17,6 +18,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace trim
 {
@@ -34,13 +36,9 @@ void WriteCoordinates(
   ParallelFor(0, count, PartGrain,
     [&](Id begin, Id end)
     {
-      for (Id i = begin; i < end; ++i)
-      {
-        const Value* point = from + 3 * part.Points[i];
-        to[3 * i] = point[0];
-        to[3 * i + 1] = point[1];
-        to[3 * i + 2] = point[2];
-      }
+      ForFollowing(part.Points.data(), begin, end,
+        [&](Id i, Id point, auto points)
+        { std::memcpy(to + 3 * i, from + 3 * point, 3 * points * sizeof(Value)); });
     });
   moved.ForPlaces(part.PointIds(),
     [&](Id place, int node)
@@ -60,15 +58,7 @@ std::vector<Id> PlacesInBand(const GridPart& part, int count)
   std::vector<Id> places(count, -1);
   ForRuns(part.Cells.size(),
     [&](Id, Id begin, Id end)
-    {
-      for (Id i = begin; i < end; ++i)
-      {
-        if (part.InBand[i] >= 0)
-        {
-          places[part.InBand[i]] = i;
-        }
-      }
-    });
+    { part.ForInBand(begin, end, [&](Id i) { places[part.InBand[i]] = i; }); });
   return places;
 }
 
@@ -99,6 +89,7 @@ PointFlags FlagSideOffBand(
       std::transform(status.begin() + begin, status.begin() + end, flags.begin() + begin,
         [side](unsigned char own) { return static_cast<unsigned char>(own == side); });
     });
+  std::fill(flags.begin() + mesh.NumberOfPoints, flags.end(), static_cast<unsigned char>(0));
   for (const Id p : blocks.UnusedNodes)
   {
     flags[p] = 0;
@@ -324,13 +315,14 @@ void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructured
         distances->SetValue(number, distance->second);
       }
     });
-  for (Id i = 0; i < part.Cells.size(); ++i)
-  {
-    if (part.InBand[i] >= 0 && result.Near->Mesh.IsInserted(part.InBand[i]))
+  part.ForInBand(0, part.Cells.size(),
+    [&](Id i)
     {
-      cells.push_back(i);
-    }
-  }
+      if (result.Near->Mesh.IsInserted(part.InBand[i]))
+      {
+        cells.push_back(i);
+      }
+    });
   const auto set = [](Id, unsigned char* value) { *value = 1; };
   AddSparseArray<vtkUnsignedCharArray>(
     "Inserted", part.Points.size(), 1, points, set, output->GetPointData());

@@ -54,11 +54,49 @@ struct GridPart
   IdList Points{ "vtkOriginalPointIds" }; ///< input ids, by new number
   /// Of each cell: its place among the part's elements in the band, -1 away from the cut. Elements
   /// of the kept part are told by those of the band, of the offcut by Offcut::Elements.
-  PageVector<int> InBand;
+  UnsetVector<int> InBand;
   /// Of each input point, then of each inserted one: its new number, -1: it is not in the part.
-  PageVector<int> Number;
+  UnsetVector<int> Number;
   std::vector<InsertedPoint> Inserted; ///< see FindInsertedPoints
   std::vector<Id> Offset; ///< nodes of the cells before each run of PartGrain cells, and of all
+
+  /// So many cells are looked at at once where they are side by side: whole runs of the mesh.
+  static constexpr Id Stretch = MeshBlocks::CellsPerClusterRun;
+  /// Whether the cells from i on are so many that follow each other in the input, off the band.
+  bool IsStretch(Id i, Id end) const
+  {
+    return i + Stretch <= end && this->Cells[i + Stretch - 1] == this->Cells[i] + Stretch - 1 &&
+      this->AreOffBand(i);
+  }
+  /// Whether none of so many cells is in the band.
+  bool AreOffBand(Id i) const
+  {
+    int all = -1;
+    for (Id k = 0; k < Stretch; ++k)
+    {
+      all &= this->InBand[i + k];
+    }
+    return all == -1;
+  }
+
+  /// Calls action(i) for the cells from begin to end that are in the band.
+  template <typename Action>
+  void ForInBand(Id begin, Id end, const Action& action) const
+  {
+    for (Id i = begin; i < end;)
+    {
+      if (i + Stretch <= end && this->AreOffBand(i))
+      {
+        i += Stretch;
+        continue;
+      }
+      if (this->InBand[i] >= 0)
+      {
+        action(i);
+      }
+      ++i;
+    }
+  }
 
   Selection CellIds() const { return Selection::Ascending(this->Cells); }
   Selection PointIds() const { return Selection::Numbered(this->Points, this->Number); }
@@ -74,7 +112,7 @@ void ForRuns(Id count, const Action& action)
   ForRuns(count, PartGrain, action);
 }
 
-using PointFlags = PageVector<unsigned char>;
+using PointFlags = UnsetVector<unsigned char>;
 
 /// Sets the flags of points on a side, but for those all of whose cells are in the band: off the
 /// band no cell joins points of both sides.
@@ -103,11 +141,12 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
     {
       std::array<Id, 8> nodes;
       Id size = 0;
-      for (Id i = begin; i < end; ++i)
+      for (Id i = begin, next; i < end; i = next)
       {
+        next = i + (part.IsStretch(i, end) ? GridPart::Stretch : 1);
         if (part.InBand[i] < 0)
         {
-          size += mesh.NumberOfNodes(part.Cells[i]);
+          size += mesh.NumberOfNodes(part.Cells[i], part.Cells[next - 1]);
           continue;
         }
         const int number = nodesOf(i, nodes);
@@ -129,55 +168,124 @@ void NumberPoints(const HexMesh& mesh, const MeshBlocks& blocks, const TrimResul
   NumberFlagged(used, part);
 }
 
+/**
+ * Writes a stretch of elements the nodes of each of which are those of the one before, plus one, if
+ * their numbers are so, too: without a look at the nodes between the first ones and the last.
+ *
+ * @param number ascending with the nodes.
+ * @param nodes of the first element.
+ * @return the largest difference of numbers within one; -1: their numbers are not so.
+ */
+template <typename Index>
+int NumberCounting(
+  const int* number, const std::array<int, 8>& nodes, Id first, Index* offsets, Index* connectivity)
+{
+  constexpr int more = static_cast<int>(GridPart::Stretch) - 1;
+  std::array<int, 8> start;
+  bool count = true;
+  for (int k = 0; k < 8; ++k)
+  {
+    start[k] = number[nodes[k]];
+    count &= number[nodes[k] + more] == start[k] + more;
+  }
+  if (!count)
+  {
+    return -1;
+  }
+  for (int i = 0; i <= more; ++i)
+  {
+    offsets[i] = static_cast<Index>(first + 8 * i);
+    for (int k = 0; k < 8; ++k)
+    {
+      connectivity[8 * i + k] = static_cast<Index>(start[k]) + i;
+    }
+  }
+  const auto range = std::minmax_element(start.begin(), start.end());
+  return *range.second - *range.first;
+}
+
+/// Writes the nodes of one element; returns the largest difference of their numbers.
+template <typename Index>
+int NumberElement(const int* number, const std::array<Id, 8>& nodes, int size, Index* connectivity)
+{
+  int low = number[nodes[0]];
+  int high = low;
+  const auto take = [&](int k)
+  {
+    const int own = number[nodes[k]];
+    connectivity[k] = static_cast<Index>(own);
+    low = std::min(low, own);
+    high = std::max(high, own);
+  };
+  if (size == 8) // most are
+  {
+    for (int k = 0; k < 8; ++k)
+    {
+      take(k);
+    }
+  }
+  else
+  {
+    for (int k = 0; k < size; ++k)
+    {
+      take(k);
+    }
+  }
+  return high - low;
+}
+
 /// The elements of the part with their nodes numbered; returns the largest difference of numbers
 /// within one.
-/// @param numbers of the nodes that nodesOf tells.
-template <typename Index, typename NodesOf>
-Id NumberElements(const GridPart& part, const NodesOf& nodesOf, const PageVector<int>& numbers,
-  Index* offsets, Index* connectivity)
+/// @param counting (i, end): the nodes of the first element of a stretch from i on the nodes of
+/// each of which are those of the one before, plus one, where numbers ascend with nodes; else null.
+/// @param number of the nodes that nodesOf tells.
+template <typename Index, typename NodesOf, typename Counting>
+Id NumberElements(const GridPart& part, const NodesOf& nodesOf, const Counting& counting,
+  const int* number, Index* offsets, Index* connectivity)
 {
   std::vector<int> widest(part.Offset.size(), 0);
-  const int* const number = numbers.data();
   ForRuns(part.Cells.size(),
     [&](Id run, Id begin, Id end)
     {
       std::array<Id, 8> nodes;
       Id next = part.Offset[run];
       int width = 0;
-      for (Id i = begin; i < end; ++i)
+      for (Id i = begin; i < end;)
       {
+        const std::array<int, 8>* const first = counting(i, end);
+        const int ofStretch =
+          first ? NumberCounting(number, *first, next, offsets + i, connectivity + next) : -1;
+        if (ofStretch >= 0)
+        {
+          width = std::max(width, ofStretch);
+          next += 8 * GridPart::Stretch;
+          i += GridPart::Stretch;
+          continue;
+        }
         const int size = nodesOf(i, nodes);
         offsets[i] = static_cast<Index>(next);
-        int low = number[nodes[0]];
-        int high = low;
-        const auto take = [&](int k)
-        {
-          const int own = number[nodes[k]];
-          connectivity[next + k] = static_cast<Index>(own);
-          low = std::min(low, own);
-          high = std::max(high, own);
-        };
-        if (size == 8) // most are
-        {
-          for (int k = 0; k < 8; ++k)
-          {
-            take(k);
-          }
-        }
-        else
-        {
-          for (int k = 0; k < size; ++k)
-          {
-            take(k);
-          }
-        }
-        width = std::max(width, high - low);
+        width = std::max(width, NumberElement(number, nodes, size, connectivity + next));
         next += size;
+        ++i;
       }
       widest[run] = width;
     });
   offsets[part.Cells.size()] = static_cast<Index>(part.Offset.back());
   return *std::max_element(widest.begin(), widest.end());
+}
+
+/// For NumberElements, with the numbers of NumberPoints.
+inline auto CountingInMesh(const HexMesh& mesh, const MeshBlocks& blocks, const GridPart& part)
+{
+  return [&](Id i, Id end) -> const std::array<int, 8>*
+  {
+    const Id cell = part.Cells[i];
+    const Id run = cell / GridPart::Stretch;
+    return cell % GridPart::Stretch == 0 && blocks.Counts[run] != 0 && !mesh.TurnsInsideOut &&
+        part.IsStretch(i, end)
+      ? &blocks.FirstNodes[run]
+      : nullptr;
+  };
 }
 
 /// Takes the new numbers of the points, by the old ones.
@@ -195,15 +303,16 @@ struct Renumbering
 
 /// Gives the points new numbers, so that the band is narrow.
 template <typename NodesOf>
-Renumbering RenumberPart(
-  const HexMesh& mesh, const Progress& progress, GridPart& part, const NodesOf& nodesOf)
+Renumbering RenumberPart(const HexMesh& mesh, const MeshBlocks& blocks, const Progress& progress,
+  GridPart& part, const NodesOf& nodesOf)
 {
   NodeGraph graph;
   graph.NumberOfNodes = static_cast<int>(part.Points.size());
   graph.Offset.resize(part.Cells.size() + 1);
   graph.Connectivity.resize(part.Offset.back());
-  graph.Bandwidth = static_cast<int>(
-    NumberElements(part, nodesOf, part.Number, graph.Offset.data(), graph.Connectivity.data()));
+  graph.Bandwidth =
+    static_cast<int>(NumberElements(part, nodesOf, CountingInMesh(mesh, blocks, part),
+      part.Number.data(), graph.Offset.data(), graph.Connectivity.data()));
   const NodePlaces places(mesh, part.Points.data(), PlacesIfInserted(mesh, part));
   PageVector<int> number = OrderNodes(graph, places, [&progress] { return progress(-1.0); });
   TakeNumbers(number, part);
@@ -222,22 +331,24 @@ void TakeElements(const GridPart& part, vtkSmartPointer<ArrayType> offsets,
 /// The elements of the part; returns the largest difference of node numbers within one.
 /// @param renumbered if the points were: its elements are half as long to read as the input's.
 template <typename NodesOf>
-Id WriteElements(const HexMesh& mesh, const GridPart& part, const NodesOf& nodesOf,
-  const std::optional<Renumbering>& renumbered, vtkUnstructuredGrid* output)
+Id WriteElements(const HexMesh& mesh, const MeshBlocks& blocks, const GridPart& part,
+  const NodesOf& nodesOf, const std::optional<Renumbering>& renumbered, vtkUnstructuredGrid* output)
 {
   const auto write = [&](auto offsets)
   {
     using ArrayType = std::remove_reference_t<decltype(*offsets)>;
     const auto connectivity = MakeArray<ArrayType>(nullptr, part.Offset.back());
-    const auto number = [&](const auto& nodes, const PageVector<int>& numbers)
+    const auto number = [&](const auto& nodes, const auto& counting, const int* numbers)
     {
       return NumberElements(
-        part, nodes, numbers, offsets->GetPointer(0), connectivity->GetPointer(0));
+        part, nodes, counting, numbers, offsets->GetPointer(0), connectivity->GetPointer(0));
     };
     const auto nodesOfGraph = [&renumbered](Id i, std::array<Id, 8>& nodes)
     { return renumbered->Graph.NodesOf(i, nodes); };
-    const Id widest =
-      renumbered ? number(nodesOfGraph, renumbered->Number) : number(nodesOf, part.Number);
+    const auto noneCounts = [](Id, Id) -> const std::array<int, 8>* { return nullptr; };
+    const Id widest = renumbered
+      ? number(nodesOfGraph, noneCounts, renumbered->Number.data())
+      : number(nodesOf, CountingInMesh(mesh, blocks, part), part.Number.data());
     TakeElements(part, offsets, connectivity, output);
     return widest;
   };

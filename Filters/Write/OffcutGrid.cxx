@@ -135,7 +135,7 @@ void WriteOffcutGrid(const WriteInput& from, vtkUnstructuredGrid* output)
   std::optional<Renumbering> renumbered;
   if (from.Options.RenumberNodes && !part.Cells.empty())
   {
-    renumbered = RenumberPart(mesh, from.Tell, part, nodesOf);
+    renumbered = RenumberPart(mesh, from.Blocks, from.Tell, part, nodesOf);
   }
   if (from.All.Any(from.Tell(0.97)))
   {

@@ -51,7 +51,8 @@ SplitSum SumTerms(Id count, const Term& term, double scale)
       SplitSum sum;
       for (Id i = begin; i < end; ++i)
       {
-        sum.Add(static_cast<std::uint64_t>(scale * term(i)));
+        // Of at most 2^62: from a signed number of that length it is one instruction.
+        sum.Add(static_cast<std::uint64_t>(static_cast<std::int64_t>(scale * term(i))));
       }
       ofRun[run] = sum;
     });

@@ -56,23 +56,24 @@ void AddScaledJacobians(const HexMesh& mesh, const GridPart& part, const BandSha
     [&](Id begin, Id end)
     {
       std::fill(values + begin, values + end, std::numeric_limits<float>::quiet_NaN());
-      for (Id i = begin; i < end; ++i)
+      for (Id i = begin; i < end && allElements; ++i)
       {
-        if (part.InBand[i] >= 0)
-        {
-          const FinalElement element = shapes.ShapeOf(part.InBand[i]);
-          if (element.Touched || allElements)
-          {
-            values[i] = static_cast<float>(ScaledJacobian(element.Points, element.Count));
-          }
-        }
-        else if (allElements)
+        if (part.InBand[i] < 0)
         {
           ElementPoints points;
           const int size = PointsOfCell(mesh, part.Cells[i], points);
           values[i] = static_cast<float>(ScaledJacobian(points, size));
         }
       }
+      part.ForInBand(begin, end,
+        [&](Id i)
+        {
+          const FinalElement element = shapes.ShapeOf(part.InBand[i]);
+          if (element.Touched || allElements)
+          {
+            values[i] = static_cast<float>(ScaledJacobian(element.Points, element.Count));
+          }
+        });
     });
   output->GetCellData()->AddArray(scaled);
 }

@@ -5,9 +5,11 @@
 #ifndef Selection_h
 #define Selection_h
 
+#include "FollowingIds.h"
 #include "IdList.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 namespace trim
@@ -26,7 +28,7 @@ public:
   }
 
   /// Ids in any order; number[id] is the place of an id in the output, -1: it is not there.
-  static Selection Numbered(const IdList& ids, const PageVector<int>& number)
+  static Selection Numbered(const IdList& ids, const UnsetVector<int>& number)
   {
     return Selection(ids.data(), ids.size(), &number);
   }
@@ -43,11 +45,10 @@ public:
       std::copy(values + begin, values + end, output + begin);
       return;
     }
-    const Id* const ids = this->Ids; // which bytes that are written might change, for all it knows
-    for (Id i = begin; i < end; ++i)
-    {
-      output[i] = values[ids[i]];
-    }
+    // Not member by member, which bytes that are written might change, for all it knows.
+    ForFollowing(this->Ids, begin, end,
+      [values, output](Id i, Id id, auto count)
+      { std::memcpy(output + i, values + id, count * sizeof(Value)); });
   }
 
   /// Calls action(place) for each place of an id in the output.
@@ -79,7 +80,7 @@ public:
   }
 
 private:
-  Selection(const Id* ids, Id count, const PageVector<int>* number)
+  Selection(const Id* ids, Id count, const UnsetVector<int>* number)
     : Ids(ids)
     , Count(count)
     , Number(number)
@@ -88,7 +89,7 @@ private:
 
   const Id* Ids;
   Id Count;
-  const PageVector<int>* Number;
+  const UnsetVector<int>* Number;
 };
 
 }

@@ -12,6 +12,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -61,6 +63,14 @@ struct CellInBand
 std::vector<CellInBand> CellsInBand(const TrimResult& result)
 {
   std::vector<CellInBand> cells;
+  if (result.Near && !result.Near->Mesh.BeforeLayer)
+  {
+    for (const int e : result.Near->Mesh.ElementsByCell())
+    {
+      cells.push_back({ result.Near->Mesh.Elements[e].Global, false, e });
+    }
+    return cells;
+  }
   for (int e = 0; result.Near && e < result.Near->Mesh.NumberOfElements(); ++e)
   {
     const Id cell = CellOf(result.Near->Mesh, e);
@@ -73,13 +83,39 @@ std::vector<CellInBand> CellsInBand(const TrimResult& result)
   return cells;
 }
 
+/// So many cells are looked at at once.
+constexpr Id Eight = 8;
+
+/// Lists eight cells off the band from c on if they have one fate, as most that follow each other
+/// have; else returns false.
+bool ListEight(const TrimResult& result, Id c, Id& place, GridPart& kept)
+{
+  constexpr std::uint64_t allKept = 0x0101010101010101;
+  std::uint64_t fates;
+  std::memcpy(&fates, &result.Kept[c], sizeof(fates));
+  if (fates != allKept)
+  {
+    return fates == 0;
+  }
+  Id* const cells = kept.Cells.data() + place;
+  int* const elements = &kept.InBand[place];
+  for (Id k = 0; k < Eight; ++k)
+  {
+    cells[k] = c + k;
+    elements[k] = -1;
+  }
+  place += Eight;
+  return true;
+}
+
 /// The kept cells from begin to end; `place`: where the first of them is listed.
 void ListCells(const TrimResult& result, const std::vector<CellInBand>& band, Id begin, Id end,
   Id place, GridPart& kept)
 {
   auto next = std::lower_bound(band.begin(), band.end(), CellInBand{ begin, false, 0 });
-  Id inBand = next == band.end() ? Id(-1) : next->Cell;
-  Id* cells = kept.Cells.data();
+  const auto cellInBand = [&] { return next == band.end() ? end : next->Cell; };
+  Id inBand = cellInBand();
+  Id* const cells = kept.Cells.data();
   const auto list = [&](Id cell, int element)
   {
     cells[place] = cell;
@@ -88,6 +124,11 @@ void ListCells(const TrimResult& result, const std::vector<CellInBand>& band, Id
   };
   for (Id c = begin; c < end; ++c)
   {
+    if (c + Eight <= std::min(inBand, end) && ListEight(result, c, place, kept))
+    {
+      c += Eight - 1;
+      continue;
+    }
     if (c != inBand)
     {
       if (result.Kept[c])
@@ -103,7 +144,7 @@ void ListCells(const TrimResult& result, const std::vector<CellInBand>& band, Id
         list(c, next->Element);
       }
     }
-    inBand = next == band.end() ? Id(-1) : next->Cell;
+    inBand = cellInBand();
   }
 }
 
@@ -230,7 +271,7 @@ void WriteTrimmedGrid(
   std::optional<Renumbering> renumbered;
   if (from.Options.RenumberNodes && !from.Tell(0.65))
   {
-    renumbered = RenumberPart(mesh, from.Tell, kept, nodesOf);
+    renumbered = RenumberPart(mesh, from.Blocks, from.Tell, kept, nodesOf);
   }
   if (from.All.Any(from.Tell(0.85)))
   {

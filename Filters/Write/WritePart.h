@@ -44,7 +44,7 @@ void WritePart(const WriteInput& from, const GridPart& part, const MovedNodes& m
   Summary& summary, vtkUnstructuredGrid* output)
 {
   summary.NodeBandwidth =
-    from.All.Largest(WriteElements(from.Mesh, part, nodesOf, renumbered, output));
+    from.All.Largest(WriteElements(from.Mesh, from.Blocks, part, nodesOf, renumbered, output));
   WritePoints(from.Grid, from.Mesh, part, moved, output);
   if (from.Options.MapValues)
   {

@@ -221,6 +221,28 @@ int CountPieces(const Given& given, const HexMesh& mesh, const MeshBlocks& block
   return static_cast<int>(std::unique(roots.begin(), roots.end()) - roots.begin());
 }
 
+/// Runs that count give the nodes of their cells.
+void CheckCounting(const Given& given, const HexMesh& mesh, const MeshBlocks& blocks)
+{
+  bool some = false;
+  std::array<Id, 8> nodes;
+  for (Id c = 0; c < mesh.NumberOfCells; ++c)
+  {
+    const Id run = c / MeshBlocks::CellsPerClusterRun;
+    if (blocks.Counts[run])
+    {
+      some = true;
+      Expect(mesh.Cell(c, nodes) == 8, given.Name + ": hexahedra count");
+      for (int i = 0; i < 8; ++i)
+      {
+        Expect(nodes[i] == blocks.FirstNodes[run][i] + c % MeshBlocks::CellsPerClusterRun,
+          given.Name + ": node of a run that counts");
+      }
+    }
+  }
+  Expect(given.Wedges || some == given.Counting, given.Name + ": whether some count");
+}
+
 void CheckScan(const Given& given)
 {
   Arrays rows = MakeArrays(given, false);
@@ -235,6 +257,7 @@ void CheckScan(const Given& given)
     given.Name + ": bounds");
   Expect(found.UnusedNodes == right.UnusedNodes, given.Name + ": unused nodes");
   CheckBoxes(given, mesh, found);
+  CheckCounting(given, mesh, found);
   Expect(CountPieces(given, mesh, found) == (given.Apart ? 2 : 1), given.Name + ": pieces");
 }
 
