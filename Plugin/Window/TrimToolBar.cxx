@@ -1,5 +1,6 @@
 #include "TrimToolBar.h"
 
+#include "TrimAbort.h"
 #include "TrimActions.h"
 
 #include <QMainWindow>
@@ -9,6 +10,8 @@ TrimToolBar::TrimToolBar(QWidget* parent)
   : QToolBar("NURBSTrim", parent)
 {
   this->setObjectName("NURBSTrimToolbar");
+  // There is one toolbar, while the actions are in the menu too.
+  new TrimAbort(this);
   this->addActions((new TrimActions(this))->actions());
   QTimer::singleShot(0, this, &TrimToolBar::FindRoom);
 }
