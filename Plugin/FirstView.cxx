@@ -55,7 +55,7 @@ void ShowSurface(vtkSMProxy* representation)
   const double red[] = { 0.84, 0.19, 0.15 };
   const std::pair<const char*, std::vector<double>> values[] = { { "AmbientColor",
                                                                    { red, red + 3 } },
-    { "DiffuseColor", { red, red + 3 } }, { "Ambient", { 0.6 } }, { "Diffuse", { 0.6 } } };
+    { "DiffuseColor", { red, red + 3 } }, { "Ambient", { 0.5 } }, { "Diffuse", { 0.5 } } };
   for (const auto& [name, value] : values)
   {
     vtkSMProperty* property = representation->GetProperty(name);

@@ -203,11 +203,12 @@ void TrimAbort::WaitForApply()
     stopped.Source->setModifiedState(stopped.WasNew ? pqProxy::UNINITIALIZED : pqProxy::MODIFIED);
     stopped.Source->setProperty(WaitsForApply, true);
   }
-  if (!names.isEmpty())
-  {
-    const QString text = QString("Aborted: %1. There is no result until Apply is clicked again.\n");
-    vtkOutputWindowDisplayWarningText(text.arg(names.join(", ")).toUtf8().data());
-  }
+  // Nothing to apply is left of what was made for a comparison.
+  const QString text = names.isEmpty()
+    ? "Aborted.\n"
+    : QString("Aborted: %1. There is no result until Apply is clicked again.\n")
+        .arg(names.join(", "));
+  vtkOutputWindowDisplayWarningText(text.toUtf8().data());
 }
 
 void TrimAbort::Withdraw(const Stopped& stopped)

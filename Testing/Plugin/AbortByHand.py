@@ -34,7 +34,7 @@ button = None
 while not button:
     if time.time() > END:
         sys.exit("ERROR: the abort button was not enabled")
-    button = find_red(height - 40, height)
+    button = find_red(height - 28, height)
     time.sleep(0.02)
 xdotool("mousemove", *BROWSER_ROW, "click", 1)
 if how == "button":

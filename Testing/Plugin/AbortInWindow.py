@@ -1,4 +1,5 @@
-"""A trim is aborted in the real window, by the button and by Escape, and applied again."""
+"""A trim is aborted in the real window, by the button and by Escape, and applied again; a comparison
+is aborted."""
 import shutil
 import sys
 
@@ -15,11 +16,11 @@ if not shutil.which("xdotool"):
 window = Window(size=(1400, HEIGHT))
 
 
-def apply_and_abort(how):
+def abort(how, action):
     # Messages of before may be in front of the button.
     window.event(MAIN + "/outputWidgetDock/qt_dockwidget_closebutton", "activate")
     window.python("user = by_hand(%r, %r, %r)" % (sys.executable, how, HEIGHT))
-    window.apply()
+    action()
     window.python("check_equal(user.wait(), 0, 'the user by hand')")
 
 
@@ -47,7 +48,7 @@ window.python("starts = count_starts(active())")
 window.expect(BUTTON, "enabled", "false")
 
 # The first time: all is as before Apply.
-apply_and_abort("button")
+abort("button", window.apply)
 window.picture("aborted.png")
 expect_aborted(1)
 window.python("check_equal([is_shown(name) for name in ('block.vtu', 'aslant.igs', "
@@ -63,13 +64,21 @@ window.python("whole = summary(active())\n"
 
 # Again, with other values.
 window.set_check("InvertSide", True)
-apply_and_abort("Escape")
+abort("Escape", window.apply)
 expect_aborted(2)
 window.apply()
 window.python("other = summary(active())\n"
-              "check(abs(other['Kept'] + whole['Kept'] - 45 ** 3) < 0.02 * 45 ** 3, 'other side')\n"
+              "check(abs(other['Kept'] + whole['Kept'] - 36 ** 3) < 0.02 * 36 ** 3, 'other side')\n"
               "check_equal(repr(other), repr(anew(active())), 'summary after an abort')")
 window.expect(BUTTON, "enabled", "false")
+
+# A comparison: nothing of it stays.
+window.python("SetActiveSource(FindSource('TrimHexahedralGrid1'))")
+window.expect_action("CompareCorrectionTypes", True)
+abort("button", lambda: window.action("CompareCorrectionTypes"))
+window.python("check_equal(FindSource('TypeI'), None, 'a trim of a comparison')\n"
+              "check_equal(GetLayoutByName('Correction Types'), None, 'the layout of a comparison')\n"
+              "check_equal(repr(summary(active())), repr(other), 'the trim compared')")
 told = window.run("abort")
-if told.count("| Aborted: TrimHexahedralGrid1.") != 2 or told.count("Pressed: ") != 2:
+if [told.count(text) for text in ("| Aborted: TrimHexahedralGrid1.", "| Aborted.", "Pressed: ")] != [2, 1, 3]:
     sys.exit("ERROR: one message for each abort, not:\n" + told)
