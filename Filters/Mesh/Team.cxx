@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -107,7 +108,8 @@ struct Team::Loop
     Id End = 0;
   };
 
-  const Action& Call; ///< not to be used when closed
+  const Action& Call;                ///< not to be used when closed
+  const std::function<void()>& Look; ///< the caller's
   const Id First, Last, Grain;
   std::vector<Part> Parts;
   std::mutex Lock;
@@ -116,8 +118,10 @@ struct Team::Loop
   bool Closed = false;
   std::exception_ptr Failure;
 
-  Loop(Id first, Id last, Id grain, int threads, const Action& call)
+  Loop(
+    Id first, Id last, Id grain, int threads, const Action& call, const std::function<void()>& look)
     : Call(call)
+    , Look(look)
     , First(first)
     , Last(last)
     , Grain(grain)
@@ -139,7 +143,7 @@ struct Team::Loop
     {
       for (std::size_t i = 0; i < this->Parts.size(); ++i)
       {
-        this->WorkOn(this->Parts[(place + i) % this->Parts.size()]);
+        this->WorkOn(this->Parts[(place + i) % this->Parts.size()], place == 0 && this->Look);
       }
     }
     catch (...)
@@ -155,10 +159,14 @@ struct Team::Loop
       }
     }
   }
-  void WorkOn(Part& part)
+  void WorkOn(Part& part, bool looks)
   {
     for (Id piece; (piece = part.Next.fetch_add(1)) < part.End;)
     {
+      if (looks)
+      {
+        this->Look();
+      }
       const Id begin = this->First + piece * this->Grain;
       this->Call(begin, std::min(this->Last, begin + this->Grain));
     }
@@ -188,7 +196,14 @@ struct Team::Loop
   {
     std::unique_lock<std::mutex> locked(this->Lock);
     this->Closed = true;
-    this->Left.wait(locked, [this] { return this->Inside == 0; });
+    const auto empty = [this] { return this->Inside == 0; };
+    while (this->Look && !this->Left.wait_for(locked, std::chrono::milliseconds(50), empty))
+    {
+      locked.unlock();
+      this->Look();
+      locked.lock();
+    }
+    this->Left.wait(locked, empty);
   }
 
   /// Closes a loop also where no more threads can be asked.
@@ -237,13 +252,17 @@ void Team::For(Id first, Id last, Id grain, const Action& action)
     return;
   }
   const Id piece = grain > 0 ? grain : std::max<Id>(1, count / (4 * this->Size));
+  if (this->Look && std::this_thread::get_id() == this->Caller)
+  {
+    this->Look();
+  }
   if (InLoop || piece >= count)
   {
     action(first, last);
     return;
   }
   const auto threads = static_cast<int>(std::min<Id>(this->Size, NumberOfRuns(count, piece)));
-  const auto loop = std::make_shared<Loop>(first, last, piece, threads, action);
+  const auto loop = std::make_shared<Loop>(first, last, piece, threads, action, this->Look);
   {
     const Loop::Closing closing{ *loop };
     for (int i = 1; i < threads; ++i)

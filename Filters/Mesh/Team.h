@@ -15,6 +15,8 @@
 
 #include <functional>
 #include <memory>
+#include <thread>
+#include <utility>
 
 namespace trim
 {
@@ -37,6 +39,10 @@ public:
   /// That of the calling thread, or whose loop it is in; null: it has none.
   static Team* Current();
 
+  /// Called by the thread whose team it is, at each of its loops, between pieces of one, and now
+  /// and then while it waits for the others; must not throw. An empty one ends that.
+  void SetLook(std::function<void()> look) { this->Look = std::move(look); }
+
   using Action = std::function<void(Id, Id)>;
   /// As vtkSMPTools::For, but for exceptions: the first one in any thread ends the loop and comes
   /// to the caller. A loop within a loop is run by the thread that asks for it.
@@ -48,6 +54,8 @@ private:
   class Member;
   class Others;
   std::unique_ptr<Others> Pool;
+  std::function<void()> Look;
+  std::thread::id Caller = std::this_thread::get_id();
   int Size;
 };
 

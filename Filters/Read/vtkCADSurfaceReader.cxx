@@ -6,6 +6,7 @@
 #include "NURBSTessellation.h"
 #include "PropertyLimits.h"
 
+#include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -70,6 +71,7 @@ int vtkCADSurfaceReader::RequestData(
   auto goOn = [this](double share)
   {
     this->UpdateProgress(ReadShare * share);
+    this->InvokeEvent(vtkCommand::AbortCheckEvent);
     return !this->CheckAbort();
   };
   std::vector<nurbs::NamedSurface> surfaces;

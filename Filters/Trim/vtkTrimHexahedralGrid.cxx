@@ -9,12 +9,14 @@
 #include "NodeOrdering.h"
 #include "OffcutGrid.h"
 #include "PagePool.h"
+#include "Team.h"
 #include "ThreadScope.h"
 #include "TrimInputs.h"
 #include "TrimPipeline.h"
 #include "TrimmedGrid.h"
 
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -27,6 +29,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <functional>
 #include <new>
 #include <sstream>
 #include <string>
@@ -97,6 +100,22 @@ std::string FindOptionDefect(int correctionType, int optimization, const trim::T
     ? "KeepPoint has a coordinate that is not finite or too large: give a point in the part of the "
       "grid that is to stay."
     : "";
+}
+
+/// The result of work(), which takes time. In its loops the caller looks what others want; not when
+/// the outputs are written, as these may look at them.
+template <typename Work>
+trim::TrimResult WhileLooking(const std::function<void()>& look, const Work& work)
+{
+  trim::Team* const team = trim::Team::Current();
+  if (!team)
+  {
+    return work();
+  }
+  team->SetLook(look);
+  trim::TrimResult result = work();
+  team->SetLook({});
+  return result;
 }
 
 /// Whether so many elements of this rank can be renumbered. Collective.
@@ -286,6 +305,10 @@ int vtkTrimHexahedralGrid::Trim(
   vtkDataObject* const grid = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* const surface = vtkDataObject::GetData(inputVector[1]);
   const Outputs outputs = OutputsOf(outputVector);
+  if (ranks.Any(this->CheckAbort())) // of the trim before this one, say
+  {
+    return 1;
+  }
   for (vtkUnstructuredGrid* output : outputs)
   {
     // VTK has passed on the field data of the input already.
@@ -299,8 +322,13 @@ int vtkTrimHexahedralGrid::Trim(
     return this->Refuse(ranks, error);
   }
 
+  const auto look = [this]
+  {
+    this->InvokeEvent(vtkCommand::AbortCheckEvent);
+    this->CheckAbort();
+  };
   // Asked from every thread, but only the caller's looks; negative: no news of the progress.
-  const trim::Progress progress = [this, caller = std::this_thread::get_id()](double done)
+  const trim::Progress progress = [this, look, caller = std::this_thread::get_id()](double done)
   {
     if (std::this_thread::get_id() == caller)
     {
@@ -308,7 +336,7 @@ int vtkTrimHexahedralGrid::Trim(
       {
         this->UpdateProgress(done);
       }
-      this->CheckAbort();
+      look();
     }
     return this->GetAbortOutput() || this->GetAbortExecute();
   };
@@ -317,8 +345,12 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const trim::TrimInputs& inputs = *this->Inputs;
-  trim::TrimResult result = trim::Trim(inputs.Mesh(), inputs.Blocks(),
-    { ranks, inputs.Shared(), inputs.Own().Cells }, inputs.Surface(), options, progress);
+  trim::TrimResult result = WhileLooking(look,
+    [&]
+    {
+      return trim::Trim(inputs.Mesh(), inputs.Blocks(),
+        { ranks, inputs.Shared(), inputs.Own().Cells }, inputs.Surface(), options, progress);
+    });
   if (!result.Error.empty())
   {
     return this->Refuse(ranks, result.Error);

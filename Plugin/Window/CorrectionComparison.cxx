@@ -8,6 +8,7 @@
 #include "pqServerManagerModel.h"
 #include "pqView.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkNew.h"
 #include "vtkSMCameraLink.h"
 #include "vtkSMPVRepresentationProxy.h"
@@ -21,6 +22,7 @@
 #include "vtkSMViewLayoutProxy.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -71,6 +73,12 @@ vtkSMSourceProxy* AddTrim(Controller* controller, const TrimSelection& selection
   trim->UpdateVTKObjects();
   MarkApplied(trim);
   return vtkSMSourceProxy::SafeDownCast(trim);
+}
+
+bool WasAborted(vtkSMSourceProxy* trim)
+{
+  auto* algorithm = vtkAlgorithm::SafeDownCast(trim->GetClientSideObject());
+  return algorithm && algorithm->GetAbortExecute();
 }
 
 vtkSMRenderViewProxy* AddView(Controller* controller, vtkSMViewLayoutProxy* layout, int location)
@@ -189,6 +197,12 @@ void CorrectionComparison::Show(const TrimSelection& selection)
   {
     trims[i] = AddTrim(controller, selection, i + 1);
     trims[i]->UpdatePipeline(); // while progress is shown
+    if (WasAborted(trims[i]))
+    {
+      std::for_each(trims.begin(), trims.begin() + i + 1,
+        [&](vtkSMSourceProxy* trim) { controller->UnRegisterProxy(trim); });
+      return;
+    }
   }
   quiet.StopDrawing();
 

@@ -1,6 +1,12 @@
 #include "TrimToolBar.h"
 
+#include "FirstKeepPoint.h"
+#include "TrimAbort.h"
 #include "TrimActions.h"
+
+#include "pqApplicationCore.h"
+#include "pqObjectBuilder.h"
+#include "pqPipelineSource.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -9,6 +15,10 @@ TrimToolBar::TrimToolBar(QWidget* parent)
   : QToolBar("NURBSTrim", parent)
 {
   this->setObjectName("NURBSTrimToolbar");
+  // There is one toolbar, while the actions are in the menu too.
+  new TrimAbort(this);
+  QObject::connect(pqApplicationCore::instance()->getObjectBuilder(),
+    &pqObjectBuilder::filterCreated, this, &SetFirstKeepPoint);
   this->addActions((new TrimActions(this))->actions());
   QTimer::singleShot(0, this, &TrimToolBar::FindRoom);
 }

@@ -678,6 +678,52 @@ void CheckLoopsOfTeam()
   Expect(!apart, "team: a loop within a loop is given to other threads");
 }
 
+// The caller looks now and then, also within a piece of a loop and while it waits for the others.
+void CheckLookOfTeam()
+{
+  const auto caller = std::this_thread::get_id();
+  Team team(2);
+  std::atomic<int> looks{ 0 };
+  bool apart = false;
+  team.SetLook(
+    [&]
+    {
+      ++looks;
+      apart |= caller != std::this_thread::get_id();
+    });
+  // The other thread ends when the caller has looked once more than it does for the loop itself.
+  const auto waitFor = [](const std::atomic<int>& number, int count)
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (number < count && std::chrono::steady_clock::now() < end)
+    {
+      std::this_thread::yield();
+    }
+    return number >= count;
+  };
+  std::atomic<bool> waited{ true };
+  std::atomic<int> inside{ 0 };
+  ParallelFor(0, 2, 1,
+    [&](Id, Id)
+    {
+      ++inside;
+      waitFor(inside, 2);
+      if (std::this_thread::get_id() == caller)
+      {
+        ParallelFor(0, 10, 1, [](Id, Id) {});
+        return;
+      }
+      waited =
+        waitFor(looks, 5); // the loop, its piece, the loop within it, and twice while it waits
+    });
+  Expect(waited, "team: the caller does not look while it waits");
+  Expect(!apart, "team: another thread than the caller looks");
+  team.SetLook({});
+  const int before = looks;
+  ParallelFor(0, 100, 1, [](Id, Id) {});
+  Expect(looks == before, "team: the caller still looks");
+}
+
 // What one of the others throws comes to the caller; VTK's threads would end the process.
 void CheckFailureInTeam()
 {
@@ -924,6 +970,7 @@ int main()
   CheckHeldUp();
   CheckFailureInTurn();
   CheckLoopsOfTeam();
+  CheckLookOfTeam();
   CheckFailureInTeam();
   CheckTeamWithoutThreads();
   CheckSizeOfTeam();

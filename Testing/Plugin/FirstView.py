@@ -1,12 +1,12 @@
 """The first look at a trim: coloured by status whatever the input carries, and on a fine mesh the
-colours are not hidden by the edges of the elements."""
+colours are not hidden by the edges of the elements. Surfaces stand out from the mesh."""
 import os
 
 import numpy
 from paraview import smstate
 from paraview.simple import (ColorBy, CreateRenderView, Elevation, FindSource, FindViewOrCreate,
                              GetActiveView, GetColorTransferFunction, GetDisplayProperties,
-                             LoadState, OutputPort, PassArrays, Render, ResetCamera, ResetSession,
+                             LoadState, OutputPort, PassArrays, RenameSource, Render, ResetCamera, ResetSession,
                              SaveScreenshot, SaveState, Show, Transform, UnstructuredCellTypes)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -119,6 +119,28 @@ def check_representations():
         pixels(view, "first-view-representation.png")
 
 
+def check_surface():
+    """A surface is seen on the mesh, also by who looks down at it, and from a state file as it was."""
+    ResetSession()
+    view = CreateRenderView(ViewSize=[400, 300], OrientationAxesVisibility=0)
+    Show(sheet(), view, Representation="Surface With Edges")
+    plane = plane_at(8.3)
+    RenameSource("ThePlane", plane)
+    display = Show(plane, view)
+    view.CameraPosition, view.CameraFocalPoint = [8.3, 6, 100], [8.3, 6, 0]
+    ResetCamera(view)
+    image = pixels(view, "first-view-edge-on.png")
+    red = (image[:, 0] > 100) & (image[:, 1:].max(axis=1) < 0.4 * image[:, 0])
+    check(red.sum() > 100, "%d pixels of the surface seen edge-on" % red.sum())
+    display.DiffuseColor = [0.1, 0.2, 0.9]
+    path = os.path.join(OUTPUT_DIRECTORY, "first-view-surface.pvsm")
+    SaveState(path)
+    ResetSession()
+    LoadState(path)
+    display = GetDisplayProperties(FindSource("ThePlane"), FindViewOrCreate("RenderView1", "RenderView"))
+    check_equal([round(c, 6) for c in display.DiffuseColor], [0.1, 0.2, 0.9], "colour, from state")
+
+
 def check_state():
     """What was changed by hand stays as it was set when a state is loaded."""
     ResetSession()
@@ -146,4 +168,5 @@ check_active_scalars()
 check_edges()
 check_faded_edges()
 check_representations()
+check_surface()
 check_state()

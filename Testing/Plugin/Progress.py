@@ -1,5 +1,6 @@
 """Progress is reported and grows; an abort leaves the outputs empty and is no error; the next run
-is whole again."""
+is whole again. Who can abort the trim is asked often, and a trim of what another one left is not made
+after an abort."""
 import nurbstrim.NURBSTrimFilter  # noqa: before GetClientSideObject, for the wrapped class
 
 from Checks import check, check_equal, sheet, summary, trim, wave_at
@@ -41,3 +42,26 @@ algorithm.Modified()
 algorithm.Update()
 check(algorithm.GetOutputDataObject(0).GetNumberOfCells() > 0, "nothing after the abort")
 check_equal(repr(summary(whole)), expected, "summary after an abort")
+
+# Asked between the reports of progress too, and not after the outputs were begun.
+asked = []
+tags = [algorithm.AddObserver("AbortCheckEvent", lambda caller, event: asked.append(caller.GetProgress()))]
+algorithm.Modified()
+algorithm.Update()
+check(len(asked) > 3 * len(reports), "asked %d times, %d reports" % (len(asked), len(reports)))
+next_trim = trim(whole, wave_at(5.3))
+check_equal(summary(next_trim)["Kept"] > 0, True, "the next trim")
+next_algorithm = next_trim.GetClientSideObject()
+next_asked = []
+next_algorithm.AddObserver("AbortCheckEvent", lambda *_: next_asked.append(1))
+tags.append(algorithm.AddObserver("AbortCheckEvent", lambda *_: algorithm.SetAbortExecute(1)))
+algorithm.Modified()
+next_algorithm.Update()
+check_equal(len(next_asked), 0, "work on an aborted input")
+check_equal(next_algorithm.GetOutputDataObject(0).GetNumberOfCells(), 0, "elements of it")
+for tag in tags:
+    algorithm.RemoveObserver(tag)
+algorithm.SetAbortExecute(0)
+next_algorithm.Update()
+check_equal(repr(summary(whole)), expected, "summary after an abort in sequence")
+check(next_algorithm.GetOutputDataObject(0).GetNumberOfCells() > 0, "nothing of the next trim")

@@ -8,7 +8,10 @@ its own.
 The camera looks down at the line's middle point, (10, 6), so that it is in the middle of the view
 whatever the window's size, and the view is 20 high.
 """
-from Window import MAIN, PANEL, VIEWS, Window
+import os
+import sys
+
+from Window import MAIN, OUTPUT_DIRECTORY, PANEL, VIEWS, Window
 
 VIEW = VIEWS + "Frame.0/CentralWidgetFrame/Viewport"
 AUTO_APPLY = MAIN + "/MainControlsToolbar/actionAutoApply"
@@ -80,11 +83,13 @@ window.pause(2000)
 check_kept(window, 3)
 window.event(AUTO_APPLY, "set_boolean", "false")
 
-# A keep point on the side that is kept changes nothing; dragged across the line it does.
+# A keep point on the side that is kept changes nothing; dragged across the line it does. It is in the
+# middle of the mesh at first.
 window.select(TRIM)
 window.set_check("UseKeepPoint", True)
-for axis, value in zip("XYZ", ("10", "10", "0.5")):
-    window.set_text("InteractiveHandle/worldPosition" + axis, value)
+for axis, value in zip("XYZ", ("10", "6", "0.25")):
+    window.expect(PANEL + "InteractiveHandle/worldPosition" + axis, "text", value)
+window.set_text("InteractiveHandle/worldPositionY", "10")
 window.apply()
 check_kept(window, 3)
 window.event(PANEL + "InteractiveHandle/show3DWidget", "set_boolean", "true")
@@ -123,3 +128,7 @@ window.menu("menu_File", "actionFileSaveServerState")
 window.event(MAIN + "/FileSaveServerStateDialog", "filesSelected",
              "$PARAVIEW_TEST_ROOT/session.pvsm")
 window.run("trim-line-in-window")
+
+with open(os.path.join(OUTPUT_DIRECTORY, "session.py")) as file:
+    if "KeepPoint = [10.0, 6.0, 0.25]" not in file.read():
+        sys.exit("ERROR: the first keep point is not in the trace")

@@ -126,6 +126,7 @@ class Window:
         self.python("save_screen(%r, %d, %d)" % ((name,) + self.size))
 
     def run(self, name):
+        """Plays the steps; returns what the window wrote."""
         script = os.path.join(OUTPUT_DIRECTORY, name + ".xml")
         with open(script, "w") as file:
             file.write('<?xml version="1.0" ?>\n<pqevents>\n%s\n</pqevents>\n'
@@ -138,3 +139,4 @@ class Window:
         print(done.stdout, flush=True)
         if done.returncode != 0 or ERROR.search(done.stdout):
             sys.exit("ERROR: %s: a step or a check failed" % name)
+        return done.stdout

@@ -1,6 +1,6 @@
 """What a GUI test's Python steps have at hand inside the window's own process."""
 import os
-import struct
+import subprocess
 import traceback
 
 import numpy
@@ -16,6 +16,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from Checks import OUTPUT_DIRECTORY, check, check_close, check_equal, summary  # noqa: F401
 from Replay import check_linked, pipeline
+from Screen import screen
 from StillWindow import StillWindow  # noqa: F401
 
 
@@ -43,17 +44,6 @@ def select(*selected):
     for one in selected:
         proxy = one[0].SMProxy.GetOutputPort(one[1]) if isinstance(one, tuple) else one.SMProxy
         model.SetCurrentProxy(proxy, model.SELECT)
-
-
-def screen():
-    """The pixels of the screen, rows x columns x RGB, from the display's frame buffer file."""
-    with open(os.environ["NURBSTRIM_FRAMEBUFFER"], "rb") as file:
-        data = file.read()
-    # The X window dump format: a header of big-endian 32 bit words, the colour map, the pixels.
-    header = struct.unpack(">25I", data[:100])
-    size, width, height, stride, colors = header[0], header[4], header[5], header[12], header[19]
-    pixels = numpy.frombuffer(data, numpy.uint8, stride * height, size + 12 * colors)
-    return pixels.reshape(height, stride // 4, 4)[:, :width, 2::-1]
 
 
 def save_screen(name, width, height):
@@ -127,6 +117,39 @@ def check_comparison(kept, volumes):
                    if hasattr(shown, "Input") and shown.Input.GetXMLName() == "TextSource"}
     check_equal(len(titles), 4, "titles")
     check_linked(views)
+
+
+def by_hand(python, how, height):
+    """Starts AbortByHand.py, which waits for a trim to begin."""
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "AbortByHand.py")
+    return subprocess.Popen([python, script, how, str(height)])
+
+
+def count_starts(source):
+    """A list that gets longer with each run of the source's algorithm."""
+    starts = []
+    source.GetClientSideObject().AddObserver("StartEvent", lambda *_: starts.append(1))
+    return starts
+
+
+def elements(source):
+    return source.GetDataInformation().GetNumberOfCells()
+
+
+def is_shown(name):
+    view = GetActiveView()
+    shown = view.SMProxy.FindRepresentation(FindSource(name).SMProxy, 0)
+    return shown is not None and shown.GetProperty("Visibility").GetElement(0) == 1
+
+
+def anew(source):
+    """The summary of the same trim by a filter that has done nothing before."""
+    properties = {name: source.GetPropertyValue(name) for name in source.ListProperties()}
+    other = TrimHexahedralGrid(**properties)  # noqa: F405
+    other.UpdatePipeline()
+    found = summary(other)
+    Delete(other)  # noqa: F405
+    return found
 
 
 def record(name):
