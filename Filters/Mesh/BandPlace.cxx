@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 
 namespace trim
@@ -64,7 +63,6 @@ bool EndsBand(const Band& band, int element, const std::array<double, 6>& outsid
 BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
 {
   BandPlace nearest;
-  double least = std::numeric_limits<double>::infinity();
   std::array<int, LongestWalk> passed;
   int steps = 0;
   bool known = true;
@@ -77,10 +75,10 @@ BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
     const bool found = FindParameters(points, count, point, parameters);
     const auto outside = found ? Outside(count, parameters) : OutsideOfPlanes(points, count, point);
     const double farthest = *std::max_element(outside.begin(), outside.end());
-    if (found && farthest < least)
+    if (found && farthest < nearest.Outside)
     {
-      least = farthest;
       nearest = { e, ClampToElement(count, parameters), farthest <= InsideSlack };
+      nearest.Outside = farthest;
     }
     known = known && !EndsBand(band, e, outside);
     // On through the facet that it lies farthest outside of, and that leads somewhere.
@@ -98,7 +96,8 @@ BandPlace FindBandPlace(const Band& band, int start, const Vec3& point)
     }
     e = next;
   }
-  nearest.Beyond = known && steps < LongestWalk && nearest.Element >= 0 && least > SeenOutside;
+  nearest.Beyond =
+    known && steps < LongestWalk && nearest.Element >= 0 && nearest.Outside > SeenOutside;
   return nearest;
 }
 

@@ -7,6 +7,8 @@
 
 #include "Band.h"
 
+#include <limits> // For places not found
+
 namespace trim
 {
 
@@ -16,6 +18,7 @@ struct BandPlace
   Vec3 Parameters = Vec3::Zero(); ///< see ElementMap.h
   bool Inside = false;            ///< the element holds the point
   bool Beyond = false;            ///< the mesh ends there, a visible way from the point
+  double Outside = std::numeric_limits<double>::infinity(); ///< how far, in parameters
 };
 
 /**

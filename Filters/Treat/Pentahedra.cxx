@@ -16,6 +16,8 @@ constexpr double WidestCornerSine = 0.5;
 constexpr double ShortestSide = 0.15;
 /// A corner that opens beyond a straight angle by more than rounding.
 constexpr double ReflexSine = -1e-7;
+/// A corner whose sides point the same way and open less than this (12 degrees) is a spike.
+constexpr double SpikeSine = 0.2;
 
 /// The four nodes of the element round A in its layer: A, the two along the new boundary, and
 /// the one inside, such that (next - a) x (previous - a) and (previous - d) x (next - d) agree.
@@ -56,8 +58,15 @@ CornerShape ShapeOf(const std::vector<Vec3>& p, const LayerCorner& c)
 
 bool IsCorner(const CornerShape& shape)
 {
-  const bool open = shape.Sine > WidestCornerSine || (shape.Cosine > 0.0 && shape.Sine > 0.2);
+  const bool open = shape.Sine > WidestCornerSine || (shape.Cosine > 0.0 && shape.Sine > SpikeSine);
   return open && shape.SideRatio > ShortestSide;
+}
+
+/// In elements that are askew A may come to lie past one of its neighbours along the surface: the
+/// border turns back on itself there, and the element is folded.
+bool IsSpike(const CornerShape& shape)
+{
+  return shape.Cosine > 0.0 && shape.Sine < SpikeSine;
 }
 
 /// What the ladder has set for a pillar; in a block each node has a choice of its own.
@@ -200,6 +209,10 @@ Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeM
     }
     result.Count += static_cast<int>(edges.size());
     auto treatment = Resolve(treatments.Asked, chosen);
+    if (treatment == Optimization::None && AnyLayer(band, edges, moves, IsSpike))
+    {
+      treatment = Optimization::Degenerate;
+    }
     if (treatment == Optimization::Distribute ||
       (treatment != Optimization::None && !pillar.Droppable))
     {

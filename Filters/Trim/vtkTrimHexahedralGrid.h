@@ -124,7 +124,7 @@ public:
    * What is done with elements that became pentahedra (Fig. 7): 0 nothing, 1 the two nodes of
    * the superfluous edge are distributed between their neighbours, 2 the edge is dropped, which
    * leaves a wedge. With 1 an element whose corner would open beyond a straight angle becomes a
-   * wedge all the same. Default: 2.
+   * wedge all the same, with 0 one at which the border would turn back on itself. Default: 2.
    */
   vtkSetMacro(Optimization, int);
   vtkGetMacro(Optimization, int);

@@ -190,9 +190,10 @@ std::vector<ValueRow> WeightsOfNodes(const MovedNodes& moved)
       BandPlace place;
       for (const int e : band.ElementsOfNode(NodeWithoutLayer(*moved.TheBand, node)))
       {
-        // From each of them: it may belong to several parts.
+        // From each of them: it may belong to several parts, and where the border bends inwards a
+        // walk may end beside the place, which rounding may put outside of all elements.
         const BandPlace other = FindBandPlace(band, e, moved.NodeMoves->Position[node]);
-        place = place.Element < 0 || other.Inside ? other : place;
+        place = other.Outside < place.Outside ? other : place;
         if (place.Inside)
         {
           break;

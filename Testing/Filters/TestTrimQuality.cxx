@@ -388,6 +388,34 @@ void CheckInside()
   }
 }
 
+/// Elements that are askew: their outer nodes came to lie past the next ones along the cut, so that
+/// the border turned back on itself and the element was folded, with nothing said.
+void CheckNotFolded()
+{
+  struct Case
+  {
+    double Shear, Angle, Shift;
+    int Correction;
+  };
+  // Shear of the sheet; the cut's normal to x, and its shift from the middle in elements.
+  for (const Case& c : { Case{ 0.67, 3.03, -0.096, 2 }, Case{ 0.44, 1.21, 0.112, 2 },
+         Case{ -0.73, 0.29, -0.28, 2 }, Case{ -0.56, 2.01, -0.432, 2 } })
+  {
+    const Mesh mesh = Sheet(8, 8, 1, Vec3(1, 1, 0.5));
+    MovePoints(mesh.Grid, [&c](const Vec3& p) { return Vec3(p[0] + c.Shear * p[1], p[1], p[2]); });
+    const Vec3& middle = mesh.Box.Centre;
+    const Vec3 place(middle[0] + c.Shear * middle[1] + c.Shift, middle[1], middle[2]);
+    const Surface cut = PlaneThrough(place, Vec3(std::cos(c.Angle), std::sin(c.Angle), 0), 40);
+    TrimOptions options;
+    options.CorrectionType = c.Correction;
+    options.Optimization = 0;
+    const Outcome outcome = RunTrim(mesh, cut, options);
+    const double lowest = Number(outcome.Case.Trimmed, "MinimumScaledJacobian");
+    std::printf("sheet askew by %g: %.3f\n", c.Shear, lowest);
+    Expect(lowest > -1e-6, "an element is folded along a straight cut");
+  }
+}
+
 int main()
 {
   CheckTargets();
@@ -398,6 +426,7 @@ int main()
   CheckFewLeft();
   CheckShortEdges();
   CheckInside();
+  CheckNotFolded();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",

@@ -12,6 +12,8 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -396,6 +398,41 @@ void TestContact()
 
 }
 
+/// Beside a corner that points inwards: of a place that rounding puts outside of all elements the
+/// walk from one element may end at the other wall.
+void TestInnerCorner()
+{
+  const Vec3 axis = Vec3(1, 2, 3).normalized();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, axis).toRotationMatrix();
+  MeshOptions single;
+  single.Float = true;
+  single.Data = false;
+  const Mesh mesh = LShape(6, 4, single);
+  const Vec3 corner = turn * Vec3(3, 3, 0.8);
+  MovePoints(
+    mesh.Grid, [&turn](const Vec3& p) { return (turn * Vec3(p[0], p[1], 2.5 * p[2])).eval(); });
+  const Vec3 slope(0.08, -0.04, 0.03);
+  const Field field = [&slope](const Vec3& p) { return slope.dot(p); };
+  AddField(mesh.Grid, field);
+  TrimOptions options;
+  options.MapValues = true;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double around = 2.4 * i, up = -0.9 + 0.03 * i, flat = std::sqrt(1 - up * up);
+    const Vec3 normal(flat * std::cos(around), flat * std::sin(around), up);
+    const Vec3 place = corner + turn * Vec3(0.3 * std::sin(i), 0.3 * std::cos(i), 0.02 * i);
+    const Outcome outcome = RunTrim(mesh, PlaneThrough(place, normal, 60), options);
+    const Model model(outcome.Case.Trimmed);
+    vtkDataArray* values = outcome.Case.Trimmed->GetPointData()->GetArray("Field");
+    for (std::size_t n = 0; n < model.Points.size(); ++n)
+    {
+      const double wrong = std::abs(values->GetComponent(n, 0) - field(model.Points[n]));
+      Expect(wrong <= 1e-4,
+        "inner corner, cut " + std::to_string(i) + ": a node is wrong by " + std::to_string(wrong));
+    }
+  }
+}
+
 int main()
 {
   TrimOptions options;
@@ -422,6 +459,7 @@ int main()
   TestNotANumber();
   TestNotMapped();
   TestContact();
+  TestInnerCorner();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
