@@ -709,21 +709,18 @@ void TestShortfalls()
 // Behind a good scaled Jacobian an edge may vanish, which is told of where a quality was asked for.
 void TestShortEdges()
 {
-  const Mesh mesh = MakeMesh("cup");
-  Placement at;
-  at.X = -0.228;
-  at.Y = 0.155;
-  at.Angle = 3.113;
-  at.Size = 0.726;
-  at.Seed = 127276;
-  at.Reversed = true;
+  // A sheet that is askew.
+  const Mesh mesh = Sheet(8, 8, 1, Vec3(1, 1, 0.5));
+  const double shear = 0.43;
+  MovePoints(mesh.Grid, [shear](const Vec3& p) { return Vec3(p[0] + shear * p[1], p[1], p[2]); });
+  const Vec3 place = mesh.Box.Centre + Vec3(shear * mesh.Box.Centre[1] - 0.01, 0, 0);
+  const Surface cut = PlaneThrough(place, Vec3(std::cos(0.04), std::sin(0.04), 0), 40);
   TrimOptions options;
   options.Optimization = 0;
-  options.InvertSide = true;
   const auto countShort = [&](double floor)
   {
     options.MinimumScaledJacobian = floor;
-    const Outcome outcome = RunTrim(mesh, MakeSurface("arc", mesh.Box, at), options);
+    const Outcome outcome = RunTrim(mesh, cut, options);
     ExpectWarned("short edges", outcome);
     return CountValues(outcome.Case.Trimmed->GetCellData()->GetArray("Shortfall"))[5];
   };
