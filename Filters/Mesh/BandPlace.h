@@ -7,7 +7,7 @@
 
 #include "Band.h"
 
-#include <limits> // For places not found
+#include <limits>
 
 namespace trim
 {
