@@ -44,9 +44,8 @@ bool LiesBetween(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, dou
 /// The first node of a cell; in a run that counts without a look at the cell.
 Id FirstNodeOf(const HexMesh& mesh, const MeshBlocks& blocks, Id cell)
 {
-  const Id run = cell / MeshBlocks::CellsPerClusterRun;
-  return blocks.Counts[run] ? blocks.FirstNodes[run][0] + cell % MeshBlocks::CellsPerClusterRun
-                            : mesh.FirstNode(cell);
+  const auto* const counted = blocks.CountedFrom(cell / MeshBlocks::CellsPerClusterRun);
+  return counted ? (*counted)[0] + cell % MeshBlocks::CellsPerClusterRun : mesh.FirstNode(cell);
 }
 
 /// Sets the statuses of the cells of some clusters by a node of theirs, those of candidates for

@@ -71,14 +71,13 @@ private:
   void ForCells(Id cluster, const Action& action) const
   {
     std::array<Id, 8> nodes;
-    const Id run = cluster / 2;
+    // A run that counts is one cluster, and is not read from memory again.
+    const auto* const counted = this->Blocks.CountedFrom(cluster / 2);
     const Id begin = this->Blocks.FirstCellOfCluster(cluster);
     const Id end = std::min(this->Mesh.NumberOfCells, this->Blocks.FirstCellOfCluster(cluster + 1));
-    if (begin < end && this->Blocks.Counts[run])
+    if (begin < end && counted)
     {
-      // Such a run is one cluster, and is not read from memory again.
-      const auto& first = this->Blocks.FirstNodes[run];
-      std::copy(first.begin(), first.end(), nodes.begin());
+      std::copy(counted->begin(), counted->end(), nodes.begin());
       for (Id c = begin; c < end; ++c)
       {
         action(c, nodes, 8);

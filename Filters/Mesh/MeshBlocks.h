@@ -72,6 +72,11 @@ struct MeshBlocks
   Id NumberOfClusterRuns() const { return static_cast<Id>(this->FirstLength.size()); }
   Id NumberOfClusters() const { return 2 * this->NumberOfClusterRuns(); }
   bool AreClusters(Id run) const { return this->FirstLength[run] > 0; }
+  /// The nodes of the first cell of a run that counts, else null.
+  const std::array<int, 8>* CountedFrom(Id run) const
+  {
+    return this->Counts[run] ? &this->FirstNodes[run] : nullptr;
+  }
   bool IsOneCluster(Id run) const { return this->FirstLength[run] == CellsPerClusterRun; }
   Id FirstCellOfCluster(Id cluster) const
   {

@@ -280,11 +280,9 @@ inline auto CountingInMesh(const HexMesh& mesh, const MeshBlocks& blocks, const 
   return [&](Id i, Id end) -> const std::array<int, 8>*
   {
     const Id cell = part.Cells[i];
-    const Id run = cell / GridPart::Stretch;
-    return cell % GridPart::Stretch == 0 && blocks.Counts[run] != 0 && !mesh.TurnsInsideOut &&
-        part.IsStretch(i, end)
-      ? &blocks.FirstNodes[run]
-      : nullptr;
+    const auto* const first =
+      cell % GridPart::Stretch == 0 ? blocks.CountedFrom(cell / GridPart::Stretch) : nullptr;
+    return first && !mesh.TurnsInsideOut && part.IsStretch(i, end) ? first : nullptr;
   };
 }
 

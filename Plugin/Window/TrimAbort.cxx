@@ -117,7 +117,7 @@ void TrimAbort::OnEvent(vtkObject* caller, unsigned long event, void* self, void
       abort->Look();
       break;
     default:
-      abort->End(algorithm);
+      abort->End();
   }
 }
 
@@ -142,7 +142,7 @@ void TrimAbort::Look()
   }
 }
 
-void TrimAbort::End(vtkAlgorithm*)
+void TrimAbort::End()
 {
   this->Working = nullptr;
   Progress()->setEnableAbort(false);

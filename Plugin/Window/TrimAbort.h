@@ -56,7 +56,7 @@ private:
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void*);
   void Start(vtkAlgorithm* algorithm);
   void Look();
-  void End(vtkAlgorithm* algorithm);
+  void End();
   void Abort();
   void AddStopped(vtkAlgorithm* algorithm);
   /// When Apply, or whatever asked for the data, is done.

@@ -122,9 +122,9 @@ void WriteStep(const TopoDS_Shape& shape, const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void WriteIges(const TopoDS_Shape& shape, const std::string& path)
+void WriteIges(const TopoDS_Shape& shape, const std::string& path, bool withBodies)
 {
-  IGESControl_Writer writer("MM", 0);
+  IGESControl_Writer writer("MM", withBodies);
   writer.AddShape(shape);
   writer.Write(path.c_str());
 }

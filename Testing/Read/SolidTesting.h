@@ -22,8 +22,8 @@ TopoDS_Shape Together(const std::vector<TopoDS_Shape>& bodies);
 
 void WriteStep(const TopoDS_Shape& shape, const std::string& path);
 
-/// As faces that are of no body.
-void WriteIges(const TopoDS_Shape& shape, const std::string& path);
+/// @param withBodies else as faces that are of no body.
+void WriteIges(const TopoDS_Shape& shape, const std::string& path, bool withBodies);
 
 /// Whether the one warning of a reader is that bodies could not be joined.
 bool TellsOfUnjoined(const ReadResult& read);

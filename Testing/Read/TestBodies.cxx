@@ -128,7 +128,7 @@ void TestLooseFaces()
   for (const Assembly& assembly : MakeAssemblies())
   {
     const TopoDS_Shape shape = Together(assembly.Bodies);
-    WriteIges(shape, path);
+    WriteIges(shape, path, false);
     const bool isVoid = assembly.Name == "a ball within a block";
     const size_t joined = ReadFile(path).Surfaces.size();
     const std::string name = assembly.Name + ", of loose faces";
@@ -149,7 +149,7 @@ void TestFacesTwice()
     faces.push_back(it.Current());
     faces.push_back(BRepBuilderAPI_Copy(it.Current()).Shape());
   }
-  WriteIges(Together(faces), path);
+  WriteIges(Together(faces), path, false);
   const ReadResult read = ReadFile(path);
   CHECK(read.Warnings.empty(), "faces twice: " << read.Warnings[0]);
   CHECK(read.Surfaces.size() == 14, "faces twice: " << read.Surfaces.size());

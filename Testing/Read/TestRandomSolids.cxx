@@ -20,7 +20,6 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <IGESControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -178,9 +177,7 @@ void Compare(unsigned seed, bool several, Count& count)
     }
     else
     {
-      IGESControl_Writer writer("MM", 1); // with bodies
-      writer.AddShape(made);
-      writer.Write(iges.c_str());
+      WriteIges(made, iges, true);
       CheckSides(name + " by IGES", iges, shape, DrawPoints(shape, random));
       std::remove(iges.c_str());
     }

@@ -180,6 +180,19 @@ UnionOutcome TryGroup(CADModel& model, const Group& group, const Message_Progres
   return outcome;
 }
 
+/// Those near a box are to be tried again: what has that box was apart from them before.
+void ForgetApart(const Bnd_Box& box, const Group& left, std::map<size_t, UnionOutcome>& known)
+{
+  for (const Candidate& body : left)
+  {
+    const auto found = known.find(body.Index);
+    if (found != known.end() && found->second == UnionOutcome::Apart && !box.IsOut(body.Box))
+    {
+      known.erase(found);
+    }
+  }
+}
+
 /**
  * Joins one body with all that it can be joined with, which are taken from `left`, one after the
  * other: what touches one of them is near it then.
@@ -212,15 +225,7 @@ void Grow(CADModel& model, Candidate core, Group& left, std::set<size_t>& spoile
       grows = true;
       core.Box.Add(body.Box);
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-      for (const Candidate& other : left)
-      {
-        const auto found = known.find(other.Index);
-        if (found != known.end() && found->second == UnionOutcome::Apart &&
-          !body.Box.IsOut(other.Box))
-        {
-          known.erase(found);
-        }
-      }
+      ForgetApart(body.Box, left, known);
       i = 0;
     }
   }

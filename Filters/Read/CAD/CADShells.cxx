@@ -2,6 +2,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
@@ -146,10 +147,7 @@ std::vector<std::vector<CADFace*>> SplitWhereClosed(
 /// A solid that is not inside out, bounded by a closed shell.
 TopoDS_Solid MakeSolid(const TopoDS_Shape& shell)
 {
-  const BRep_Builder builder;
-  TopoDS_Solid solid;
-  builder.MakeSolid(solid);
-  builder.Add(solid, shell);
+  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell));
   BRepLib::OrientClosedSolid(solid);
   return solid;
 }
