@@ -52,8 +52,10 @@ std::vector<SpanToBezier> ConvertSpans(
 class BezierRows
 {
 public:
-  BezierRows(const NurbsSurface& surface, const KnotSpans& spansU, const Vec3& origin)
+  BezierRows(
+    const NurbsSurface& surface, bool equalWeights, const KnotSpans& spansU, const Vec3& origin)
     : Surface(surface)
+    , EqualWeights(equalWeights)
     , Origin(origin)
     , Spans(ConvertSpans(surface.DegreeU, surface.KnotsU, spansU))
     , Width(this->Spans.size() * (surface.DegreeU + 1))
@@ -71,7 +73,7 @@ public:
         static_cast<std::size_t>(this->Next) * this->Points.size();
       for (std::size_t i = 0; i < this->Points.size(); ++i)
       {
-        const double w = given[i].w();
+        const double w = this->EqualWeights ? 1.0 : given[i].w();
         this->Points[i] << w * (given[i].head<3>() - this->Origin), w;
       }
       Vec4* row = this->Row(this->Next);
@@ -88,6 +90,7 @@ public:
 
 private:
   const NurbsSurface& Surface;
+  const bool EqualWeights; ///< as good as 1 each
   const Vec3 Origin;
   std::vector<SpanToBezier> Spans;
   std::size_t Width;
@@ -105,7 +108,7 @@ bool IsCollapsed(const BezierPatch& patch, const Vec4* net, int side, double tol
   const Vec3 start = CartesianPoint(net[first]);
   for (int k = 1; k <= count; ++k)
   {
-    if (!((CartesianPoint(net[first + k * step]) - start).norm() <= tolerance))
+    if (!((CartesianPoint(net[first + k * step]) - start).squaredNorm() <= tolerance * tolerance))
     {
       return false;
     }
@@ -162,6 +165,14 @@ void FindSharpSides(BezierPatch& patch, const Vec4* net, double reach)
   }
 }
 
+/// Whether no weight of the surface differs from another.
+bool HasEqualWeights(const NurbsSurface& surface)
+{
+  const double weight = surface.ControlPoints.front().w();
+  return std::all_of(surface.ControlPoints.begin(), surface.ControlPoints.end(),
+    [weight](const Vec4& point) { return point.w() == weight; });
+}
+
 /// More than any two points of the surface are apart.
 double ReachOf(const NurbsSurface& surface, const Vec3& origin)
 {
@@ -175,7 +186,7 @@ double ReachOf(const NurbsSurface& surface, const Vec3& origin)
 
 /// At least twice the room each time: a shell's faces come one by one.
 template <typename Value>
-void MakeRoom(PageVector<Value>& list, std::size_t added)
+void MakeRoom(UnsetVector<Value>& list, std::size_t added)
 {
   const std::size_t size = list.size() + added;
   if (size > list.capacity())
@@ -187,7 +198,8 @@ void MakeRoom(PageVector<Value>& list, std::size_t added)
 }
 
 void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
-  KnotSpans& spansV, PageVector<BezierPatch>& patches, PageVector<Vec4>& nets)
+  KnotSpans& spansV, UnsetVector<BezierPatch>& patches, UnsetVector<Vec4>& nets,
+  const std::function<void(const BezierPatch&, const Vec4* net)>& visit)
 {
   const int p = surface.DegreeU, q = surface.DegreeV;
   spansU = FindSpans(p, surface.CountU, surface.KnotsU);
@@ -196,7 +208,8 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
   const int countU = static_cast<int>(spansU.Breaks.size()) - 1;
   const int countV = static_cast<int>(spansV.Breaks.size()) - 1;
 
-  BezierRows rows(surface, spansU, origin);
+  const bool equalWeights = HasEqualWeights(surface);
+  BezierRows rows(surface, equalWeights, spansU, origin);
   const double reach = ReachOf(surface, origin);
   const int size = (p + 1) * (q + 1);
   const std::size_t added = static_cast<std::size_t>(countU) * countV;
@@ -233,9 +246,15 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
         const std::size_t column = static_cast<std::size_t>(spanU) * (p + 1) + i;
         convert.Convert([&](int j) -> const Vec4& { return row[j][column]; }, net + i, p + 1);
       }
-      patch.Rational = NormaliseWeights(net, size);
+      if (equalWeights)
+      {
+        // What the factors of the points sum up to is 1 but for rounding.
+        std::for_each(net, net + size, [](Vec4& point) { point.w() = 1.0; });
+      }
+      patch.Rational = !equalWeights && NormaliseWeights(net, size);
       FindCollapsedSides(patch, net, reach);
       FindSharpSides(patch, net, reach);
+      visit(patch, net);
       patches.push_back(patch);
     }
   }

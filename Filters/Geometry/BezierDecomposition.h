@@ -9,14 +9,19 @@
 #include "KnotSpans.h"
 #include "PageVector.h"
 
+#include <functional>
+
 namespace nurbs
 {
 /**
  * Appends the Bezier patches of a surface (blossoming; NURBS Book, chapter 5.3), row by row,
  * u running fastest. Each is one of a span between knots, or of a part of it: see WeightSpans.h.
+ *
+ * @param visit is told of each as it is made.
  */
 void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,
-  KnotSpans& spansV, PageVector<BezierPatch>& patches, PageVector<Vec4>& nets);
+  KnotSpans& spansV, UnsetVector<BezierPatch>& patches, UnsetVector<Vec4>& nets,
+  const std::function<void(const BezierPatch&, const Vec4* net)>& visit);
 
 }
 

@@ -238,18 +238,32 @@ double BezierWeight(const BezierPatch& patch, const Vec4* net, double s, double 
   return HomogeneousPoint(patch, net, s, t).W();
 }
 
+namespace
+{
+
+/// The middle of points at a stride. D < 0: degree at run time.
+template <int D>
+Vec3 MiddleOfPoints(int degree, const Vec4* points, int stride)
+{
+  const BernsteinValues<D> b(degree, 0.5);
+  Quad a;
+  for (int k = 0; k <= (D < 0 ? degree : D); ++k)
+  {
+    a.Add(b.N[k], points[k * stride].data());
+  }
+  return a.Head() / a.W();
+}
+
+}
+
 Vec3 MiddleOfSide(const BezierPatch& patch, const Vec4* net, int side)
 {
   const bool alongV = side < 2;
   const int width = patch.DegreeU + 1, degree = alongV ? patch.DegreeV : patch.DegreeU;
   const int first = side == 1 ? patch.DegreeU : (side == 3 ? patch.DegreeV * width : 0);
-  const BernsteinValues<-1> b(degree, 0.5);
-  Quad a;
-  for (int k = 0; k <= degree; ++k)
-  {
-    a.Add(b.N[k], net[first + k * (alongV ? width : 1)].data());
-  }
-  return a.Head() / a.W();
+  const int stride = alongV ? width : 1;
+  return degree == 3 ? MiddleOfPoints<3>(degree, net + first, stride)
+                     : MiddleOfPoints<-1>(degree, net + first, stride);
 }
 
 }

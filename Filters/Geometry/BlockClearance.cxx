@@ -196,9 +196,9 @@ bool SurfaceBlocks::IsSmooth(const SurfaceModel& model, int face, const BlockRan
 }
 
 /// The blocks about a block, as far as a ring of the width asked for, in sizes of the block.
-BlockRange SurfaceBlocks::RingAbout(int index, double width) const
+BlockRange SurfaceBlocks::RingAbout(const SurfaceModel& model, int index, double width) const
 {
-  const SurfaceBlock& block = this->Blocks[index];
+  const SurfaceBlock& block = this->BlockOf(model, index);
   const Grid& grid = this->Grids[block.Face];
   const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
   const double sizeU = block.Xu, sizeV = std::hypot(block.Xv, block.Yv);
@@ -213,7 +213,7 @@ BlockRange SurfaceBlocks::RingAbout(int index, double width) const
 double SurfaceBlocks::ConvexClearance(
   const SurfaceModel& model, int index, const BlockRange& ring) const
 {
-  const SurfaceBlock& block = this->Blocks[index];
+  const SurfaceBlock& block = this->BlockOf(model, index);
   const Grid& grid = this->Grids[block.Face];
   const BlockReach own = this->ReachOf(model, index);
   double clearance = HUGE_VAL;
@@ -222,7 +222,7 @@ double SurfaceBlocks::ConvexClearance(
     for (int i = ring.FirstU; i < ring.EndU; ++i)
     {
       const int other = grid.First + i + j * grid.CountU;
-      const SurfaceBlock& around = this->Blocks[other];
+      const SurfaceBlock& around = this->BlockOf(model, other);
       const BlockReach reach = this->ReachOf(model, other);
       const Extents extents(around, around.X, block);
       const Eigen::Vector3f most = extents.Middle.cwiseAbs() + extents.Half;
@@ -244,7 +244,7 @@ double SurfaceBlocks::ConvexClearance(
 double SurfaceBlocks::ClearanceOfOthers(
   const SurfaceModel& model, int index, const BlockRange& ring, double clearance) const
 {
-  const SurfaceBlock& block = this->Blocks[index];
+  const SurfaceBlock& block = this->BlockOf(model, index);
   const Grid& grid = this->Grids[block.Face];
   const FreeDistance distance(block, this->ReachOf(model, index).Tilt);
   const TreePoint center(block.Center);
@@ -257,7 +257,7 @@ double SurfaceBlocks::ClearanceOfOthers(
   {
     if (i >= 0 && i < grid.CountU && j >= 0 && j < grid.CountV)
     {
-      const SurfaceBlock& other = this->Blocks[grid.First + i + j * grid.CountU];
+      const SurfaceBlock& other = this->BlockOf(model, grid.First + i + j * grid.CountU);
       clearance = std::min(clearance, distance.To(other));
     }
   }
@@ -270,19 +270,17 @@ double SurfaceBlocks::ClearanceOfOthers(
     for (int c = 0; c < 4; ++c)
     {
       const int child = node.Child[c];
-      if (child == TreeNode::Empty || std::sqrt(distances[c]) - radius >= 2 * clearance)
+      if (child == TreeNode::Empty || std::sqrt(distances[c]) - radius >= 2 * clearance ||
+        distance.To(node, c) >= clearance)
       {
         continue;
       }
       if (child >= 0)
       {
-        if (distance.To(node, c) < clearance)
-        {
-          stack.push_back(child);
-        }
+        stack.push_back(child);
         continue;
       }
-      const SurfaceBlock& other = this->Blocks[~child];
+      const SurfaceBlock& other = this->BlockOf(model, ~child);
       const int i = (~child - grid.First) % grid.CountU, j = (~child - grid.First) / grid.CountU;
       if (other.Face != block.Face || !ring.Holds(i, j))
       {
@@ -300,8 +298,8 @@ double SurfaceBlocks::ClearanceOfOthers(
  */
 double SurfaceBlocks::MeasureClearance(const SurfaceModel& model, int index, double width) const
 {
-  const BlockRange ring = this->RingAbout(index, width);
-  if (!this->IsSmooth(model, this->Blocks[index].Face, ring))
+  const BlockRange ring = this->RingAbout(model, index, width);
+  if (!this->IsSmooth(model, this->BlockOf(model, index).Face, ring))
   {
     return 0;
   }

@@ -16,25 +16,26 @@ BlockDirection::BlockDirection(const KnotSpans& spans)
 {
 }
 
-void BlockDirection::Divide(double flatness, int least)
+void BlockDirection::Divide(const BlockLimits& limits)
 {
   const std::vector<double>& knots = this->Spans.Breaks;
   const double length = knots.back() - knots.front();
   int blocks = 0;
   double open = 0; // bend of the block that the last span has left open
   double start = knots.front();
-  bool isOpen = false;
+  int joined = 0; // spans of that block; none of one that is closed
   this->First.clear();
   this->Divisions.clear();
   this->Breaks.assign(1, start);
   for (int k = 0; k < this->NumberOfSpans(); ++k)
   {
     const double low = knots[k], high = knots[k + 1], bend = this->Bend[k];
-    const double parts =
-      std::max(std::ceil(bend / flatness), std::floor(least * (high - low) / length + 1e-9));
+    const double parts = std::max(
+      std::ceil(bend / limits.Flatness), std::floor(limits.Least * (high - low) / length + 1e-9));
     const int n = static_cast<int>(std::clamp(parts, 1.0, 64.0));
-    const bool joins = isOpen && n == 1 && open + bend <= flatness &&
-      (high - start) * least <= length * (1 + 1e-9) && this->Spans.Kinds[k] == SideKind::Smooth;
+    const bool joins = joined > 0 && joined < limits.MostSpans && n == 1 &&
+      open + bend <= limits.Flatness && (high - start) * limits.Least <= length * (1 + 1e-9) &&
+      this->Spans.Kinds[k] == SideKind::Smooth;
     if (joins)
     {
       open += bend;
@@ -50,7 +51,7 @@ void BlockDirection::Divide(double flatness, int least)
         this->Breaks.push_back(i == n ? high : low + (high - low) * i / n);
       }
     }
-    isOpen = n == 1;
+    joined = n > 1 ? 0 : joins ? joined + 1 : 1;
     this->First.push_back(blocks - n);
     this->Divisions.push_back(n);
   }

@@ -12,6 +12,14 @@
 namespace nurbs
 {
 
+/// What blocks may be.
+struct BlockLimits
+{
+  double Flatness; ///< a block bends by at most so much (about radians)
+  int Least;       ///< a direction has at least about so many blocks
+  int MostSpans;   ///< a block holds at most so many spans of a direction
+};
+
 class BlockDirection
 {
 public:
@@ -20,13 +28,8 @@ public:
   std::vector<double> Bend;   ///< of each span, the largest over the other direction
   std::vector<double> Length; ///< of each span, in the mean over the other direction
 
-  /**
-   * Divides spans that bend by more than the flatness, and joins neighbours that bend by less
-   * together.
-   *
-   * @param least the direction has at least about so many blocks.
-   */
-  void Divide(double flatness, int least);
+  /// Divides spans that bend too much for a block, and joins neighbours that make one together.
+  void Divide(const BlockLimits& limits);
 
   /// Raises the bend of spans that are long against the blocks of the other direction, so that
   /// blocks are not too slender.

@@ -215,7 +215,7 @@ float SquaredDistanceToBlock(const SurfaceBlock& block, const Vec3& p)
 bool SurfaceBlocks::IsClosest(
   const SurfaceModel& model, const Vec3& p, const SurfacePoint& foot, int index) const
 {
-  const int face = this->Blocks[index].Face;
+  const int face = this->BlockOf(model, index).Face;
   const Grid& grid = this->Grids[face];
   const auto columnOf = [&grid](int block) { return (block - grid.First) % grid.CountU; };
   const auto rowOf = [&grid](int block) { return (block - grid.First) / grid.CountU; };
@@ -223,11 +223,12 @@ bool SurfaceBlocks::IsClosest(
   BlockRange range{ column, column + 1, row, row + 1 };
   const auto add = [&](int block)
   {
-    if (SquaredDistanceToBlock(this->Blocks[block], p) > foot.Squared)
+    const SurfaceBlock& near = this->BlockOf(model, block);
+    if (SquaredDistanceToBlock(near, p) > foot.Squared)
     {
       return true;
     }
-    if (this->Blocks[block].Face != face)
+    if (near.Face != face)
     {
       return false;
     }
@@ -249,7 +250,7 @@ bool SurfaceBlocks::IsConvex(const SurfaceModel& model, const Vec3& p, const Vec
     for (int i = range.FirstU; i < range.EndU; ++i)
     {
       const int index = grid.First + i + j * grid.CountU;
-      const SurfaceBlock& block = this->Blocks[index];
+      const SurfaceBlock& block = this->BlockOf(model, index);
       const BlockReach reach = this->ReachOf(model, index);
       const Eigen::Vector3f d = (p - block.Center).cast<float>();
       const Eigen::Vector3f x(block.X.dot(d), block.Y.dot(d), block.Z.dot(d));
@@ -290,7 +291,7 @@ bool SurfaceBlocks::FindFoot(const SurfaceModel& model, const Vec3& p, SurfacePo
   }
   else
   {
-    const SurfaceBlock& block = this->Blocks[this->NearBlock(p)];
+    const SurfaceBlock& block = this->BlockOf(model, this->NearBlock(p));
     face = block.Face;
     const Vec2 uv = block.Middle + block.Width.cwiseProduct(ModelFoot(block, p).cast<double>());
     if (!uv.allFinite())

@@ -37,7 +37,7 @@ void BlossomRow(Vec4* c, int degree, std::size_t stride, double x0, double x1)
 }
 
 BezierPatch CurveOnPatch(
-  const BezierPatch& patch, const Vec2& from, const Vec2& to, PageVector<Vec4>& nets)
+  const BezierPatch& patch, const Vec2& from, const Vec2& to, UnsetVector<Vec4>& nets)
 {
   const int p = patch.DegreeU, q = patch.DegreeV;
   // A copy: the nets may move as they grow.

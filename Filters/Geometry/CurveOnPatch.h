@@ -16,7 +16,7 @@ namespace nurbs
  * @param[in,out] nets has the net of the patch; that of the curve is appended.
  */
 BezierPatch CurveOnPatch(
-  const BezierPatch& patch, const Vec2& from, const Vec2& to, PageVector<Vec4>& nets);
+  const BezierPatch& patch, const Vec2& from, const Vec2& to, UnsetVector<Vec4>& nets);
 
 }
 

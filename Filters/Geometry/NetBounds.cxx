@@ -14,10 +14,6 @@ namespace
 struct DifferenceBounds
 {
   double Length = 0, Normal = 0, Weight = 0;
-  void Add(const Vec4& d)
-  {
-    this->Length = std::max(this->Length, Vec3(d.head<3>()).squaredNorm());
-  }
   void Add(const Vec4& d, const Vec3& normal, const Vec3& mean)
   {
     const Vec3 x = d.head<3>() - mean;
@@ -54,31 +50,30 @@ NetBounds BoundSeconds(int degreeU, int degreeV, const Vec4* net)
   const int p = P < 0 ? degreeU : P, q = Q < 0 ? degreeV : Q, nu = p + 1;
   NetBounds b;
   FindMeans(p, q, net, b);
-  DifferenceBounds points, uu, uv, vv;
+  double uu = 0, uv = 0, vv = 0;
+  const auto add = [](double& most, const Vec4& d) { most = std::max(most, d.squaredNorm()); };
   for (int j = 0; j <= q; ++j)
   {
     const Vec4* c = net + j * nu;
     for (int i = 0; i <= p; ++i)
     {
-      points.Add(c[i]);
       if (i + 1 < p)
       {
-        uu.Add(c[i + 2] - 2 * c[i + 1] + c[i]);
+        add(uu, c[i + 2] - 2 * c[i + 1] + c[i]);
       }
       if (j + 1 < q)
       {
-        vv.Add((c[i + 2 * nu] - c[i + nu]) - (c[i + nu] - c[i]));
+        add(vv, (c[i + 2 * nu] - c[i + nu]) - (c[i + nu] - c[i]));
       }
       if (i < p && j < q)
       {
-        uv.Add((c[i + 1 + nu] - c[i + 1]) - (c[i + nu] - c[i]));
+        add(uv, (c[i + 1 + nu] - c[i + 1]) - (c[i + nu] - c[i]));
       }
     }
   }
-  b.Radius = b.Extent = std::sqrt(points.Length);
-  b.SecondUU = (p * (p - 1)) * std::sqrt(uu.Length);
-  b.SecondUV = (p * q) * std::sqrt(uv.Length);
-  b.SecondVV = (q * (q - 1)) * std::sqrt(vv.Length);
+  b.SecondUU = (p * (p - 1)) * std::sqrt(uu);
+  b.SecondUV = (p * q) * std::sqrt(uv);
+  b.SecondVV = (q * (q - 1)) * std::sqrt(vv);
   return b;
 }
 

@@ -34,7 +34,7 @@ void CenterNet(const Vec3& center, int size, const Vec4* net, Vec4* centered);
 /// @param net about the centre; the means are taken from the net.
 NetBounds BoundNet(int p, int q, const Vec4* net);
 
-/// The same of a net whose weights are 1, but only Mean, Second, Extent and Radius.
+/// The same of a net whose weights are 1, about anywhere, but only Mean and Second.
 NetBounds BoundBend(int p, int q, const Vec4* net);
 
 /// std::hypot guards against overflow at ten times the cost.

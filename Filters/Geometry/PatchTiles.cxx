@@ -13,23 +13,24 @@ namespace
 constexpr int PatchesOfTile = 16;
 
 /// How many patches a tile has along u, so that it is about as long as wide in the mean.
-int TileAlongU(const std::vector<Vec2>& sizes, int first, int count)
+int TileAlongU(const std::vector<PatchShape>& shapes, int first, int count)
 {
   Vec2 sum = Vec2::Zero();
   for (int k = first; k < first + count; ++k)
   {
-    sum += sizes[k];
+    sum += shapes[k].Size;
   }
   const double along = std::round(std::sqrt(PatchesOfTile * sum.y() / sum.x()));
   return along < PatchesOfTile ? std::max(1, static_cast<int>(along)) : PatchesOfTile;
 }
 
 /// @param first of the face's patches.
-void AddTiles(const FaceData& face, const std::vector<Vec2>& sizes, int first, PatchTiles& tiles)
+void AddTiles(
+  const FaceData& face, const std::vector<PatchShape>& shapes, int first, PatchTiles& tiles)
 {
   const int countU = static_cast<int>(face.SpansU.Breaks.size()) - 1;
   const int countV = static_cast<int>(face.SpansV.Breaks.size()) - 1;
-  const int stepU = TileAlongU(sizes, first, countU * countV), stepV = PatchesOfTile / stepU;
+  const int stepU = TileAlongU(shapes, first, countU * countV), stepV = PatchesOfTile / stepU;
   for (int v = 0; v < countV; v += stepV)
   {
     for (int u = 0; u < countU; u += stepU)
@@ -48,7 +49,7 @@ void AddTiles(const FaceData& face, const std::vector<Vec2>& sizes, int first, P
 
 }
 
-PatchTiles TilePatches(const SurfaceModel& model, const std::vector<Vec2>& sizes)
+PatchTiles TilePatches(const SurfaceModel& model, const std::vector<PatchShape>& shapes)
 {
   const int count = static_cast<int>(model.Patches.size());
   PatchTiles tiles;
@@ -59,7 +60,7 @@ PatchTiles TilePatches(const SurfaceModel& model, const std::vector<Vec2>& sizes
     const BezierPatch& patch = model.Patches[next];
     if (!patch.Curve)
     {
-      AddTiles(model.Data[patch.Face], sizes, next, tiles);
+      AddTiles(model.Data[patch.Face], shapes, next, tiles);
       continue;
     }
     for (int k = next; k < std::min(next + PatchesOfTile, count) && model.Patches[k].Curve; ++k)

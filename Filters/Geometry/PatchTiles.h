@@ -5,7 +5,7 @@
 #ifndef PatchTiles_h
 #define PatchTiles_h
 
-#include "NurbsSurface.h"
+#include "PatchShape.h"
 
 #include <vector>
 
@@ -21,8 +21,8 @@ struct PatchTiles
 };
 
 /// Rectangles of patches of a face, about as long as wide; pieces of loops along the loops.
-/// @param sizes of all patches, as measured by MeasureSize.
-PatchTiles TilePatches(const SurfaceModel& model, const std::vector<Vec2>& sizes);
+/// @param shapes of all patches.
+PatchTiles TilePatches(const SurfaceModel& model, const std::vector<PatchShape>& shapes);
 
 }
 

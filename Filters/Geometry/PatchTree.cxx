@@ -29,62 +29,25 @@ const Vec4* NetOfPart(
   return part;
 }
 
-Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net)
-{
-  const int p = patch.DegreeU, q = patch.DegreeV;
-  Vec4 centered[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  CenterNet(BezierPoint(patch, net, 0.5, 0.5), (p + 1) * (q + 1), net, centered);
-  const NetBounds b = patch.Rational ? BoundNet(p, q, centered) : BoundBend(p, q, centered);
-  // Lengths of the patch along s and t; a collapsed direction is not divided for its own sake.
-  const double lengthU = std::max(b.MeanU.norm(), 1e-3 * b.Extent);
-  const double lengthV = std::max(b.MeanV.norm(), 1e-3 * b.Extent);
-  if (!(b.Extent > 0))
-  {
-    return Vec2::Zero();
-  }
-  const double twist = b.SecondUV + b.Radius * b.WeightUV;
-  return Vec2((b.SecondUU + b.Radius * b.WeightUU) / lengthU + twist / lengthV,
-    (b.SecondVV + b.Radius * b.WeightVV) / lengthV + twist / lengthU);
-}
-
-Vec2 MeasureSize(const BezierPatch& patch, const Vec4* net)
-{
-  const auto middle = [&](int side) -> Vec3 { return MiddleOfSide(patch, net, side); };
-  return Vec2((middle(1) - middle(0)).norm(), (middle(3) - middle(2)).norm());
-}
-
-void ChooseGrid(const Vec2& bend, const Vec2& size, const LeafLimits& limits, BezierPatch& patch)
+void ChooseGrid(const PatchShape& shape, const LeafLimits& limits, BezierPatch& patch)
 {
   static constexpr double Finest = 16;
   // Most patches of a large surface are not divided: rounding up is a call of its own.
   const auto roundUp = [](double x) { return x > 1.0 ? std::min(std::ceil(x), Finest) : 1.0; };
-  Vec2 divisions(roundUp(bend.x() / limits.Flatness), roundUp(bend.y() / limits.Flatness));
-  const Vec2 leaf = size.cwiseQuotient(divisions);
+  Vec2 divisions(
+    roundUp(shape.Bend.x() / limits.Flatness), roundUp(shape.Bend.y() / limits.Flatness));
+  const Vec2 leaf = shape.Size.cwiseQuotient(divisions);
   for (int along = 0; along < 2; ++along)
   {
     const double width = leaf[1 - along];
     if (width > 0)
     {
       divisions[along] =
-        std::max(divisions[along], roundUp(size[along] / (limits.Slenderness * width)));
+        std::max(divisions[along], roundUp(shape.Size[along] / (limits.Slenderness * width)));
     }
   }
   patch.GridU = static_cast<int>(divisions.x());
   patch.GridV = patch.DegreeV > 0 ? static_cast<int>(divisions.y()) : 1;
-}
-
-Eigen::AlignedBox3f BoxOfNet(const Vec4* net, int size)
-{
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
-  for (int k = 0; k < size; ++k)
-  {
-    const Vec3 point = CartesianPoint(net[k]);
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const double margin = 1e-7 * std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  return Eigen::AlignedBox3f(
-    (low.array() - margin).matrix().cast<float>(), (high.array() + margin).matrix().cast<float>());
 }
 
 namespace

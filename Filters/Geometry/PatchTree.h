@@ -9,9 +9,8 @@
 #include "BoxTree.h"
 #include "NetBounds.h"
 #include "PageVector.h"
+#include "PatchShape.h"
 #include "TrimLoops.h"
-
-#include <Eigen/Geometry>
 
 #include <atomic>
 #include <vector>
@@ -58,12 +57,6 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf);
 const Vec4* NetOfPart(
   const BezierPatch& patch, const Vec4* net, const LeafDomain& domain, Vec4* part);
 
-/// How far the tangents of a patch turn along s and t, relative to its size (about radians).
-Vec2 MeasureBend(const BezierPatch& patch, const Vec4* net);
-
-/// Distances between the ends of the middle lines along s and t.
-Vec2 MeasureSize(const BezierPatch& patch, const Vec4* net);
-
 /// How long a leaf or block may be against its width: where it is askew little is certain of one
 /// that is more slender, and the boxes of such leaves are full of each other.
 constexpr double MostSlender = 8.0;
@@ -76,7 +69,7 @@ struct LeafLimits
 };
 
 /// Divides a patch so that its leaves are within the limits, as far as a few divisions do.
-void ChooseGrid(const Vec2& bend, const Vec2& size, const LeafLimits& limits, BezierPatch& patch);
+void ChooseGrid(const PatchShape& shape, const LeafLimits& limits, BezierPatch& patch);
 
 /**
  * Oriented box, inverse map and certificates of one leaf.
@@ -85,9 +78,6 @@ void ChooseGrid(const Vec2& bend, const Vec2& size, const LeafLimits& limits, Be
  */
 void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
   LeafBox& oriented);
-
-/// The box along the axes that a net lies in, rounded outwards.
-Eigen::AlignedBox3f BoxOfNet(const Vec4* net, int size);
 
 }
 

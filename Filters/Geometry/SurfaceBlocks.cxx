@@ -15,8 +15,8 @@ namespace nurbs
 // Construction
 //------------------------------------------------------------------------------
 
-void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face, const std::vector<Vec2>& bends,
-  const std::vector<Vec2>& sizes, double flatness, int least, Grid& grid) const
+void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face,
+  const std::vector<PatchShape>& shapes, const BlockLimits& limits, Grid& grid) const
 {
   const FaceData& data = model.Data[face];
   BlockDirection u(data.SpansU), v(data.SpansV);
@@ -25,19 +25,19 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face, const std::vect
     for (int i = 0; i < u.NumberOfSpans(); ++i)
     {
       const int patch = data.FirstPatch + j * u.NumberOfSpans() + i;
-      u.Bend[i] = std::max(u.Bend[i], bends[patch].x());
-      v.Bend[j] = std::max(v.Bend[j], bends[patch].y());
-      u.Length[i] += sizes[patch].x() / v.NumberOfSpans();
-      v.Length[j] += sizes[patch].y() / u.NumberOfSpans();
+      u.Bend[i] = std::max(u.Bend[i], shapes[patch].Bend.x());
+      v.Bend[j] = std::max(v.Bend[j], shapes[patch].Bend.y());
+      u.Length[i] += shapes[patch].Size.x() / v.NumberOfSpans();
+      v.Length[j] += shapes[patch].Size.y() / u.NumberOfSpans();
     }
   }
-  u.Divide(flatness, least);
-  v.Divide(flatness, least);
+  u.Divide(limits);
+  v.Divide(limits);
   const double blockU = u.LengthOfBlocks(), blockV = v.LengthOfBlocks();
-  u.BendSlender(flatness, blockV);
-  v.BendSlender(flatness, blockU);
-  u.Divide(flatness, least);
-  v.Divide(flatness, least);
+  u.BendSlender(limits.Flatness, blockV);
+  v.BendSlender(limits.Flatness, blockU);
+  u.Divide(limits);
+  v.Divide(limits);
   grid.CountU = u.NumberOfBlocks();
   grid.CountV = v.NumberOfBlocks();
   grid.BlockU = std::move(u.First);
@@ -48,24 +48,25 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face, const std::vect
   grid.BreaksV = std::move(v.Breaks);
 }
 
-void SurfaceBlocks::Build(
-  const SurfaceModel& model, const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes)
+void SurfaceBlocks::Build(const SurfaceModel& model, const std::vector<PatchShape>& shapes)
 {
   constexpr double Flat = 0.15;
+  // A block is measured as a whole, and those about it with it, though few points may be near it.
+  constexpr int FewSpans = 8;
   constexpr std::size_t Affordable = 20000;
   const int faces = static_cast<int>(model.Faces.size());
   // Small faces among many are not worth more than one block: their edges are never far.
   const int least = std::clamp(static_cast<int>(std::sqrt(4096.0 / faces)), 1, 8);
-  double flatness = Flat;
+  BlockLimits limits{ Flat, least, FewSpans };
   std::size_t count = 0;
-  for (int attempt = 0; attempt < 4; ++attempt, flatness *= 1.5)
+  for (int attempt = 0; attempt < 4; ++attempt, limits.Flatness *= 1.5, limits.MostSpans *= 2)
   {
     this->Grids.assign(faces, Grid());
     count = 0;
     for (int face = 0; face < faces; ++face)
     {
       Grid& grid = this->Grids[face];
-      this->AddGrid(model, face, bends, sizes, flatness, least, grid);
+      this->AddGrid(model, face, shapes, limits, grid);
       grid.First = static_cast<int>(count);
       count += static_cast<std::size_t>(grid.CountU) * grid.CountV;
     }
@@ -79,8 +80,8 @@ void SurfaceBlocks::Build(
     this->Grids.clear(); // too rough: the search has to do
     return;
   }
-  this->Blocks.reserve(count);
   std::vector<Eigen::AlignedBox3f> boxes;
+  boxes.reserve(count);
   for (int face = 0; face < faces; ++face)
   {
     const Grid& grid = this->Grids[face];
@@ -88,13 +89,7 @@ void SurfaceBlocks::Build(
     {
       for (int i = 0; i < grid.CountU; ++i)
       {
-        this->Blocks.push_back(this->MeasureBlock(model, face, i, j));
-        const SurfaceBlock& block = this->Blocks.back();
-        const Eigen::Matrix3f edges = block.Edges();
-        const Eigen::Vector3f middle =
-          block.Center.cast<float>() + edges * (0.5f * (block.Low + block.High));
-        const Eigen::Vector3f half = edges.cwiseAbs() * (0.5f * (block.High - block.Low));
-        boxes.emplace_back(middle - half, middle + half);
+        boxes.push_back(this->BoxOfBlock(model, shapes, face, i, j));
       }
     }
   }
@@ -108,10 +103,11 @@ void SurfaceBlocks::Build(
       child = child < 0 ? ~order[~child] : child;
     }
   }
+  this->Blocks = SparseVector<SurfaceBlock>(count);
   this->Certificates = std::make_unique<Certificate[]>(count);
 }
 
-/// Visits the nets of all patches, or parts of them, that make up a block: (patch, net, domain).
+/// Visits all patches, or parts of them, that make up a block: (patch, domain).
 template <typename Visitor>
 void SurfaceBlocks::ForPieces(
   const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const
@@ -130,26 +126,73 @@ void SurfaceBlocks::ForPieces(
   };
   const auto rangeU = spans(grid.BlockU, i);
   const auto rangeV = spans(grid.BlockV, j);
-  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
   for (int spanV = rangeV.first; spanV < rangeV.second; ++spanV)
   {
     for (int spanU = rangeU.first; spanU < rangeU.second; ++spanU)
     {
-      const BezierPatch& patch = model.Patches[data.FirstPatch + spanV * countU + spanU];
       const int nu = grid.DivisionsU[spanU], nv = grid.DivisionsV[spanV];
       const int cellU = nu == 1 ? 0 : i - grid.BlockU[spanU];
       const int cellV = nv == 1 ? 0 : j - grid.BlockV[spanV];
-      const LeafDomain domain{ double(cellU) / nu, double(cellU + 1) / nu, double(cellV) / nv,
-        double(cellV + 1) / nv };
-      visit(patch, NetOfPart(patch, model.Net(patch), domain, part), domain);
+      visit(data.FirstPatch + spanV * countU + spanU,
+        LeafDomain{
+          double(cellU) / nu, double(cellU + 1) / nu, double(cellV) / nv, double(cellV + 1) / nv });
     }
   }
 }
 
-SurfaceBlock SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int face, int i, int j) const
+/// The same with their nets: (patch, net, domain).
+template <typename Visitor>
+void SurfaceBlocks::ForNets(
+  const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const
 {
-  const Grid& grid = this->Grids[face];
-  SurfaceBlock block;
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  this->ForPieces(model, face, i, j,
+    [&](int index, const LeafDomain& domain)
+    {
+      const BezierPatch& patch = model.Patches[index];
+      visit(patch, NetOfPart(patch, model.Net(patch), domain, part), domain);
+    });
+}
+
+Eigen::AlignedBox3f SurfaceBlocks::BoxOfBlock(
+  const SurfaceModel& model, const std::vector<PatchShape>& shapes, int face, int i, int j) const
+{
+  Eigen::AlignedBox3f box;
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  this->ForPieces(model, face, i, j,
+    [&](int index, const LeafDomain& domain)
+    {
+      const BezierPatch& patch = model.Patches[index];
+      const Vec4* whole = model.Net(patch);
+      const Vec4* net = NetOfPart(patch, whole, domain, part);
+      box.extend(net == whole ? shapes[index].Box
+                              : BoxOfNet(net, (patch.DegreeU + 1) * (patch.DegreeV + 1)));
+    });
+  return box;
+}
+
+const SurfaceBlock& SurfaceBlocks::BlockOf(const SurfaceModel& model, int index) const
+{
+  SurfaceBlock& block = this->Blocks[index];
+  if (!block.Known.load(std::memory_order_acquire))
+  {
+    const std::lock_guard<std::mutex> lock(this->Locks[index % this->Locks.size()]);
+    if (!block.Known.load(std::memory_order_relaxed)) // no other thread was faster
+    {
+      this->MeasureBlock(model, index, block);
+      block.Known.store(true, std::memory_order_release);
+    }
+  }
+  return block;
+}
+
+void SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int index, SurfaceBlock& block) const
+{
+  const auto next = std::upper_bound(this->Grids.begin(), this->Grids.end(), index,
+    [](int number, const Grid& grid) { return number < grid.First; });
+  const Grid& grid = *(next - 1);
+  const int face = static_cast<int>(&grid - this->Grids.data());
+  const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
   block.Face = face;
   block.Width = Vec2(grid.BreaksU[i + 1] - grid.BreaksU[i], grid.BreaksV[j + 1] - grid.BreaksV[j]);
   block.Middle = Vec2(grid.BreaksU[i], grid.BreaksV[j]) + 0.5 * block.Width;
@@ -178,30 +221,34 @@ SurfaceBlock SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int face, in
   // A collapsed block needs some shape.
   block.Xu = std::max(block.Xu, 1e-30f);
   block.Yv = std::max(block.Yv, 1e-6f * std::abs(block.Xv) + 1e-30f);
-  const Vec3 acrossV = block.AcrossV().cast<double>();
-  Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
-  this->ForPieces(model, face, i, j,
+  // By columns, and of four rows: Eigen has registers for two of them each.
+  Eigen::Matrix<double, 4, 3> axes;
+  axes << block.AcrossV().cast<double>().transpose(), y.transpose(), z.transpose(),
+    Vec3::Zero().transpose();
+  Vec4 lowest = Vec4::Constant(HUGE_VAL), highest = -lowest;
+  this->ForNets(model, face, i, j,
     [&](const BezierPatch& piece, const Vec4* net, const LeafDomain&)
     {
       const int size = (piece.DegreeU + 1) * (piece.DegreeV + 1);
       for (int k = 0; k < size; ++k)
       {
         const Vec3 offset = CartesianPoint(net[k]) - jet.S;
-        const Vec3 d(acrossV.dot(offset), y.dot(offset), z.dot(offset));
-        low = low.cwiseMin(d);
-        high = high.cwiseMax(d);
+        const Vec4 d =
+          axes.col(0) * offset.x() + axes.col(1) * offset.y() + axes.col(2) * offset.z();
+        lowest = lowest.cwiseMin(d);
+        highest = highest.cwiseMax(d);
       }
     });
+  const Vec3 low = lowest.head<3>(), high = highest.head<3>();
   // Rounding of the axes and of what is computed from them.
   const double margin = 1e-6 * (high - low).norm() + 1e-15 * block.Center.cwiseAbs().maxCoeff();
   block.Low = (low - Vec3::Constant(margin)).cast<float>();
   block.High = (high + Vec3::Constant(margin)).cast<float>();
-  return block;
 }
 
 BlockReach SurfaceBlocks::MeasureReach(const SurfaceModel& model, int index) const
 {
-  const SurfaceBlock& block = this->Blocks[index];
+  const SurfaceBlock& block = this->BlockOf(model, index);
   const Grid& grid = this->Grids[block.Face];
   const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
   const BezierPatch& middle =
@@ -215,7 +262,7 @@ BlockReach SurfaceBlocks::MeasureReach(const SurfaceModel& model, int index) con
   BlockBounds bounds(
     block.Center, axes, weight * Vec3(block.Xu, 0, 0), weight * Vec3(block.Xv, block.Yv, 0));
   bool mixed = false;
-  this->ForPieces(model, block.Face, i, j,
+  this->ForNets(model, block.Face, i, j,
     [&](const BezierPatch& patch, const Vec4* net, const LeafDomain& domain)
     {
       mixed = mixed || patch.Rational != middle.Rational;

@@ -16,18 +16,23 @@
 #include "PatchTree.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 namespace nurbs
 {
+struct BlockLimits;
 struct SurfaceModel;
 struct SurfacePoint;
 
 /// A rectangle in (u, v) of one face. Its own parameters run from -1/2 to 1/2.
 struct alignas(CacheLine) SurfaceBlock
 {
+  std::atomic<bool> Known; ///< false in new memory: not measured yet
+
   Vec3 Center;                ///< S at the middle
   Eigen::Vector3f X, Y, Z;    ///< axes: X along S_u, Z the normal at the middle
   float Xu, Xv, Yv;           ///< first derivatives at the middle along the axes; the others are 0
@@ -70,10 +75,8 @@ struct BlockRange
 class SurfaceBlocks
 {
 public:
-  /// @param bends of all patches, as measured by MeasureBend.
-  /// @param sizes of all patches, as measured by MeasureSize.
-  void Build(
-    const SurfaceModel& model, const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes);
+  /// @param shapes of all patches.
+  void Build(const SurfaceModel& model, const std::vector<PatchShape>& shapes);
 
   /**
    * Newton for the closest point from a good guess: that of a block near p, or the start if it has
@@ -102,11 +105,17 @@ private:
     std::atomic<float> Clearance[3] = { { -1 }, { -1 }, { -1 } }; ///< by width of the ring
   };
 
-  void AddGrid(const SurfaceModel& model, int face, const std::vector<Vec2>& bends,
-    const std::vector<Vec2>& sizes, double flatness, int least, Grid& grid) const;
-  SurfaceBlock MeasureBlock(const SurfaceModel& model, int face, int i, int j) const;
+  void AddGrid(const SurfaceModel& model, int face, const std::vector<PatchShape>& shapes,
+    const BlockLimits& limits, Grid& grid) const;
+  Eigen::AlignedBox3f BoxOfBlock(
+    const SurfaceModel& model, const std::vector<PatchShape>& shapes, int face, int i, int j) const;
+  /// A block, measured when first asked for: much of a large surface never is.
+  const SurfaceBlock& BlockOf(const SurfaceModel& model, int index) const;
+  void MeasureBlock(const SurfaceModel& model, int index, SurfaceBlock& block) const;
   template <typename Visitor>
   void ForPieces(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;
+  template <typename Visitor>
+  void ForNets(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;
   BlockReach MeasureReach(const SurfaceModel& model, int block) const;
   BlockReach ReachOf(const SurfaceModel& model, int block) const;
   /// By which blocks round a block a clearance is proved.
@@ -117,7 +126,7 @@ private:
   };
   bool IsClear(const SurfaceModel& model, int block, double squared, Rings rings) const;
   double MeasureClearance(const SurfaceModel& model, int block, double width) const;
-  BlockRange RingAbout(int block, double width) const;
+  BlockRange RingAbout(const SurfaceModel& model, int block, double width) const;
   double ConvexClearance(const SurfaceModel& model, int block, const BlockRange& ring) const;
   double ClearanceOfOthers(
     const SurfaceModel& model, int block, const BlockRange& ring, double clearance) const;
@@ -130,9 +139,10 @@ private:
   int BlockAt(int face, int spanU, int spanV, double s, double t) const;
 
   std::vector<Grid> Grids;
-  std::vector<SurfaceBlock> Blocks;
+  mutable SparseVector<SurfaceBlock> Blocks;
   std::vector<TreeNode> Nodes; ///< over the blocks
   std::unique_ptr<Certificate[]> Certificates;
+  mutable std::array<std::mutex, 64> Locks; ///< of the blocks, for measuring
 };
 
 }

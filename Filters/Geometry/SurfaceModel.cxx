@@ -29,11 +29,12 @@ SurfaceModel::SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance,
   this->Gap = std::max(gapTolerance, 0.0) * (1 + 1e-9) + this->Resolution;
   this->WidestGap = std::max(widestGap, this->Gap);
   this->Data.resize(this->Faces.size());
+  Shapes shapes;
   for (std::size_t face = 0; face < this->Faces.size(); ++face)
   {
-    this->AddFace(static_cast<int>(face));
+    this->AddFace(static_cast<int>(face), shapes);
   }
-  this->AddLeaves();
+  this->AddLeaves(shapes);
   OrientShells(*this);
 }
 
@@ -51,14 +52,17 @@ int SurfaceModel::LeafAt(const BezierPatch& patch, double s, double t) const
   return patch.FirstLeaf + j * patch.GridU + i;
 }
 
-void SurfaceModel::AddFace(int face)
+void SurfaceModel::AddFace(int face, Shapes& shapes)
 {
   FaceData& data = this->Data[face];
   const NurbsSurface& surface = this->Faces[face];
   data.FirstPatch = static_cast<int>(this->Patches.size());
   data.Loops = TrimLoops(surface);
-  Decompose(surface, face, this->Origin, data.SpansU, data.SpansV, this->Patches, this->Nets);
-  this->AddTrimCurves(face);
+  // Each patch is measured as it is made, while its net is in the cache.
+  Decompose(surface, face, this->Origin, data.SpansU, data.SpansV, this->Patches, this->Nets,
+    [&shapes](const BezierPatch& patch, const Vec4* net)
+    { shapes.push_back(MeasurePatch(patch, net)); });
+  this->AddTrimCurves(face, shapes);
 }
 
 namespace
@@ -87,7 +91,7 @@ void CutAtKnots(const FaceData& data, const TrimLoops::Edge& edge, double t0, do
 }
 
 /// Every loop edge, parted at the knots it crosses, becomes Bezier curves on the patches.
-void SurfaceModel::AddTrimCurves(int face)
+void SurfaceModel::AddTrimCurves(int face, Shapes& shapes)
 {
   const FaceData& data = this->Data[face];
   const Vec2 low(data.SpansU.Breaks.front(), data.SpansV.Breaks.front());
@@ -107,14 +111,14 @@ void SurfaceModel::AddTrimCurves(int face)
     { return (edge.From + t * (edge.To - edge.From)).cwiseMax(low).cwiseMin(high); };
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
     {
-      this->AddTrimCurve(face, edge, at(cuts[k]), at(cuts[k + 1]));
+      this->AddTrimCurve(face, edge, at(cuts[k]), at(cuts[k + 1]), shapes);
     }
   }
 }
 
 /// A part of a loop edge within one patch; none where it is one point.
 void SurfaceModel::AddTrimCurve(
-  int face, const TrimLoops::Edge& edge, const Vec2& from, const Vec2& to)
+  int face, const TrimLoops::Edge& edge, const Vec2& from, const Vec2& to, Shapes& shapes)
 {
   if (from == to)
   {
@@ -139,20 +143,13 @@ void SurfaceModel::AddTrimCurve(
   curve.Loop = edge.Loop;
   curve.LoopEdge = edge.Index;
   this->Patches.push_back(curve);
+  shapes.push_back(MeasurePatch(curve, this->Net(curve)));
 }
 
-void SurfaceModel::AddLeaves()
+void SurfaceModel::AddLeaves(const Shapes& shapes)
 {
-  std::vector<Vec2> bends, sizes;
-  bends.reserve(this->Patches.size());
-  sizes.reserve(this->Patches.size());
-  for (const BezierPatch& patch : this->Patches)
-  {
-    bends.push_back(MeasureBend(patch, this->Net(patch)));
-    sizes.push_back(MeasureSize(patch, this->Net(patch)));
-  }
-  this->Blocks.Build(*this, bends, sizes);
-  this->ChooseGrids(bends, sizes);
+  this->Blocks.Build(*this, shapes);
+  this->ChooseGrids(shapes);
   this->RefineTrimmedGrids();
   std::size_t count = 0;
   for (BezierPatch& patch : this->Patches)
@@ -162,15 +159,15 @@ void SurfaceModel::AddLeaves()
   }
   this->TrimStates.assign(count, TrimState::Inside);
   this->FindTrimStates();
-  this->HangLeaves(sizes);
+  this->HangLeaves(shapes);
   this->LeafBoxes = SparseVector<LeafBox>(this->LeafOrder.size());
   this->Leaves = SparseVector<Leaf>(count);
 }
 
 /// The tree of all leaves that are not outside the loops.
-void SurfaceModel::HangLeaves(const std::vector<Vec2>& sizes)
+void SurfaceModel::HangLeaves(const Shapes& shapes)
 {
-  const std::vector<Eigen::AlignedBox3f> boxes = this->BoxLeaves();
+  const std::vector<Eigen::AlignedBox3f> boxes = this->BoxLeaves(shapes);
   const auto addLeaves = [&](const BezierPatch& patch)
   {
     for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
@@ -191,7 +188,7 @@ void SurfaceModel::HangLeaves(const std::vector<Vec2>& sizes)
   }
   else
   {
-    const PatchTiles tiles = TilePatches(*this, sizes);
+    const PatchTiles tiles = TilePatches(*this, shapes);
     std::vector<int> ends;
     int next = 0;
     for (const int end : tiles.Ends)
@@ -211,13 +208,19 @@ void SurfaceModel::HangLeaves(const std::vector<Vec2>& sizes)
   this->Bounds.translate(this->Origin);
 }
 
-std::vector<Eigen::AlignedBox3f> SurfaceModel::BoxLeaves() const
+std::vector<Eigen::AlignedBox3f> SurfaceModel::BoxLeaves(const Shapes& shapes) const
 {
   std::vector<Eigen::AlignedBox3f> boxes;
   boxes.reserve(this->TrimStates.size());
   Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  for (const BezierPatch& patch : this->Patches)
+  for (std::size_t index = 0; index < this->Patches.size(); ++index)
   {
+    const BezierPatch& patch = this->Patches[index];
+    if (patch.GridU * patch.GridV == 1)
+    {
+      boxes.push_back(shapes[index].Box);
+      continue;
+    }
     const int size = (patch.DegreeU + 1) * (patch.DegreeV + 1);
     for (int k = patch.FirstLeaf; k < patch.FirstLeaf + patch.GridU * patch.GridV; ++k)
     {
@@ -249,20 +252,20 @@ const LeafBox& SurfaceModel::MeasureBox(int index) const
 
 /// Nearly flat leaves, none too slender, but not many more of them than patches where these are
 /// many.
-void SurfaceModel::ChooseGrids(const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes)
+void SurfaceModel::ChooseGrids(const Shapes& shapes)
 {
   constexpr std::size_t Affordable = 50000;
   LeafLimits limits{ 0.25, MostSlender }; // beyond a flatness of about 0.5 queries get slower
   for (int attempt = 0; attempt < 4; ++attempt)
   {
     std::size_t count = 0;
-    for (std::size_t k = 0; k < bends.size(); ++k)
+    for (std::size_t k = 0; k < shapes.size(); ++k)
     {
       BezierPatch& patch = this->Patches[k];
-      ChooseGrid(bends[k], sizes[k], limits, patch);
+      ChooseGrid(shapes[k], limits, patch);
       count += static_cast<std::size_t>(patch.GridU) * patch.GridV;
     }
-    if (count <= std::max(Affordable, bends.size() + bends.size() / 2))
+    if (count <= std::max(Affordable, shapes.size() + shapes.size() / 2))
     {
       break;
     }

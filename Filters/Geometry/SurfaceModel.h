@@ -35,8 +35,8 @@ struct SurfaceModel
 
   std::vector<NurbsSurface> Faces;
   std::vector<FaceData> Data;
-  PageVector<BezierPatch> Patches;
-  PageVector<Vec4> Nets;
+  UnsetVector<BezierPatch> Patches;
+  UnsetVector<Vec4> Nets;
   std::vector<TrimState> TrimStates; ///< of the leaves
   mutable SparseVector<Leaf> Leaves; ///< each is known once its box was asked for
   std::vector<TreeNode> Nodes;
@@ -84,14 +84,18 @@ struct SurfaceModel
   void ForLeavesNear(const Vec3& p, double radius, Visitor&& visit) const;
 
 private:
-  void AddFace(int face);
-  void AddTrimCurves(int face);
-  void AddTrimCurve(int face, const TrimLoops::Edge& edge, const Vec2& from, const Vec2& to);
-  void ChooseGrids(const std::vector<Vec2>& bends, const std::vector<Vec2>& sizes);
+  /// The shapes of all patches are known while the model is made.
+  using Shapes = std::vector<PatchShape>;
+
+  void AddFace(int face, Shapes& shapes);
+  void AddTrimCurves(int face, Shapes& shapes);
+  void AddTrimCurve(
+    int face, const TrimLoops::Edge& edge, const Vec2& from, const Vec2& to, Shapes& shapes);
+  void ChooseGrids(const Shapes& shapes);
   void RefineTrimmedGrids();
-  void AddLeaves();
-  void HangLeaves(const std::vector<Vec2>& sizes);
-  std::vector<Eigen::AlignedBox3f> BoxLeaves() const;
+  void AddLeaves(const Shapes& shapes);
+  void HangLeaves(const Shapes& shapes);
+  std::vector<Eigen::AlignedBox3f> BoxLeaves(const Shapes& shapes) const;
   void FindTrimStates();
   void FindTrimState(const BezierPatch& patch, int leaf);
   const LeafBox& MeasureBox(int index) const;
