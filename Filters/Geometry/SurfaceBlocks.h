@@ -6,7 +6,8 @@
  * patch or holds many of them. A block gives Newton its start, by a quadratic model. If the foot
  * lies in a block and the point is within the block's clearance, it is the closest point of the
  * whole surface: over the block and those around it the squared distance is convex, and all else is
- * farther away. The clearance is found when it is first asked for; it depends on the surface alone.
+ * farther away. Blocks and clearances are found when first asked for; they depend on the surface
+ * alone.
  * From beyond it the same is tried for the one point: with the blocks that it can reach.
  */
 #ifndef SurfaceBlocks_h
