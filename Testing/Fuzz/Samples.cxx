@@ -10,6 +10,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <IGESControl_Controller.hxx>
@@ -18,6 +19,7 @@
 #include <Message_Messenger.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <cmath>
@@ -37,6 +39,26 @@ void AddFile(std::vector<Sample>& samples, const std::string& directory, const s
   samples.push_back({ name, iges, ReadText(directory + "/" + name) });
 }
 
+/// One that touches another by a face, and one that crosses both.
+TopoDS_Shape BodiesToJoin(const gp_Ax2& axes)
+{
+  const auto boxFrom = [&axes](double x)
+  {
+    const gp_Vec step = x * gp_Vec(axes.XDirection());
+    return BRepPrimAPI_MakeBox(axes.Translated(step), 10, 10, 10).Shape();
+  };
+  gp_Ax2 bar = axes.Translated(
+    gp_Vec(axes.XDirection()) * -5 + gp_Vec(axes.YDirection()) * 5 + gp_Vec(axes.Direction()) * 5);
+  bar.SetDirection(axes.XDirection());
+  TopoDS_Compound bodies;
+  BRep_Builder build;
+  build.MakeCompound(bodies);
+  build.Add(bodies, boxFrom(0));
+  build.Add(bodies, boxFrom(10));
+  build.Add(bodies, BRepPrimAPI_MakeCylinder(bar, 3, 30).Shape());
+  return bodies;
+}
+
 std::map<std::string, TopoDS_Shape> Shapes()
 {
   std::map<std::string, TopoDS_Shape> shapes;
@@ -46,6 +68,7 @@ std::map<std::string, TopoDS_Shape> Shapes()
   shapes["cylinder"] = BRepPrimAPI_MakeCylinder(axes, 10, 35, 2.0).Shape();
   shapes["sphere"] = BRepPrimAPI_MakeSphere(axes, 15).Shape();
   shapes["torus"] = BRepPrimAPI_MakeTorus(axes, 30, 8).Shape();
+  shapes["bodies"] = BodiesToJoin(axes);
   TColgp_Array2OfPnt points(1, 5, 1, 4);
   for (int i = 1; i <= 5; ++i)
   {
