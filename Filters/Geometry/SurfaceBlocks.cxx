@@ -186,6 +186,69 @@ const SurfaceBlock& SurfaceBlocks::BlockOf(const SurfaceModel& model, int index)
   return block;
 }
 
+namespace
+{
+
+/// The axes and the quadratic model of a block.
+/// @param jet of the surface at the middle, by parameters of width 1 over the block.
+void SetModel(const SurfaceJet& jet, SurfaceBlock& block)
+{
+  block.Center = jet.S;
+  const Vec3 x = jet.Su.norm() > 0 ? jet.Su.normalized() : Vec3::UnitX();
+  Vec3 z = jet.Su.cross(jet.Sv);
+  z -= z.dot(x) * x;
+  z = z.norm() > 0 ? z.normalized() : x.unitOrthogonal();
+  const Vec3 y = z.cross(x);
+  block.X = x.cast<float>();
+  block.Y = y.cast<float>();
+  block.Z = z.cast<float>();
+  block.Xu = static_cast<float>(jet.Su.dot(x));
+  block.Xv = static_cast<float>(jet.Sv.dot(x));
+  block.Yv = static_cast<float>(jet.Sv.dot(y));
+  const auto local = [&](const Vec3& d) -> Vec3 { return Vec3(x.dot(d), y.dot(d), z.dot(d)); };
+  block.UU = local(jet.Suu).cast<float>();
+  block.UV = local(jet.Suv).cast<float>();
+  block.VV = local(jet.Svv).cast<float>();
+  // A collapsed block needs some shape.
+  block.Xu = std::max(block.Xu, 1e-30f);
+  block.Yv = std::max(block.Yv, 1e-6f * std::abs(block.Xv) + 1e-30f);
+}
+
+/// Bounds of points along three directions.
+class SkewBounds
+{
+public:
+  SkewBounds(const Vec3& center, const SurfaceBlock& block)
+    : Center(center)
+  {
+    this->Axes << block.AcrossV().cast<double>().transpose(), block.Y.cast<double>().transpose(),
+      block.Z.cast<double>().transpose(), Vec3::Zero().transpose();
+  }
+  void Add(const Vec3& point)
+  {
+    const Vec3 offset = point - this->Center;
+    const Vec4 d = this->Axes.col(0) * offset.x() + this->Axes.col(1) * offset.y() +
+      this->Axes.col(2) * offset.z();
+    this->Lowest = this->Lowest.cwiseMin(d);
+    this->Highest = this->Highest.cwiseMax(d);
+  }
+  /// With a margin for the rounding of the axes and of what is computed from them.
+  void Store(SurfaceBlock& block) const
+  {
+    const Vec3 low = this->Lowest.head<3>(), high = this->Highest.head<3>();
+    const double margin = 1e-6 * (high - low).norm() + 1e-15 * this->Center.cwiseAbs().maxCoeff();
+    block.Low = (low - Vec3::Constant(margin)).cast<float>();
+    block.High = (high + Vec3::Constant(margin)).cast<float>();
+  }
+
+private:
+  const Vec3 Center;
+  Eigen::Matrix<double, 4, 3> Axes; ///< columns of four: Eigen takes two registers for each
+  Vec4 Lowest = Vec4::Constant(HUGE_VAL), Highest = Vec4::Constant(-HUGE_VAL);
+};
+
+}
+
 void SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int index, SurfaceBlock& block) const
 {
   const auto next = std::upper_bound(this->Grids.begin(), this->Grids.end(), index,
@@ -202,48 +265,16 @@ void SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int index, SurfaceBl
   EvaluateBezier(patch, model.Net(patch), middle.x(), middle.y(), jet);
   const double a = block.Width.x() / (patch.U1 - patch.U0);
   const double b = block.Width.y() / (patch.V1 - patch.V0);
-  block.Center = jet.S;
-  Vec3 x = a * jet.Su, z = x.cross(b * jet.Sv);
-  x = x.norm() > 0 ? x.normalized() : Vec3::UnitX();
-  z -= z.dot(x) * x;
-  z = z.norm() > 0 ? z.normalized() : x.unitOrthogonal();
-  const Vec3 y = z.cross(x);
-  block.X = x.cast<float>();
-  block.Y = y.cast<float>();
-  block.Z = z.cast<float>();
-  block.Xu = static_cast<float>(a * jet.Su.dot(x));
-  block.Xv = static_cast<float>(b * jet.Sv.dot(x));
-  block.Yv = static_cast<float>(b * jet.Sv.dot(y));
-  const auto local = [&](const Vec3& d) -> Vec3 { return Vec3(x.dot(d), y.dot(d), z.dot(d)); };
-  block.UU = local(a * a * jet.Suu).cast<float>();
-  block.UV = local(a * b * jet.Suv).cast<float>();
-  block.VV = local(b * b * jet.Svv).cast<float>();
-  // A collapsed block needs some shape.
-  block.Xu = std::max(block.Xu, 1e-30f);
-  block.Yv = std::max(block.Yv, 1e-6f * std::abs(block.Xv) + 1e-30f);
-  // By columns, and of four rows: Eigen has registers for two of them each.
-  Eigen::Matrix<double, 4, 3> axes;
-  axes << block.AcrossV().cast<double>().transpose(), y.transpose(), z.transpose(),
-    Vec3::Zero().transpose();
-  Vec4 lowest = Vec4::Constant(HUGE_VAL), highest = -lowest;
+  SetModel(
+    { jet.S, a * jet.Su, b * jet.Sv, a * a * jet.Suu, a * b * jet.Suv, b * b * jet.Svv }, block);
+  SkewBounds bounds(jet.S, block);
   this->ForNets(model, face, i, j,
     [&](const BezierPatch& piece, const Vec4* net, const LeafDomain&)
     {
       const int size = (piece.DegreeU + 1) * (piece.DegreeV + 1);
-      for (int k = 0; k < size; ++k)
-      {
-        const Vec3 offset = CartesianPoint(net[k]) - jet.S;
-        const Vec4 d =
-          axes.col(0) * offset.x() + axes.col(1) * offset.y() + axes.col(2) * offset.z();
-        lowest = lowest.cwiseMin(d);
-        highest = highest.cwiseMax(d);
-      }
+      std::for_each(net, net + size, [&](const Vec4& c) { bounds.Add(CartesianPoint(c)); });
     });
-  const Vec3 low = lowest.head<3>(), high = highest.head<3>();
-  // Rounding of the axes and of what is computed from them.
-  const double margin = 1e-6 * (high - low).norm() + 1e-15 * block.Center.cwiseAbs().maxCoeff();
-  block.Low = (low - Vec3::Constant(margin)).cast<float>();
-  block.High = (high + Vec3::Constant(margin)).cast<float>();
+  bounds.Store(block);
 }
 
 BlockReach SurfaceBlocks::MeasureReach(const SurfaceModel& model, int index) const
