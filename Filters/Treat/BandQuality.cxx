@@ -39,8 +39,15 @@ double ShortestDistance(const ElementPoints& p, int count)
   return std::sqrt(shortest);
 }
 
-bool IsValid(const ElementPoints& points, int count, Optimization treatment)
+/// A wedge has no straight corner to be left one, whatever becomes of pentahedra.
+Optimization StandardOf(int count, Optimization treatment)
 {
+  return count == 6 ? Optimization::Degenerate : treatment;
+}
+
+bool IsValid(const ElementPoints& points, int count, Optimization asked)
+{
+  const Optimization treatment = StandardOf(count, asked);
   const JacobianRange range = treatment == Optimization::None
     ? MeasureAtIntegrationPoints(points, count)
     : MeasureJacobian(points, count);

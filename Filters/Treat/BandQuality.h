@@ -41,7 +41,7 @@ public:
   /**
    * @param treatment what counts as valid: with degenerated pentahedra a Jacobian that is positive
    * in the whole element, with distributed ones not negative, else positive at the integration
-   * points.
+   * points; of wedges always in the whole element.
    * @param floor scaled Jacobian that touched elements have to reach; 0: none. Those that came
    * below it have to keep 0.2, if they had that.
    * @param measure what is compared with the floor.

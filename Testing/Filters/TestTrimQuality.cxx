@@ -416,6 +416,24 @@ void CheckNotFolded()
   }
 }
 
+/// Wedges without any optimization, nor a quality asked for: at a corner of theirs they were folded
+/// by up to three times their volume, with nothing said. The judge looks at their certificates.
+void CheckWholeWedges()
+{
+  for (const Placement& at :
+    { Placement{ 0, -0.2, 4.5, 0.1, 0.35 }, Placement{ 0.2, -0.2, 0.5, 0.1, 0.45 } })
+  {
+    TrimOptions options;
+    options.CorrectionType = 3;
+    options.Optimization = 0;
+    options.MinimumScaledJacobian = 0;
+    const Mesh mesh = MakeMesh("cup");
+    Report report("wedges of a cup");
+    RunAndJudge(mesh, MakeSurface("roundrect", mesh.Box, at), options, report);
+    Expect(report.Failures() == 0, "a wedge is folded");
+  }
+}
+
 int main()
 {
   CheckTargets();
@@ -427,6 +445,7 @@ int main()
   CheckShortEdges();
   CheckInside();
   CheckNotFolded();
+  CheckWholeWedges();
   const Trimmed plain = TrimAt(0);
   const Trimmed raised = TrimAt(0.7);
   std::printf("without a floor %g, with a floor of 0.7 %g (%d nodes relaxed)\n",

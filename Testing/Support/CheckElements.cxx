@@ -170,10 +170,11 @@ void CheckElements(const Evidence& e, Report& report)
       report.Fail("Jacobian at integration points", Cell(c) + (element.Size == 6 ? " wedge" : ""),
         least / std::abs(volume), 0);
     }
-    // The wedge treatment promises validity everywhere, distribution only at the points.
+    // Wedges are valid everywhere, and with their treatment hexahedra too; else only at the points.
     const auto bezier = BezierJacobians(corners, element.Size);
     const double lowest = *std::min_element(bezier.begin(), bezier.end());
-    if (e.Case.Options.Optimization == 2 && e.Case.Options.CorrectionType != 1 && !(lowest > 0))
+    if ((e.Case.Options.Optimization == 2 || element.Size == 6) &&
+      e.Case.Options.CorrectionType != 1 && !(lowest > 0))
     {
       report.Fail("Bezier certificate", Cell(c) + (element.Size == 6 ? " wedge" : ""),
         lowest / std::abs(volume), 0);
