@@ -372,6 +372,9 @@ int main(int argc, char* argv[])
   TestCornerOnTube();
   TestHinges();
   TestBentWalls(first, count);
+  // Many nodes past each of which there is little: nothing was told.
+  TestBentWalls(187, 1);
+  TestBentWalls(259, 1);
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
