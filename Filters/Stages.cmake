@@ -33,6 +33,7 @@ add_library(NURBSTrimStages STATIC
   Decide/Decision.cxx
   Decide/ElementTetrahedra.cxx
   Decide/EliminatedFraction.cxx
+  Decide/HalvedShare.cxx
   Decide/Manifold.cxx
   Decide/MovingNodes.cxx
   Decide/VolumeShares.cxx

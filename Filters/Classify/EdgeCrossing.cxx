@@ -30,7 +30,7 @@ double ShareBeyond(const std::vector<nurbs::LineHit>& hits, const Vec3& directio
 }
 
 /// Bisection on the sign of the distance, for an edge that slips through a gap of a shell.
-std::optional<double> CrossGap(
+std::optional<EdgeCrossing> CrossGap(
   const nurbs::TrimmingSurface& surface, const Vec3& eliminated, const Vec3& kept, double gap)
 {
   double low = 0.0;
@@ -44,19 +44,22 @@ std::optional<double> CrossGap(
   }
   if (foot.Kind == nurbs::FootKind::Interior && foot.Distance <= gap)
   {
-    return 0.5 * (low + high);
+    return EdgeCrossing{ 0.5 * (low + high), foot.Normal };
   }
   return std::nullopt;
 }
 
 }
 
-std::optional<double> CrossEdge(
+std::optional<EdgeCrossing> CrossEdge(
   const nurbs::TrimmingSurface& surface, const Vec3& eliminated, const Vec3& kept, double gap)
 {
   const auto hits = surface.Intersect(eliminated, kept);
-  return hits.empty() ? CrossGap(surface, eliminated, kept, gap)
-                      : ShareBeyond(hits, kept - eliminated);
+  if (hits.empty())
+  {
+    return CrossGap(surface, eliminated, kept, gap);
+  }
+  return EdgeCrossing{ ShareBeyond(hits, kept - eliminated), hits.front().Normal };
 }
 
 }

@@ -13,14 +13,20 @@ namespace trim
 {
 using nurbs::Vec3;
 
+struct EdgeCrossing
+{
+  double Beyond; ///< share of the edge, 0 to 1
+  Vec3 Normal;   ///< of the surface where it is crossed first
+};
+
 /**
- * Share of an edge from an eliminated end to a kept one that lies beyond the surface, 0 to 1; none
- * if the edge does not meet it.
+ * How much of an edge from an eliminated end to a kept one lies beyond the surface; none if the
+ * edge does not meet it.
  *
  * @param gap distance up to which a gap between two faces counts as closed: where the edge
  * slips through one, the place where the signed distance changes its sign is taken.
  */
-std::optional<double> CrossEdge(
+std::optional<EdgeCrossing> CrossEdge(
   const nurbs::TrimmingSurface& surface, const Vec3& eliminated, const Vec3& kept, double gap);
 
 }

@@ -78,27 +78,36 @@ void CutEdges::ListEdges(const Band& band, const nurbs::TrimmingSurface& surface
 
 void CutEdges::Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
 {
-  this->Shares.resize(this->Edges.size());
+  this->Shares.resize(this->Edges.size(), Missed);
+  this->Normals.resize(this->Edges.size(), Vec3::Zero());
   ForAll(static_cast<int>(this->Edges.size()),
     [&](int i)
     {
       const auto [eliminated, kept] = this->Edges[i];
-      this->Shares[i] =
-        CrossEdge(surface, band.Point[eliminated], band.Point[kept], gap).value_or(Missed);
+      if (const auto crossed = CrossEdge(surface, band.Point[eliminated], band.Point[kept], gap))
+      {
+        this->Shares[i] = crossed->Beyond;
+        this->Normals[i] = crossed->Normal;
+      }
     });
+}
+
+std::size_t CutEdges::Find(int eliminated, int kept) const
+{
+  const auto begin = this->Edges.begin();
+  const std::array<int, 2> edge{ eliminated, kept };
+  return std::find(begin + this->First[eliminated], begin + this->First[eliminated + 1], edge) -
+    begin;
 }
 
 double CutEdges::Beyond(int eliminated, int other) const
 {
-  if (this->Status[other] == NodeOnSurface)
-  {
-    return 1.0;
-  }
-  const auto begin = this->Edges.begin();
-  const std::array<int, 2> edge{ eliminated, other };
-  return this
-    ->Shares[std::find(begin + this->First[eliminated], begin + this->First[eliminated + 1], edge) -
-      begin];
+  return this->Status[other] == NodeOnSurface ? 1.0 : this->Shares[this->Find(eliminated, other)];
+}
+
+const Vec3& CutEdges::Normal(int eliminated, int kept) const
+{
+  return this->Normals[this->Find(eliminated, kept)];
 }
 
 std::array<int, 2> CutEdges::FindMissed() const

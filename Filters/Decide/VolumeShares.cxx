@@ -2,11 +2,28 @@
 
 #include "CutEdges.h"
 #include "EliminatedFraction.h"
+#include "HalvedShare.h"
 #include "Runs.h"
 #include "Status.h"
 
 namespace trim
 {
+namespace
+{
+
+/// V^e of an element that the surface cuts.
+double ShareOf(const Band& band, int element, const std::array<int, 8>& nodes,
+  const CutEdges& edges, const nurbs::TrimmingSurface& surface, double volume)
+{
+  const int count = band.Elements[element].Count;
+  const ElementPoints points = PointsInOrder(band, count, nodes);
+  const double share = MeasureEliminated(band, element, nodes, edges) / volume;
+  return IsNearlyPlane(points, count, surface, MeanNormal(band, element, nodes, edges))
+    ? share
+    : HalveForShare(points, count, surface, share).value_or(share);
+}
+
+}
 
 bool MeasureShares(const Band& band, const Columns& columns, const nurbs::TrimmingSurface& surface,
   double gap, VolumeShares& shares, std::array<int, 2>& missedEdge)
@@ -30,7 +47,7 @@ bool MeasureShares(const Band& band, const Columns& columns, const nurbs::Trimmi
       shares.Element[e] = band.ElementStatus[e] == ElementEliminate ? 1.0 : 0.0;
       if (band.ElementStatus[e] == ElementToTreat && volume > 0.0)
       {
-        shares.Element[e] = MeasureEliminated(band, e, nodes, edges) / volume;
+        shares.Element[e] = ShareOf(band, e, nodes, edges, surface, volume);
       }
     },
     64);

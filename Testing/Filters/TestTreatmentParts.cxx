@@ -920,8 +920,9 @@ void CheckGap()
   { return samples::Plane(Vec3(0, y, -5), Vec3(0, 4, 0), Vec3(0, 0, 10)); };
   const nurbs::TrimmingSurface surface({ wall(0.0), wall(4.02) }, 1e-4, 0.1);
   const Vec3 beyond(0.5, 4.01, 0), kept(-0.5, 4.01, 0);
-  const auto share = CrossEdge(surface, beyond, kept, 0.1);
-  Expect(share && std::abs(*share - 0.5) < 0.05, "an edge through a gap that counts as closed");
+  const auto crossed = CrossEdge(surface, beyond, kept, 0.1);
+  Expect(crossed && std::abs(crossed->Beyond - 0.5) < 0.05,
+    "an edge through a gap that counts as closed");
   Expect(!CrossEdge(surface, beyond, kept, 1e-3), "an edge through a wider gap");
 }
 
