@@ -23,7 +23,8 @@ constexpr double BesideShare = 0.05;
 constexpr double BorderTolerance = 1e-5;
 /// Share of its longest edge by which the border may pass a node's place by.
 constexpr double PassedShare = 0.05;
-/// The least share that is told of, where nothing else tells of what is missing.
+/// The least that is asked for where much is missing in all and no node tells of it: many small
+/// bends add up.
 constexpr double LeastPassedShare = PassedShare / 64.0;
 /// Of the volume of an element: what both parts may miss, or have too much, in all.
 constexpr double LargestMissing = 0.5;
@@ -94,6 +95,7 @@ std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
 /// Whether the border of both parts passes a place of the mesh's by, from which its node slid on: a
 /// corner of the model is cut off, which need not be sharp.
 /// @param places of the nodes in the part that has them.
+/// @param share see PassedShare.
 bool IsPassedBy(const Band& band, const std::vector<Vec3>& places, int node, double share)
 {
   std::vector<int> faces;
@@ -127,25 +129,6 @@ bool LeftBorder(const Band& band, int node, const Vec3& place)
     [&](int f) {
       return band.Faces[f].Exterior && !BorderSearch(band, f, LongestSlide).Has(place, tolerance);
     });
-}
-
-/// Those of the nodes that the border passes by the farthest: many that it passes by a little may
-/// miss as much together as one.
-std::vector<std::pair<int, bool>> FindFarthestPassed(
-  const Band& band, const std::vector<Vec3>& places, const std::vector<int>& slid)
-{
-  std::vector<std::pair<int, bool>> passed;
-  for (double share = PassedShare; passed.empty() && share >= LeastPassedShare; share /= 2.0)
-  {
-    for (const int n : slid)
-    {
-      if (IsPassedBy(band, places, n, share))
-      {
-        passed.emplace_back(n, true);
-      }
-    }
-  }
-  return passed;
 }
 
 }
@@ -261,10 +244,15 @@ double MeasureMissing(const TrimBand& near)
   return count > 0 ? missing / cut * count : 0.0;
 }
 
-std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double missing)
+namespace
+{
+
+/// @param asksSkin for nodes that slid past a bend of the skin, too.
+/// @param share see PassedShare.
+std::vector<std::pair<int, bool>> FindCornersPassed(
+  const TrimBand& near, bool asksSkin, double share)
 {
   const Band& band = near.Mesh;
-  const bool misses = std::abs(missing) > LargestMissing;
   const std::vector<int> users = CountUsers(band, near.Trimmed);
   const std::vector<char> inOffcut = FindUsed(band, near.Rest);
   // Else the constraint of a node forgets the sides that go whole with what is cut off.
@@ -277,7 +265,6 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double m
     places.push_back(movesOf(n).Position[n]);
   }
   std::vector<std::pair<int, bool>> lost;
-  std::vector<int> slid;
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
     const Moves& moves = movesOf(n);
@@ -285,16 +272,12 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double m
     {
       continue;
     }
-    if (misses && IsOnExterior(band, n))
-    {
-      slid.push_back(n);
-    }
     const auto constraint = ConstrainNode(band, near.Structure, allKept, n);
     if (!near.Structure.IsOnBorder(band, n) && constraint.RidgeEdges.empty())
     {
       // Slides on one side of the model. Where that bends outwards and inwards it is much the same
       // in all: what the layers lose on one side they have more on the other.
-      if (misses && IsOnExterior(band, n) && IsPassedBy(band, places, n, PassedShare))
+      if (asksSkin && IsOnExterior(band, n) && IsPassedBy(band, places, n, share))
       {
         lost.emplace_back(n, true);
       }
@@ -302,12 +285,26 @@ std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double m
     }
     const bool wasCorner = constraint.SharpCorner || constraint.Kind == ConstraintKind::Fixed;
     if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, places[n]) ||
-      IsPassedBy(band, places, n, PassedShare))
+      IsPassedBy(band, places, n, share))
     {
       lost.emplace_back(n, true);
     }
   }
-  return misses && lost.empty() ? FindFarthestPassed(band, places, slid) : lost;
+  return lost;
+}
+
+}
+
+std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double missing)
+{
+  const bool isMuch = std::abs(missing) > LargestMissing;
+  auto lost = FindCornersPassed(near, isMuch, PassedShare);
+  for (double share = 0.5 * PassedShare; isMuch && lost.empty() && share >= LeastPassedShare;
+       share *= 0.5)
+  {
+    lost = FindCornersPassed(near, true, share);
+  }
+  return lost;
 }
 
 }
