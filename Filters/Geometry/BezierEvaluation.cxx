@@ -1,5 +1,9 @@
 #include "BezierEvaluation.h"
 
+#include "WideLanes.h"
+
+#include <type_traits>
+
 namespace nurbs
 {
 namespace
@@ -24,6 +28,20 @@ struct Quad
   }
   inline Vec3 Head() const { return Vec3(this->A[0], this->A[1], this->B[0]); }
   inline double W() const { return this->B[1]; }
+};
+
+/// The same in one register that is twice as wide.
+typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
+struct WideQuad
+{
+  Four A = { 0, 0, 0, 0 };
+  inline void Add(double factor, const WideQuad& x) { this->A += factor * x.A; }
+  inline void Add(double factor, const double* x)
+  {
+    this->A += factor * *reinterpret_cast<const Four*>(x);
+  }
+  inline Vec3 Head() const { return Vec3(this->A[0], this->A[1], this->A[2]); }
+  inline double W() const { return this->A[3]; }
 };
 
 /// Bernstein polynomials of degree p with two derivatives, at x. P < 0: degree at run time.
@@ -102,7 +120,7 @@ inline Bernstein<3>::Bernstein(int, double x)
   this->N[2][3] = 6 * x;
 }
 
-template <int P, int Q>
+template <int P, int Q, typename AnyQuad>
 inline void EvaluateNet(
   const BezierPatch& patch, const Vec4* net, double s, double t, SurfaceJet& jet)
 {
@@ -110,11 +128,11 @@ inline void EvaluateNet(
   const int q = Q < 0 ? patch.DegreeV : Q;
   const Bernstein<P> bu(p, s);
   const Bernstein<Q> bv(q, t);
-  Quad a, au, av, auu, auv, avv;
+  AnyQuad a, au, av, auu, auv, avv;
   const double* point = net->data();
   for (int j = 0; j <= q; ++j)
   {
-    Quad row, rowU, rowUU;
+    AnyQuad row, rowU, rowUU;
     for (int i = 0; i <= p; ++i, point += 4)
     {
       row.Add(bu.N[0][i], point);
@@ -147,29 +165,41 @@ inline void EvaluateNet(
   jet.Svv = (avv.Head() - 2 * av.W() * jet.Sv - avv.W() * jet.S) * inverse;
 }
 
-}
-
-void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double t, SurfaceJet& jet)
+template <typename AnyQuad>
+inline void EvaluateByDegree(
+  const BezierPatch& patch, const Vec4* net, double s, double t, SurfaceJet& jet)
 {
   switch (patch.DegreeU * 64 + patch.DegreeV)
   {
     case 3 * 64 + 3:
-      return EvaluateNet<3, 3>(patch, net, s, t, jet);
+      return EvaluateNet<3, 3, AnyQuad>(patch, net, s, t, jet);
     case 3 * 64 + 1:
-      return EvaluateNet<3, 1>(patch, net, s, t, jet);
+      return EvaluateNet<3, 1, AnyQuad>(patch, net, s, t, jet);
     case 1 * 64 + 3:
-      return EvaluateNet<1, 3>(patch, net, s, t, jet);
+      return EvaluateNet<1, 3, AnyQuad>(patch, net, s, t, jet);
     case 2 * 64 + 2:
-      return EvaluateNet<2, 2>(patch, net, s, t, jet);
+      return EvaluateNet<2, 2, AnyQuad>(patch, net, s, t, jet);
     case 2 * 64 + 1:
-      return EvaluateNet<2, 1>(patch, net, s, t, jet);
+      return EvaluateNet<2, 1, AnyQuad>(patch, net, s, t, jet);
     case 1 * 64 + 2:
-      return EvaluateNet<1, 2>(patch, net, s, t, jet);
+      return EvaluateNet<1, 2, AnyQuad>(patch, net, s, t, jet);
     case 1 * 64 + 1:
-      return EvaluateNet<1, 1>(patch, net, s, t, jet);
+      return EvaluateNet<1, 1, AnyQuad>(patch, net, s, t, jet);
     default:
-      return EvaluateNet<-1, -1>(patch, net, s, t, jet);
+      return EvaluateNet<-1, -1, AnyQuad>(patch, net, s, t, jet);
   }
+}
+
+}
+
+void EvaluateBezier(const BezierPatch& patch, const Vec4* net, double s, double t, SurfaceJet& jet)
+{
+  WithWideLanes(
+    [&](auto wide)
+    {
+      using OwnQuad = std::conditional_t<wide, WideQuad, Quad>;
+      EvaluateByDegree<OwnQuad>(patch, net, s, t, jet);
+    });
 }
 
 namespace

@@ -1,6 +1,7 @@
 #include "ArrayRanges.h"
 
 #include "Runs.h"
+#include "WideLanes.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace trim
@@ -31,6 +33,12 @@ namespace
 
 /// Tuples for a thread at a time.
 constexpr vtkIdType Grain = 50000;
+/// Tuples that stay in a near cache with their magnitudes.
+constexpr vtkIdType CachedTuples = 4096;
+/// Values for whose least and largest ones there are registers, and which tuples of one to four
+/// components fill evenly.
+template <typename Value>
+constexpr int LanesOf = sizeof(Value) < 8 ? 48 : 24;
 
 /// Least and largest value; where there is none, as VTK tells it. NaN counts for nothing.
 template <typename Value>
@@ -60,27 +68,6 @@ struct Range
   }
 };
 
-/// Calls add(ranges, begin, end) for pieces of the array, and joins their ranges.
-template <typename Value, typename Action>
-std::vector<Range<Value>> Join(vtkIdType tuples, std::size_t count, const Action& add)
-{
-  const vtkIdType pieces = NumberOfRuns(tuples, Grain);
-  std::vector<Range<Value>> found(pieces * count);
-  ForRuns(tuples, Grain,
-    [&](vtkIdType piece, vtkIdType begin, vtkIdType end)
-    {
-      std::vector<Range<Value>> ranges(count);
-      add(ranges.data(), begin, end);
-      std::copy(ranges.begin(), ranges.end(), found.begin() + piece * count);
-    });
-  std::vector<Range<Value>> joined(count);
-  for (std::size_t i = 0; i < found.size(); ++i)
-  {
-    joined[i % count].Add(found[i]);
-  }
-  return joined;
-}
-
 /// The ranges of so many values side by side, again and again: lanes, for the compiler to take in
 /// one step. Each lane belongs to one component.
 template <int Lanes, bool Finite, typename Value>
@@ -107,14 +94,15 @@ void AddLanes(const Value* value, vtkIdType rows, Range<Value>* components, int 
 }
 
 /// The same for so many values, whatever their number.
-template <int Lanes, bool Finite, typename Value>
+template <bool Finite, typename Value>
 void AddValues(const Value* values, vtkIdType size, Range<Value>* components, int count)
 {
+  constexpr int lanes = LanesOf<Value>;
   vtkIdType done = 0;
-  if (Lanes % count == 0)
+  if (lanes % count == 0)
   {
-    AddLanes<Lanes, Finite>(values, size / Lanes, components, count);
-    done = size / Lanes * Lanes;
+    AddLanes<lanes, Finite>(values, size / lanes, components, count);
+    done = size / lanes * lanes;
   }
   for (vtkIdType i = done; i < size; ++i)
   {
@@ -140,6 +128,14 @@ void Square(const Value* value, int components, vtkIdType count, double* squares
   }
 }
 
+/// Of a piece of an array, or of all of it.
+template <typename Value>
+struct Ranges
+{
+  std::vector<Range<Value>> Components;
+  Range<double> Squares; ///< of magnitudes, squared; of tuples of several components
+};
+
 /// An array's memory, tuple by tuple.
 template <typename Value>
 struct Tuples
@@ -148,39 +144,50 @@ struct Tuples
   vtkIdType Count;
   int Components;
 
-  /// Of each component. With Finite, infinite values count for nothing.
+  /// With Finite, infinite values count for nothing.
   template <bool Finite>
-  std::vector<Range<Value>> OfComponents() const
+  Ranges<Value> Find() const
   {
-    return Join<Value>(this->Count, this->Components,
-      [this](Range<Value>* ranges, vtkIdType begin, vtkIdType end)
+    std::vector<Ranges<Value>> found(NumberOfRuns(this->Count, Grain));
+    ForRuns(this->Count, Grain,
+      [&](vtkIdType piece, vtkIdType begin, vtkIdType end)
       {
-        AddValues<48, Finite>(this->Values + begin * this->Components,
-          (end - begin) * this->Components, ranges, this->Components);
+        Ranges<Value> own{ std::vector<Range<Value>>(this->Components), {} };
+        nurbs::WithWideLanes([&](auto) { this->Add<Finite>(begin, end, own); });
+        found[piece] = std::move(own);
       });
+    Ranges<Value> all{ std::vector<Range<Value>>(this->Components), {} };
+    for (const auto& piece : found)
+    {
+      for (int c = 0; c < this->Components; ++c)
+      {
+        all.Components[c].Add(piece.Components[c]);
+      }
+      all.Squares.Add(piece.Squares);
+    }
+    return all;
   }
 
-  /// Of the magnitude.
+private:
+  /// Of the tuples from begin to end, which are read from memory once.
   template <bool Finite>
-  Range<double> OfNorm() const
+  void Add(vtkIdType begin, vtkIdType end, Ranges<Value>& ranges) const
   {
-    auto range = Join<double>(this->Count, 1,
-      [this](Range<double>* ranges, vtkIdType begin, vtkIdType end)
+    std::array<double, CachedTuples> squares;
+    for (vtkIdType next; begin < end; begin = next)
+    {
+      next = this->Components > 1 ? std::min(end, begin + CachedTuples) : end;
+      const vtkIdType count = next - begin;
+      const Value* const first = this->Values + begin * this->Components;
+      AddValues<Finite>(
+        first, count * this->Components, ranges.Components.data(), this->Components);
+      if (this->Components > 1)
       {
-        constexpr vtkIdType most = 512; // they stay in the nearest cache
-        std::array<double, most> squares;
-        for (vtkIdType next; begin < end; begin = next)
-        {
-          next = std::min(end, begin + most);
-          const Value* const first = this->Values + begin * this->Components;
-          this->Components == 3 ? Square<3>(first, 3, next - begin, squares.data())
-                                : Square<0>(first, this->Components, next - begin, squares.data());
-          AddValues<16, Finite>(squares.data(), next - begin, ranges, 1);
-        }
-      })[0];
-    range.Least = std::sqrt(range.Least);
-    range.Largest = std::sqrt(range.Largest);
-    return range;
+        this->Components == 3 ? Square<3>(first, 3, count, squares.data())
+                              : Square<0>(first, this->Components, count, squares.data());
+        AddValues<Finite>(squares.data(), count, &ranges.Squares, 1);
+      }
+    }
   }
 };
 
@@ -199,24 +206,30 @@ void SetComponents(vtkDataArray* array, vtkInformationInformationVectorKey* key,
   array->GetInformation()->Set(key, components);
 }
 
+void SetNorm(vtkDataArray* array, vtkInformationDoubleVectorKey* key, const Range<double>& squares)
+{
+  const std::array<double, 2> range{ std::sqrt(squares.Least), std::sqrt(squares.Largest) };
+  array->GetInformation()->Set(key, range.data(), 2);
+}
+
 /// Tells an array the ranges of some tuples.
 template <typename Value>
 void Tell(vtkDataArray* array, const Value* values, vtkIdType count)
 {
   const Tuples<Value> tuples{ values, count, array->GetNumberOfComponents() };
-  const auto ranges = tuples.template OfComponents<false>();
-  const bool finite =
-    std::all_of(ranges.begin(), ranges.end(), [](const auto& range) { return range.IsFinite(); });
-  SetComponents(array, vtkAbstractArray::PER_COMPONENT(), ranges);
+  const auto ranges = tuples.template Find<false>();
+  const bool finite = std::all_of(ranges.Components.begin(), ranges.Components.end(),
+    [](const auto& range) { return range.IsFinite(); });
+  const bool finiteSquares = ranges.Squares.IsFinite();
+  const auto ofFinite = finite && finiteSquares ? ranges : tuples.template Find<true>();
+  SetComponents(array, vtkAbstractArray::PER_COMPONENT(), ranges.Components);
   SetComponents(array, vtkAbstractArray::PER_FINITE_COMPONENT(),
-    finite ? ranges : tuples.template OfComponents<true>());
+    finite ? ranges.Components : ofFinite.Components);
   if (tuples.Components > 1)
   {
-    const auto norm = tuples.template OfNorm<false>();
-    const auto finiteNorm = norm.IsFinite() ? norm : tuples.template OfNorm<true>();
-    array->GetInformation()->Set(vtkDataArray::L2_NORM_RANGE(), norm.AsDoubles().data(), 2);
-    array->GetInformation()->Set(
-      vtkDataArray::L2_NORM_FINITE_RANGE(), finiteNorm.AsDoubles().data(), 2);
+    SetNorm(array, vtkDataArray::L2_NORM_RANGE(), ranges.Squares);
+    SetNorm(array, vtkDataArray::L2_NORM_FINITE_RANGE(),
+      finiteSquares ? ranges.Squares : ofFinite.Squares);
   }
 }
 
