@@ -17,6 +17,7 @@
 #include "Selection.h"
 #include "Status.h"
 #include "StatusArrays.h"
+#include "StreamedCopy.h"
 #include "TrimResult.h"
 
 #include <vtkTypeInt32Array.h>
@@ -181,27 +182,29 @@ int NumberCounting(
   const int* number, const std::array<int, 8>& nodes, Id first, Index* offsets, Index* connectivity)
 {
   constexpr int more = static_cast<int>(GridPart::Stretch) - 1;
-  std::array<int, 8> start;
+  std::array<Index, 8> numbers;
   bool count = true;
   for (int k = 0; k < 8; ++k)
   {
-    start[k] = number[nodes[k]];
-    count &= number[nodes[k] + more] == start[k] + more;
+    numbers[k] = number[nodes[k]];
+    count &= number[nodes[k] + more] == numbers[k] + more;
   }
   if (!count)
   {
     return -1;
   }
+  const auto range = std::minmax_element(numbers.begin(), numbers.end());
+  const auto width = static_cast<int>(*range.second - *range.first);
   for (int i = 0; i <= more; ++i)
   {
     offsets[i] = static_cast<Index>(first + 8 * i);
-    for (int k = 0; k < 8; ++k)
+    CopyStreamed(connectivity + 8 * i, numbers.data(), sizeof(numbers));
+    for (Index& own : numbers)
     {
-      connectivity[8 * i + k] = static_cast<Index>(start[k]) + i;
+      ++own;
     }
   }
-  const auto range = std::minmax_element(start.begin(), start.end());
-  return *range.second - *range.first;
+  return width;
 }
 
 /// Writes the nodes of one element; returns the largest difference of their numbers.
@@ -269,6 +272,7 @@ Id NumberElements(const GridPart& part, const NodesOf& nodesOf, const Counting& 
         ++i;
       }
       widest[run] = width;
+      FinishStreaming();
     });
   offsets[part.Cells.size()] = static_cast<Index>(part.Offset.back());
   return *std::max_element(widest.begin(), widest.end());
