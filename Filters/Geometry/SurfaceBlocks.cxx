@@ -107,7 +107,7 @@ void SurfaceBlocks::Build(const SurfaceModel& model, const std::vector<PatchShap
   this->Certificates = std::make_unique<Certificate[]>(count);
 }
 
-/// Visits all patches, or parts of them, that make up a block: (patch, domain).
+/// Visits the nets of all patches, or parts of them, that make up a block: (patch, net, domain).
 template <typename Visitor>
 void SurfaceBlocks::ForPieces(
   const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const
@@ -126,47 +126,32 @@ void SurfaceBlocks::ForPieces(
   };
   const auto rangeU = spans(grid.BlockU, i);
   const auto rangeV = spans(grid.BlockV, j);
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
   for (int spanV = rangeV.first; spanV < rangeV.second; ++spanV)
   {
     for (int spanU = rangeU.first; spanU < rangeU.second; ++spanU)
     {
+      const BezierPatch& patch = model.Patches[data.FirstPatch + spanV * countU + spanU];
       const int nu = grid.DivisionsU[spanU], nv = grid.DivisionsV[spanV];
       const int cellU = nu == 1 ? 0 : i - grid.BlockU[spanU];
       const int cellV = nv == 1 ? 0 : j - grid.BlockV[spanV];
-      visit(data.FirstPatch + spanV * countU + spanU,
-        LeafDomain{
-          double(cellU) / nu, double(cellU + 1) / nu, double(cellV) / nv, double(cellV + 1) / nv });
+      const LeafDomain domain{ double(cellU) / nu, double(cellU + 1) / nu, double(cellV) / nv,
+        double(cellV + 1) / nv };
+      visit(patch, NetOfPart(patch, model.Net(patch), domain, part), domain);
     }
   }
-}
-
-/// The same with their nets: (patch, net, domain).
-template <typename Visitor>
-void SurfaceBlocks::ForNets(
-  const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const
-{
-  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  this->ForPieces(model, face, i, j,
-    [&](int index, const LeafDomain& domain)
-    {
-      const BezierPatch& patch = model.Patches[index];
-      visit(patch, NetOfPart(patch, model.Net(patch), domain, part), domain);
-    });
 }
 
 Eigen::AlignedBox3f SurfaceBlocks::BoxOfBlock(
   const SurfaceModel& model, const std::vector<PatchShape>& shapes, int face, int i, int j) const
 {
   Eigen::AlignedBox3f box;
-  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
   this->ForPieces(model, face, i, j,
-    [&](int index, const LeafDomain& domain)
+    [&](const BezierPatch& patch, const Vec4* net, const LeafDomain&)
     {
-      const BezierPatch& patch = model.Patches[index];
-      const Vec4* whole = model.Net(patch);
-      const Vec4* net = NetOfPart(patch, whole, domain, part);
-      box.extend(net == whole ? shapes[index].Box
-                              : BoxOfNet(net, (patch.DegreeU + 1) * (patch.DegreeV + 1)));
+      box.extend(net == model.Net(patch)
+          ? shapes[&patch - model.Patches.data()].Box
+          : BoxOfNet(net, (patch.DegreeU + 1) * (patch.DegreeV + 1)));
     });
   return box;
 }
@@ -174,15 +159,12 @@ Eigen::AlignedBox3f SurfaceBlocks::BoxOfBlock(
 const SurfaceBlock& SurfaceBlocks::BlockOf(const SurfaceModel& model, int index) const
 {
   SurfaceBlock& block = this->Blocks[index];
-  if (!block.Known.load(std::memory_order_acquire))
-  {
-    const std::lock_guard<std::mutex> lock(this->Locks[index % this->Locks.size()]);
-    if (!block.Known.load(std::memory_order_relaxed)) // no other thread was faster
+  this->Turns.Measure(block.Known, index,
+    [&]
     {
       this->MeasureBlock(model, index, block);
-      block.Known.store(true, std::memory_order_release);
-    }
-  }
+      return true;
+    });
   return block;
 }
 
@@ -268,7 +250,7 @@ void SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int index, SurfaceBl
   SetModel(
     { jet.S, a * jet.Su, b * jet.Sv, a * a * jet.Suu, a * b * jet.Suv, b * b * jet.Svv }, block);
   SkewBounds bounds(jet.S, block);
-  this->ForNets(model, face, i, j,
+  this->ForPieces(model, face, i, j,
     [&](const BezierPatch& piece, const Vec4* net, const LeafDomain&)
     {
       const int size = (piece.DegreeU + 1) * (piece.DegreeV + 1);
@@ -293,7 +275,7 @@ BlockReach SurfaceBlocks::MeasureReach(const SurfaceModel& model, int index) con
   BlockBounds bounds(
     block.Center, axes, weight * Vec3(block.Xu, 0, 0), weight * Vec3(block.Xv, block.Yv, 0));
   bool mixed = false;
-  this->ForNets(model, block.Face, i, j,
+  this->ForPieces(model, block.Face, i, j,
     [&](const BezierPatch& patch, const Vec4* net, const LeafDomain& domain)
     {
       mixed = mixed || patch.Rational != middle.Rational;

@@ -14,14 +14,13 @@
 #define SurfaceBlocks_h
 
 #include "BlockReach.h"
+#include "MeasuringTurns.h"
 #include "PatchTree.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <mutex>
 
 namespace nurbs
 {
@@ -115,8 +114,6 @@ private:
   void MeasureBlock(const SurfaceModel& model, int index, SurfaceBlock& block) const;
   template <typename Visitor>
   void ForPieces(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;
-  template <typename Visitor>
-  void ForNets(const SurfaceModel& model, int face, int i, int j, Visitor&& visit) const;
   BlockReach MeasureReach(const SurfaceModel& model, int block) const;
   BlockReach ReachOf(const SurfaceModel& model, int block) const;
   /// By which blocks round a block a clearance is proved.
@@ -143,7 +140,7 @@ private:
   mutable SparseVector<SurfaceBlock> Blocks;
   std::vector<TreeNode> Nodes; ///< over the blocks
   std::unique_ptr<Certificate[]> Certificates;
-  mutable std::array<std::mutex, 64> Locks; ///< of the blocks, for measuring
+  MeasuringTurns Turns; ///< of the blocks
 };
 
 }

@@ -230,24 +230,18 @@ std::vector<Eigen::AlignedBox3f> SurfaceModel::BoxLeaves(const Shapes& shapes) c
   return boxes;
 }
 
-const LeafBox& SurfaceModel::MeasureBox(int index) const
+int SurfaceModel::MeasureBox(int index, LeafBox& box) const
 {
-  const std::lock_guard<std::mutex> lock(this->Locks[index % this->Locks.size()]);
-  LeafBox& box = this->LeafBoxes[index];
-  if (box.Number.load(std::memory_order_relaxed) == 0) // no other thread was faster
-  {
-    const int number = this->LeafOrder[index];
-    const auto next = std::upper_bound(this->Patches.begin(), this->Patches.end(), number,
-      [](int leaf, const BezierPatch& patch) { return leaf < patch.FirstLeaf; });
-    const BezierPatch& patch = *(next - 1);
-    const LeafDomain domain = DomainOf(patch, number);
-    Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
-    Leaf& leaf = this->Leaves[number];
-    leaf.Patch = static_cast<int>(&patch - this->Patches.data());
-    MeasureLeaf(patch, domain, NetOfPart(patch, this->Net(patch), domain, part), leaf, box);
-    box.Number.store(number + 1, std::memory_order_release);
-  }
-  return box;
+  const int number = this->LeafOrder[index];
+  const auto next = std::upper_bound(this->Patches.begin(), this->Patches.end(), number,
+    [](int leaf, const BezierPatch& patch) { return leaf < patch.FirstLeaf; });
+  const BezierPatch& patch = *(next - 1);
+  const LeafDomain domain = DomainOf(patch, number);
+  Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  Leaf& leaf = this->Leaves[number];
+  leaf.Patch = static_cast<int>(&patch - this->Patches.data());
+  MeasureLeaf(patch, domain, NetOfPart(patch, this->Net(patch), domain, part), leaf, box);
+  return number + 1;
 }
 
 /// Nearly flat leaves, none too slender, but not many more of them than patches where these are

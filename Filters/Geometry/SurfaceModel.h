@@ -8,14 +8,13 @@
 #define SurfaceModel_h
 
 #include "BezierDecomposition.h"
+#include "MeasuringTurns.h"
 #include "PatchTree.h"
 #include "SurfaceBlocks.h"
 #include "TrimLoops.h"
 #include "TrimmingSurface.h"
 
 #include <algorithm>
-#include <array>
-#include <mutex>
 #include <utility>
 
 namespace nurbs
@@ -63,8 +62,9 @@ struct SurfaceModel
   /// What hangs in the tree, measured when first asked for: much of a large surface never is.
   const LeafBox& BoxAt(int index) const
   {
-    const LeafBox& box = this->LeafBoxes[index];
-    return box.Number.load(std::memory_order_acquire) > 0 ? box : this->MeasureBox(index);
+    LeafBox& box = this->LeafBoxes[index];
+    this->Turns.Measure(box.Number, index, [&] { return this->MeasureBox(index, box); });
+    return box;
   }
 
   /// Asks for a child of a node before it is needed: large trees wait for memory only.
@@ -98,11 +98,12 @@ private:
   std::vector<Eigen::AlignedBox3f> BoxLeaves(const Shapes& shapes) const;
   void FindTrimStates();
   void FindTrimState(const BezierPatch& patch, int leaf);
-  const LeafBox& MeasureBox(int index) const;
+  /// Returns what its Number becomes.
+  int MeasureBox(int index, LeafBox& box) const;
 
   mutable SparseVector<LeafBox> LeafBoxes; ///< in the order of the tree, not those outside loops
   std::vector<int> LeafOrder;              ///< the leaves of the boxes
-  mutable std::array<std::mutex, 64> Locks;
+  MeasuringTurns Turns;                    ///< of the boxes and leaves
 };
 
 /// Squared distance from p to the oriented box of a leaf, never too large.
