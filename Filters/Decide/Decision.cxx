@@ -43,7 +43,17 @@ Decision::Decision(const Band& band, const Columns& columns, const VolumeShares&
   this->FindInnerNodes();
 }
 
-std::vector<char> Decision::Take(const std::vector<Fate>& fate)
+const std::vector<char>& Decision::Take(const std::vector<Fate>& fate)
+{
+  if (this->Taken.empty() || fate != this->FatesTaken)
+  {
+    this->FatesTaken = fate;
+    this->Taken = this->TakeAnew(fate);
+  }
+  return this->Taken;
+}
+
+std::vector<char> Decision::TakeAnew(const std::vector<Fate>& fate)
 {
   std::vector<char> kept(this->TheBand.NumberOfElements());
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)

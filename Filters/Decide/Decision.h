@@ -49,7 +49,7 @@ public:
 
   /// @param fate by column (index: smallest element of the column).
   /// @return for each band element whether it is kept.
-  std::vector<char> Take(const std::vector<Fate>& fate);
+  const std::vector<char>& Take(const std::vector<Fate>& fate);
 
   /// See MovingNodes.
   std::vector<char> FindMovingNodes(const std::vector<char>& kept)
@@ -64,6 +64,7 @@ public:
   }
 
 private:
+  std::vector<char> TakeAnew(const std::vector<Fate>& fate);
   bool StaysByVolume(int e) const;
   double RoundingOf(int column) const;
   void FindInnerNodes();
@@ -94,6 +95,8 @@ private:
   static constexpr signed char Unknown = -1;
   std::vector<signed char> Collapsing;   ///< by element
   std::vector<std::uint64_t> NotPinched; ///< by inner node: elements kept when it was none, as bits
+  std::vector<Fate> FatesTaken; ///< the last ones
+  std::vector<char> Taken;      ///< by them
 };
 
 }

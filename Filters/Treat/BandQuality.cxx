@@ -146,12 +146,30 @@ bool BandQuality::IsExempt(const TrimmedBand& trimmed, int e) const
 
 std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
 {
+  return this->FindInvalid(trimmed, [](int) { return true; });
+}
+
+std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed,
+  const std::vector<char>& asked, const std::vector<int>& others) const
+{
+  // Two nodes that coincided may not any more.
+  return this->FindInvalid(trimmed,
+    [&](int e) { return asked[e] || std::binary_search(others.begin(), others.end(), e); });
+}
+
+/// @param isAsked of the others none is invalid but for nodes that coincide.
+template <typename Asked>
+std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed, const Asked& isAsked) const
+{
   const std::vector<char> coincides = FindCoincidentNodes(this->TheBand, trimmed);
-  return FindElements(this->TheBand, trimmed,
+  const auto anyCoincides = [&coincides](const auto& element)
+  { return std::any_of(element.begin(), element.end(), [&](int n) { return coincides[n]; }); };
+  return FindElements(
+    this->TheBand, trimmed,
+    [&](int e) { return isAsked(e) || anyCoincides(this->TheBand.Elements[e]); },
     [&](int e, const FinalElement& final)
     {
-      return std::any_of(final.begin(), final.end(), [&](int n) { return coincides[n]; }) ||
-        this->Spoils(e, final.Points, final.Count);
+      return anyCoincides(final) || (isAsked(e) && this->Spoils(e, final.Points, final.Count));
     });
 }
 
@@ -226,13 +244,15 @@ double BandQuality::MeasureOf(const TrimmedBand& trimmed, int e, const FinalElem
                                     : ScaledJacobian(final.Points, final.Count);
 }
 
-std::vector<int> BandQuality::FindBelowFloor(const TrimmedBand& trimmed) const
+std::vector<int> BandQuality::FindBelowFloor(
+  const TrimmedBand& trimmed, const std::vector<char>& asked) const
 {
   if (this->Floor <= 0.0 || trimmed.Treated.FlatCorner.empty())
   {
     return {};
   }
-  return FindElements(this->TheBand, trimmed,
+  return FindElements(
+    this->TheBand, trimmed, [&asked](int e) { return asked.empty() || asked[e]; },
     [&](int e, const FinalElement& final)
     { return this->IsBelowFloor(e, this->MeasureOf(trimmed, e, final)); });
 }

@@ -77,10 +77,16 @@ public:
 
   /// Kept elements that the trim made invalid, ascending.
   std::vector<int> FindInvalid(const TrimmedBand& trimmed) const;
+  /// The same where it is known of all that are not asked, by element.
+  /// @param others what was invalid, as far as it is not asked; ascending.
+  std::vector<int> FindInvalid(const TrimmedBand& trimmed, const std::vector<char>& asked,
+    const std::vector<int>& others) const;
 
   /// Touched elements below the floor that holds for them; the shape of those with a straight
   /// corner is exempt, unless all were to become wedges.
-  std::vector<int> FindBelowFloor(const TrimmedBand& trimmed) const;
+  /// @param asked by element; empty: all.
+  std::vector<int> FindBelowFloor(
+    const TrimmedBand& trimmed, const std::vector<char>& asked = {}) const;
 
   /// Touched elements worth less than this, and than what they were before.
   std::vector<int> FindShortOf(const TrimmedBand& trimmed, double worth) const;
@@ -136,6 +142,8 @@ private:
     Remembered<Standard> Standards;
   };
 
+  template <typename Asked>
+  std::vector<int> FindInvalid(const TrimmedBand& trimmed, const Asked& isAsked) const;
   const Size& SizeBefore(int element) const;
   const Standard& StandardBefore(int element) const;
   double FloorOf(int element) const;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <tuple>
 
 namespace trim
 {
@@ -150,29 +151,69 @@ TrimmedBand TrialTrim::Make(
     {
       return trimmed;
     }
+    const Moves before = trimmed.NodeMoves;
     this->RelaxBad(set, bad, goal, promises, trimmed);
+    trimmed.Invalid = this->Quality.FindInvalid(
+      trimmed, this->ElementsMoved(before, trimmed.NodeMoves), trimmed.Invalid);
+    return trimmed;
   }
   trimmed.Invalid = this->Quality.FindInvalid(trimmed);
   return trimmed;
 }
 
-/// Whether an element is kept, shaped or placed otherwise, before any relaxation.
-bool TrialTrim::Differ(const TrimmedBand& a, const TrimmedBand& b, int e) const
+/// By element: whether it has a node that is elsewhere, or was not moved before.
+std::vector<char> TrialTrim::ElementsMoved(const Moves& before, const Moves& now) const
 {
-  const ReplacedElement* wedge = FindWedge(a.Treated, e);
-  const ReplacedElement* other = FindWedge(b.Treated, e);
-  if (a.Kept[e] != b.Kept[e] || !wedge != !other || (wedge && wedge->Node != other->Node))
+  std::vector<char> moved(this->TheBand.NumberOfElements(), 0);
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
-    return true;
-  }
-  const auto& element = this->TheBand.Elements[e];
-  return std::any_of(element.begin(), element.end(),
-    [&](int n)
+    if (now.Position[n] != before.Position[n] || now.Applied[n] != before.Applied[n])
     {
-      return a.Moving[n] != b.Moving[n] || a.Unrelaxed.Position[n] != b.Unrelaxed.Position[n] ||
-        a.Unrelaxed.Applied[n] != b.Unrelaxed.Applied[n] ||
-        a.Unrelaxed.Left[n] != b.Unrelaxed.Left[n];
-    });
+      for (const int e : this->TheBand.ElementsOfNode(n))
+      {
+        moved[e] = 1;
+      }
+    }
+  }
+  return moved;
+}
+
+/// The nodes of elements that are kept, shaped or placed otherwise, before any relaxation.
+std::vector<char> TrialTrim::NodesThatDiffer(const TrimmedBand& a, const TrimmedBand& b) const
+{
+  std::vector<char> differs(this->TheBand.NumberOfNodes(), 0);
+  const auto tell = [&](int e)
+  {
+    const auto& element = this->TheBand.Elements[e];
+    std::for_each(element.begin(), element.end(), [&differs](int n) { differs[n] = 1; });
+  };
+  for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
+  {
+    if (a.Moving[n] != b.Moving[n] || a.Unrelaxed.Position[n] != b.Unrelaxed.Position[n] ||
+      a.Unrelaxed.Applied[n] != b.Unrelaxed.Applied[n] ||
+      a.Unrelaxed.Left[n] != b.Unrelaxed.Left[n])
+    {
+      const auto elements = this->TheBand.ElementsOfNode(n);
+      std::for_each(elements.begin(), elements.end(), tell);
+    }
+  }
+  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
+  {
+    if (a.Kept[e] != b.Kept[e])
+    {
+      tell(e);
+    }
+  }
+  std::vector<ReplacedElement> wedges; // of one of them alone
+  std::set_symmetric_difference(a.Treated.Wedges.begin(), a.Treated.Wedges.end(),
+    b.Treated.Wedges.begin(), b.Treated.Wedges.end(), std::back_inserter(wedges),
+    [](const ReplacedElement& one, const ReplacedElement& other)
+    { return std::tie(one.Element, one.Node) < std::tie(other.Element, other.Node); });
+  for (const ReplacedElement& wedge : wedges)
+  {
+    tell(wedge.Element);
+  }
+  return differs;
 }
 
 /// Takes the relaxed places of another trial where both are the same before, but for nodes that
@@ -180,15 +221,7 @@ bool TrialTrim::Differ(const TrimmedBand& a, const TrimmedBand& b, int e) const
 std::vector<char> TrialTrim::TakeRelaxed(
   const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const
 {
-  std::vector<char> differs(this->TheBand.NumberOfNodes(), 0);
-  for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
-  {
-    if (this->Differ(from, trimmed, e))
-    {
-      const auto& element = this->TheBand.Elements[e];
-      std::for_each(element.begin(), element.end(), [&differs](int n) { differs[n] = 1; });
-    }
-  }
+  const std::vector<char> differs = this->NodesThatDiffer(from, trimmed);
   std::vector<char> near(this->TheBand.NumberOfElements(), 0);
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
@@ -219,12 +252,13 @@ std::vector<int> TrialTrim::FindBad(
     near = this->TakeRelaxed(set, *from, trimmed);
   }
   trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
-  trimmed.Invalid = this->Quality.FindInvalid(trimmed);
+  trimmed.Invalid = from ? this->Quality.FindInvalid(trimmed, near, from->Invalid)
+                         : this->Quality.FindInvalid(trimmed);
   for (const int e : trimmed.Invalid)
   {
     trimmed.Relaxed[e] = 1;
   }
-  for (const int e : goal.FindBelowFloor(trimmed))
+  for (const int e : goal.FindBelowFloor(trimmed, near))
   {
     trimmed.Relaxed[e] = 1;
   }

@@ -101,7 +101,8 @@ private:
     TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const std::vector<int>& bad, const BandQuality& goal,
     const Promise& promises, TrimmedBand& trimmed) const;
-  bool Differ(const TrimmedBand& a, const TrimmedBand& b, int element) const;
+  std::vector<char> ElementsMoved(const Moves& before, const Moves& now) const;
+  std::vector<char> NodesThatDiffer(const TrimmedBand& a, const TrimmedBand& b) const;
   std::vector<char> TakeRelaxed(
     const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const;
   void ReturnToBorder(const Moves& before, const Moves& unpolished, TrimmedBand& trimmed) const;

@@ -8,6 +8,7 @@
 #include "Pentahedra.h"
 #include "Runs.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -61,11 +62,14 @@ FinalElement FinalShape(const Band& band, const TrimmedBand& trimmed, int elemen
 /// Kept elements that have a moved node or were replaced, ascending: a small part of the band.
 std::vector<int> FindTouchedElements(const Band& band, const TrimmedBand& trimmed);
 
-/// The touched elements that pass a test, ascending, asked by all threads.
-template <typename Test>
-std::vector<int> FindElements(const Band& band, const TrimmedBand& trimmed, const Test& test)
+/// The touched elements that are asked and pass a test, ascending, asked by all threads.
+template <typename Asked, typename Test>
+std::vector<int> FindElements(
+  const Band& band, const TrimmedBand& trimmed, const Asked& isAsked, const Test& test)
 {
-  const std::vector<int> touched = FindTouchedElements(band, trimmed);
+  std::vector<int> touched = FindTouchedElements(band, trimmed);
+  touched.erase(std::remove_if(touched.begin(), touched.end(), [&](int e) { return !isAsked(e); }),
+    touched.end());
   std::vector<char> passes(touched.size(), 0);
   ForAll(static_cast<int>(touched.size()),
     [&](int i) { passes[i] = test(touched[i], FinalShape(band, trimmed, touched[i])); });
@@ -78,6 +82,12 @@ std::vector<int> FindElements(const Band& band, const TrimmedBand& trimmed, cons
     }
   }
   return found;
+}
+template <typename Test>
+std::vector<int> FindElements(const Band& band, const TrimmedBand& trimmed, const Test& test)
+{
+  return FindElements(
+    band, trimmed, [](int) { return true; }, test);
 }
 
 /// Nodes of the new boundary: of facets between kept and eliminated elements, and of those that
