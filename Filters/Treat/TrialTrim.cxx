@@ -216,6 +216,14 @@ std::vector<char> TrialTrim::NodesThatDiffer(const TrimmedBand& a, const Trimmed
   return differs;
 }
 
+/// Whether a node stays where it is left; one that has come to the surface moves on along it.
+bool TrialTrim::IsHeld(const Choices& set, const TrimmedBand& trimmed, int n) const
+{
+  const bool returned = trimmed.Moving[n] && !trimmed.NodeMoves.Left[n];
+  return !returned &&
+    set.Corrections[this->TheColumns.Pillar[n]].Correction == CorrectionChoice::Leave;
+}
+
 /// Takes the relaxed places of another trial where both are the same before, but for nodes that
 /// have to stay now; returns the elements round the rest.
 std::vector<char> TrialTrim::TakeRelaxed(
@@ -225,8 +233,7 @@ std::vector<char> TrialTrim::TakeRelaxed(
   std::vector<char> near(this->TheBand.NumberOfElements(), 0);
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
-    const auto choice = set.Corrections[this->TheColumns.Pillar[n]].Correction;
-    const bool stays = choice == CorrectionChoice::Leave &&
+    const bool stays = this->IsHeld(set, trimmed, n) &&
       from.NodeMoves.Position[n] != trimmed.NodeMoves.Position[n];
     if (!differs[n] && !stays)
     {
@@ -466,9 +473,8 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
     }
     const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
     onCut[n] = onCut[n] || (trimmed.Moving[n] && corrected);
-    const bool returned = trimmed.Moving[n] && !trimmed.NodeMoves.Left[n];
     fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
-      (choice == CorrectionChoice::Leave && !returned);
+      this->IsHeld(set, trimmed, n);
   }
   return shapes;
 }

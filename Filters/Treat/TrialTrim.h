@@ -103,6 +103,7 @@ private:
     const Promise& promises, TrimmedBand& trimmed) const;
   std::vector<char> ElementsMoved(const Moves& before, const Moves& now) const;
   std::vector<char> NodesThatDiffer(const TrimmedBand& a, const TrimmedBand& b) const;
+  bool IsHeld(const Choices& set, const TrimmedBand& trimmed, int node) const;
   std::vector<char> TakeRelaxed(
     const Choices& set, const TrimmedBand& from, TrimmedBand& trimmed) const;
   void ReturnToBorder(const Moves& before, const Moves& unpolished, TrimmedBand& trimmed) const;
