@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -38,6 +39,7 @@ public:
     , Effort(goal.Effort)
     , IsRelaxed(given.TheBand.NumberOfNodes(), 0)
     , WorthTrying(given.TheBand.NumberOfNodes())
+    , KnownWorth(given.TheBand.NumberOfElements(), Unknown)
   {
   }
 
@@ -306,13 +308,13 @@ private:
   }
 
   /// The worst first, so that a search for worse ones ends soon; returns the quality of each.
-  std::vector<double> SortByQuality(std::vector<int>& elements) const
+  std::vector<double> SortByQuality(std::vector<int>& elements)
   {
     std::vector<std::pair<double, int>> ranked;
     ranked.reserve(elements.size());
     for (const int e : elements)
     {
-      ranked.emplace_back(this->Worth(e), e);
+      ranked.emplace_back(this->WorthAsPlaced(e), e);
     }
     std::sort(ranked.begin(), ranked.end());
     std::vector<double> qualities;
@@ -325,10 +327,21 @@ private:
     return qualities;
   }
 
-  bool Reached(const std::vector<int>& active) const
+  bool Reached(const std::vector<int>& active)
   {
     return std::all_of(
-      active.begin(), active.end(), [this](int e) { return this->Worth(e) >= this->Goal; });
+      active.begin(), active.end(), [this](int e) { return this->WorthAsPlaced(e) >= this->Goal; });
+  }
+
+  /// Worth of an element between attempts. All of its nodes ask for it, and most stay.
+  double WorthAsPlaced(int element)
+  {
+    double& known = this->KnownWorth[element];
+    if (known == Unknown)
+    {
+      known = this->Worth(element);
+    }
+    return known;
   }
 
   /// Calls visit(neighbour) for those of a node within its layer.
@@ -497,6 +510,8 @@ private:
     }
     this->Place(nodes, to);
     this->TellMoved(nodes);
+    std::for_each(
+      elements.begin(), elements.end(), [this](int e) { this->KnownWorth[e] = Unknown; });
     std::for_each(nodes.begin(), nodes.end(), [this](int node) { this->TellAround(node); });
     return true;
   }
@@ -551,6 +566,8 @@ private:
   std::vector<char> IsRelaxed; ///< by node
   /// By pillar. Two that do not meet may both tell one between them.
   std::vector<std::atomic<char>> WorthTrying;
+  static constexpr double Unknown = std::numeric_limits<double>::infinity();
+  std::vector<double> KnownWorth; ///< by element, once nodes behind the cut are spread
 };
 
 }
