@@ -59,6 +59,7 @@ public:
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
     , EndsEarly(goal.Effort.EndsEarly)
+    , Budget{ goal.Effort.Solving }
     , Directions(*this)
     , Slot(given.TheBand.NumberOfNodes(), -1)
   {
@@ -221,7 +222,7 @@ private:
     double damping = FirstDamping;
     std::vector<double> worth = this->WorthOf(part.Elements);
     std::optional<Linearisation> now;
-    for (int step = 0; step < MostSteps && this->Work < MostWork; ++step)
+    for (int step = 0; step < MostSteps && this->Work < MostWork && !this->Budget.IsSpent(); ++step)
     {
       const double lowest = this->LowestWanted(part, worth);
       if (lowest >= this->Goal * Reached / GoalMargin)
@@ -298,10 +299,10 @@ private:
   {
     const std::vector<StepDemand> demands = this->DemandsFor(part, now, target);
     std::vector<int> missed; // with more damping much the same ones
-    for (int trial = 0; trial < MostTrials; ++trial, damping *= 8.0)
+    for (int trial = 0; trial < MostTrials && !this->Budget.IsSpent(); ++trial, damping *= 8.0)
     {
       const Eigen::VectorXd way =
-        FindLeastSquaresStep(demands, now.Free.Direction.size(), damping, missed);
+        FindLeastSquaresStep(demands, now.Free.Direction.size(), damping, this->Budget, missed);
       if (!(way.norm() < LongestStep))
       {
         continue;
@@ -543,6 +544,7 @@ private:
   double Floor;
   double Goal;
   bool EndsEarly;
+  SolvingBudget Budget;
   StepDirections Directions;
   std::vector<int> Slot; ///< by node: its place in the part that is raised, or -1
   std::size_t Work = 0;  ///< steps times free directions

@@ -218,14 +218,14 @@ struct Round
 }
 
 Eigen::VectorXd FindLeastSquaresStep(const std::vector<StepDemand>& demands, std::size_t variables,
-  double damping, std::vector<int>& missed)
+  double damping, SolvingBudget& budget, std::vector<int>& missed)
 {
   if (missed.empty())
   {
     missed = FindMissed(demands);
   }
   std::vector<Round> rounds;
-  for (int round = 0; round < MostRounds; ++round)
+  for (int round = 0; round == 0 || (round < MostRounds && !budget.IsSpent()); ++round)
   {
     const auto before = std::find_if(
       rounds.begin(), rounds.end(), [&missed](const Round& r) { return r.Missed == missed; });
@@ -237,6 +237,7 @@ Eigen::VectorXd FindLeastSquaresStep(const std::vector<StepDemand>& demands, std
       missed = rounds[later(MostRounds)].Missed;
       return rounds[later(MostRounds - 1)].Way;
     }
+    budget.Spend(static_cast<double>(std::min(missed.size(), variables)));
     // The fewer equations.
     Eigen::VectorXd way = missed.size() > variables
       ? SolveByVariables(demands, missed, variables, damping)

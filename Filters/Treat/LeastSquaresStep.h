@@ -27,9 +27,22 @@ struct StepDemand
   const Slope *Begin, *End; ///< its gradient, each variable once
 };
 
+/// How long equations may be solved yet. Their number to the third: of hundreds it takes seconds,
+/// and where that many hold each other up it hardly ever ends well.
+struct SolvingBudget
+{
+  double Multiplications;
+
+  bool IsSpent() const { return this->Multiplications <= 0.0; }
+  void Spend(double equations)
+  {
+    this->Multiplications -= equations * equations * equations / 3.0;
+  }
+};
+
 /**
  * The step that misses the targets least, in the sum of squares, with its own length. Which values
- * miss them is found by repetition.
+ * miss  * them is found by repetition, as long as the budget is not spent.
  *
  * @param damping weight of the square of the step's length, positive.
  * @param[in,out] missed where to begin: demands that may miss their targets after the step; empty:
@@ -37,7 +50,7 @@ struct StepDemand
  * fewer repetitions it takes.
  */
 Eigen::VectorXd FindLeastSquaresStep(const std::vector<StepDemand>& demands, std::size_t variables,
-  double damping, std::vector<int>& missed);
+  double damping, SolvingBudget& budget, std::vector<int>& missed);
 
 }
 

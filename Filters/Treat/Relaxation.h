@@ -25,13 +25,14 @@ struct RelaxationEffort
   double Gain;            ///< of quality, below which a step is none
   bool Joint;             ///< followed by RelaxJointly, where that applies
   bool EndsEarly = false; ///< where one element cannot reach the goal, the others need not either
+  double Solving = 1e9;   ///< see SolvingBudget; ten times what it takes as a rule is enough
 };
 constexpr RelaxationEffort Thorough{ 40, 1e-4, true };
 constexpr RelaxationEffort Brief{ 10, 1e-3, true };
 /// To see whether more is worthwhile.
 constexpr RelaxationEffort Probing{ 10, 1e-3, false };
 /// All or nothing.
-constexpr RelaxationEffort Decisive{ 10, 1e-3, true, true };
+constexpr RelaxationEffort Decisive{ 10, 1e-3, true, true, 3e7 };
 
 /// What elements are relaxed to where no floor is asked for.
 constexpr double SmallestGoal = 0.05;

@@ -265,13 +265,30 @@ Eigen::VectorXd StepFor(const std::vector<StepDemand>& demands, int variables, d
 {
   std::vector<int> missed, all(demands.size()), first{ 0 };
   std::iota(all.begin(), all.end(), 0);
-  const Eigen::VectorXd step = FindLeastSquaresStep(demands, variables, damping, missed);
+  SolvingBudget budget{ 1e9 };
+  const Eigen::VectorXd step = FindLeastSquaresStep(demands, variables, damping, budget, missed);
   for (std::vector<int> begin : { missed, all, first })
   {
-    CheckNear(FindLeastSquaresStep(demands, variables, damping, begin), step, "begun elsewhere");
+    CheckNear(
+      FindLeastSquaresStep(demands, variables, damping, budget, begin), step, "begun elsewhere");
     Expect(begin == missed, "the same demands are missed");
   }
   return step;
+}
+
+/// Where the budget is spent the step is that of the demands that missed before it.
+void CheckBudget()
+{
+  const Slope up{ 0, 1.0 }, down{ 0, -1.0 };
+  const std::vector<StepDemand> demands{ { 0.0, 1.0, &up, &up + 1 },
+    { 1.1, 1.0, &down, &down + 1 } };
+  std::vector<int> missed;
+  SolvingBudget budget{ 0.1 };
+  CheckNear(FindLeastSquaresStep(demands, 1, 0.25, budget, missed),
+    Eigen::VectorXd::Constant(1, 1.0 / 1.25), "a step without repetition");
+  Expect(budget.IsSpent(), "one equation spends a third of a multiplication");
+  Expect(missed == std::vector<int>({ 0, 1 }), "what that one misses is told");
+  CheckNear(StepFor(demands, 1, 0.25), Eigen::VectorXd::Constant(1, 1.1 / 2.25), "with repetition");
 }
 
 void CheckStep()
@@ -980,6 +997,7 @@ int main()
   CheckPromise();
   CheckBound();
   CheckStep();
+  CheckBudget();
   CheckWorth();
   CheckCrease();
   CheckRemembered();
