@@ -41,6 +41,7 @@ struct MoverMemory
     , HeldAsKept(band.NumberOfNodes())
     , AskedOffCut(band.NumberOfNodes())
     , EdgesBefore(band.NumberOfElements())
+    , QualityBefore(band.NumberOfElements())
     , Starts(band.NumberOfNodes())
     , Middles(band.NumberOfNodes())
   {
@@ -53,6 +54,7 @@ struct MoverMemory
   Remembered<NodeHold> HeldAsKept;            ///< by node, as if there were no cut
   std::vector<std::atomic<char>> AskedOffCut; ///< by node: how it is held behind the cut mattered
   Remembered<EdgeSquares> EdgesBefore;        ///< by element of eight nodes
+  Remembered<double> QualityBefore;           ///< by element
   /// By node: the foot of the place from which it was relaxed last.
   RememberedLast<Vec3, nurbs::Foot> Starts;
   /// By node: where it was to lie between its neighbours last, in the plane with this normal.

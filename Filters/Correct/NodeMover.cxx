@@ -44,6 +44,17 @@ bool NodeMover::MayBeAt(int node, const Vec3& place) const
   return !this->StaysInside || !LiesOutside(this->TheBand, node, place);
 }
 
+double NodeMover::QualityBefore(int element) const
+{
+  return this->Memory->QualityBefore.At(element,
+    [&]
+    {
+      const Band& mesh = WithoutLayer(this->TheBand);
+      const int own = ElementWithoutLayer(this->TheBand, element);
+      return ScaledJacobian(PointsOf(mesh, own), mesh.Elements[own].Count);
+    });
+}
+
 const EdgeSquares& NodeMover::EdgesBefore(int element) const
 {
   return this->Memory->EdgesBefore.At(element,

@@ -91,6 +91,9 @@ public:
   /// Of an element of eight nodes, as it came; see SquaredLengthBefore.
   const EdgeSquares& EdgesBefore(int element) const;
 
+  /// Scaled Jacobian of an element as it came; of an inserted one that on which it stands.
+  double QualityBefore(int element) const;
+
   /// The smallest node of a node's pillar.
   int PillarOf(int node) const { return this->TheColumns.Pillar[node]; }
 

@@ -95,8 +95,8 @@ private:
   static constexpr signed char Unknown = -1;
   std::vector<signed char> Collapsing;   ///< by element
   std::vector<std::uint64_t> NotPinched; ///< by inner node: elements kept when it was none, as bits
-  std::vector<Fate> FatesTaken; ///< the last ones
-  std::vector<char> Taken;      ///< by them
+  std::vector<Fate> FatesTaken;          ///< the last ones
+  std::vector<char> Taken;               ///< by them
 };
 
 }

@@ -149,8 +149,8 @@ std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed) const
   return this->FindInvalid(trimmed, [](int) { return true; });
 }
 
-std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed,
-  const std::vector<char>& asked, const std::vector<int>& others) const
+std::vector<int> BandQuality::FindInvalid(
+  const TrimmedBand& trimmed, const std::vector<char>& asked, const std::vector<int>& others) const
 {
   // Two nodes that coincided may not any more.
   return this->FindInvalid(trimmed,
@@ -168,9 +168,7 @@ std::vector<int> BandQuality::FindInvalid(const TrimmedBand& trimmed, const Aske
     this->TheBand, trimmed,
     [&](int e) { return isAsked(e) || anyCoincides(this->TheBand.Elements[e]); },
     [&](int e, const FinalElement& final)
-    {
-      return anyCoincides(final) || (isAsked(e) && this->Spoils(e, final.Points, final.Count));
-    });
+    { return anyCoincides(final) || (isAsked(e) && this->Spoils(e, final.Points, final.Count)); });
 }
 
 bool BandQuality::Spoils(int e, const ElementPoints& points, int count) const

@@ -73,7 +73,7 @@ public:
     {
       std::vector<int> low;
       std::copy_if(active.begin(), active.end(), std::back_inserter(low),
-        [this](int e) { return this->Worth(e) < this->Goal / GoalMargin; });
+        [this](int e) { return this->IsLow(e); });
       gained = 0.0;
       // Nodes that do not share elements are relaxed apart.
       for (const auto& part : this->PartsOf(this->NodesRound(low, RelaxedRings)))
@@ -119,6 +119,11 @@ private:
     std::vector<std::optional<Vec3>> Home;
   };
 
+  bool IsLow(int e) const
+  {
+    return this->Worth(e) < std::min(this->Goal / GoalMargin, this->EnoughFor(e, this->Goal));
+  }
+
   /// Raises the elements of a part, one after the other where it is large; see Raise.
   double RaisePart(const std::vector<int>& nodes, const std::vector<int>& low)
   {
@@ -129,7 +134,7 @@ private:
     double gained = 0.0;
     for (const int e : this->ElementsAt(nodes))
     {
-      if (std::binary_search(low.begin(), low.end(), e) && this->Worth(e) < this->Goal / GoalMargin)
+      if (std::binary_search(low.begin(), low.end(), e) && this->IsLow(e))
       {
         std::vector<int> round = this->NodesRound({ e }, RelaxedRings);
         for (int rings = RelaxedRings - 1; round.size() > MostNodes && rings > 0; --rings)

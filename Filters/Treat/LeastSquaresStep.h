@@ -34,10 +34,7 @@ struct SolvingBudget
   double Multiplications;
 
   bool IsSpent() const { return this->Multiplications <= 0.0; }
-  void Spend(double equations)
-  {
-    this->Multiplications -= equations * equations * equations / 3.0;
-  }
+  void Spend(double equations) { this->Multiplications -= equations * equations * equations / 3.0; }
 };
 
 /**

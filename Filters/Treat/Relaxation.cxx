@@ -221,7 +221,7 @@ private:
   {
     std::vector<double> qualities;
     std::transform(elements.begin(), elements.end(), std::back_inserter(qualities),
-      [this](int e) { return std::min(this->Goal, this->Worth(e)); });
+      [this](int e) { return std::min(this->Goal, this->WorthOrGoal(e)); });
     return qualities;
   }
 
@@ -296,13 +296,22 @@ private:
     }
   }
 
+  /// What an element is worth, the goal at least if that is enough for it.
+  /// @param limit see Worth.
+  double WorthOrGoal(int element, double limit = -std::numeric_limits<double>::infinity()) const
+  {
+    const double enough = this->EnoughFor(element, this->Goal);
+    const double worth = this->Worth(element, std::min(limit, enough));
+    return worth >= enough ? std::max(worth, this->Goal) : worth;
+  }
+
   /// Smallest quality of elements, no more than the goal; of what is below a limit, any.
   double Lowest(const std::vector<int>& elements, double limit) const
   {
     double quality = this->Goal;
     for (std::size_t i = 0; i < elements.size() && quality >= limit; ++i)
     {
-      quality = std::min(quality, this->Worth(elements[i], limit));
+      quality = std::min(quality, this->WorthOrGoal(elements[i], limit));
     }
     return quality;
   }
@@ -339,7 +348,7 @@ private:
     double& known = this->KnownWorth[element];
     if (known == Unknown)
     {
-      known = this->Worth(element);
+      known = this->WorthOrGoal(element);
     }
     return known;
   }
@@ -524,7 +533,7 @@ private:
     // Finding the places on the surface is dear: only where it promises something.
     const double promising = best - Foresight;
     if ((!places.Free && this->Lowest(places.Elements, promising) < promising) ||
-      !this->Settle(places.AtWorst) || this->Worth(places.Elements.front(), best) <= best ||
+      !this->Settle(places.AtWorst) || this->WorthOrGoal(places.Elements.front(), best) <= best ||
       !this->Settle(places.Elsewhere))
     {
       return false;

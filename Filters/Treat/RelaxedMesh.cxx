@@ -4,6 +4,7 @@
 #include "SortUnique.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -34,6 +35,13 @@ double RelaxedMesh::Worth(int element, double limit) const
   const EdgeSquares* before = e.Count == 8 ? &this->Mover.EdgesBefore(element) : nullptr;
   return WorthOf(
     this->TheBand, e.Node, this->PointsOf(element), e.Count, &this->Fixed, limit, before);
+}
+
+double RelaxedMesh::EnoughFor(int element, double goal) const
+{
+  const double before = this->Mover.QualityBefore(element);
+  return before < std::min(goal, PoorQuality) ? before - QualitySlack * std::abs(before)
+                                              : std::numeric_limits<double>::infinity();
 }
 
 double RelaxedMesh::ShortestEdgeShare(int element) const

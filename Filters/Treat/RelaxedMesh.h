@@ -42,6 +42,11 @@ struct RelaxationCase
 constexpr int RelaxedRings = 3;
 /// Elements are raised to a little above the goal, so that rounding does not undo it.
 constexpr double GoalMargin = 1.02;
+/// Elements that came below this need not become better: of drawn-out ones hardly any could, and
+/// all nodes round them would be tried in vain.
+constexpr double PoorQuality = 0.2;
+/// All but this share of it is about as much.
+constexpr double QualitySlack = 0.02;
 
 class RelaxedMesh
 {
@@ -72,6 +77,10 @@ public:
   /// The same, or less where an edge that can change vanishes; see ElementWorth.h.
   /// @param limit what is below need not be exact, but below.
   double Worth(int element, double limit = -std::numeric_limits<double>::infinity()) const;
+
+  /// What an element has to be worth to be about as good as it came, if that was so poor that it
+  /// need not reach a goal; infinite for others.
+  double EnoughFor(int element, double goal) const;
 
   /// How much of its length that edge of an element has left which lost most.
   double ShortestEdgeShare(int element) const;

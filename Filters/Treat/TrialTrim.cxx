@@ -233,8 +233,8 @@ std::vector<char> TrialTrim::TakeRelaxed(
   std::vector<char> near(this->TheBand.NumberOfElements(), 0);
   for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
   {
-    const bool stays = this->IsHeld(set, trimmed, n) &&
-      from.NodeMoves.Position[n] != trimmed.NodeMoves.Position[n];
+    const bool stays =
+      this->IsHeld(set, trimmed, n) && from.NodeMoves.Position[n] != trimmed.NodeMoves.Position[n];
     if (!differs[n] && !stays)
     {
       trimmed.NodeMoves.Position[n] = from.NodeMoves.Position[n];
@@ -473,8 +473,8 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
     }
     const bool corrected = trimmed.NodeMoves.Applied[n] != Correction::None;
     onCut[n] = onCut[n] || (trimmed.Moving[n] && corrected);
-    fixed[n] = (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) ||
-      this->IsHeld(set, trimmed, n);
+    fixed[n] =
+      (trimmed.Moving[n] && !corrected) || (onCut[n] && !onCutToo) || this->IsHeld(set, trimmed, n);
   }
   return shapes;
 }
