@@ -30,6 +30,7 @@ public:
   void LeaveBelowFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
   {
     bool anew = false;
+    int atOnce = 1;
     for (int round = 0; !aborted(); ++round)
     {
       const std::vector<int> below = this->TheChoices.Quality.FindBelowFloor(trimmed);
@@ -39,9 +40,10 @@ public:
       {
         changed |= this->LeaveForFloor(trimmed, e, round, seen);
       }
-      for (std::size_t i = 0; anew && !changed && i < below.size(); ++i)
+      if (anew && !changed)
       {
-        changed = this->TheChoices.LeaveWhole(below[i]);
+        changed = this->LeaveSome(below, atOnce);
+        atOnce *= 2;
       }
       if (!changed && (anew || below.empty()))
       {
@@ -57,6 +59,18 @@ public:
   }
 
 private:
+  /// Leaves elements below the floor as they were; false if all are. One may help the others: it
+  /// is one at first, but of hundreds ever more, as each takes a trial.
+  bool LeaveSome(const std::vector<int>& below, int most)
+  {
+    int some = 0;
+    for (std::size_t i = 0; some < most && i < below.size(); ++i)
+    {
+      some += this->TheChoices.LeaveWhole(below[i]);
+    }
+    return some > 0;
+  }
+
   /// Leaves pillars of the column of an element below the floor; false if there is nothing more to
   /// leave.
   /// @param seen pillars of columns that had their turn in this round.

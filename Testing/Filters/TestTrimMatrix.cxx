@@ -82,8 +82,8 @@ bool IsOrdinary(const std::string& surface, const Mesh& mesh, const TrimOptions&
 // - cone in a cup, leaning cylinder and roundrect in a channel: the surface leans from the wall by
 //   15, 15 and 17 degrees; a corner of a hexahedron there has at most the sines, 0.259, 0.257 and
 //   0.296 (a bit more where nodes are left off);
-// - roundrect in a cup: along a wall, where 15 nodes are left off, as columns that lie beyond by
-//   0.38 to 0.44 have to stay there; with type III 16 nodes, and 0.252;
+// - roundrect in a cup: along a wall, where 19 nodes are left off, as columns that lie beyond by
+//   0.38 to 0.44 have to stay there; with type III 35 nodes, and 0.219;
 // - inclined in a block: decided element by element, as columns would leave nodes 3.6 elements off;
 // - round the hole: what is kept at its corners, so that they need not move, is as narrow as the
 //   cut leaves it; with the corner and the end of the cut on the border where they are the best
@@ -95,7 +95,7 @@ double FloorOf(const std::string& surface, const Mesh& mesh)
   const std::map<std::string, double> lower{ { "block inclined", 0.2 },
     { "channel inclined", 0.22 }, { "hole inclined", 0.22 }, { "lshape inclined", 0.22 },
     { "islands inclined", 0.22 }, { "channel roundrect", 0.29 }, { "channel leaning", 0.25 },
-    { "cup cone", 0.26 }, { "cup roundrect", 0.238 }, { "stretched roundrect", 0.295 },
+    { "cup cone", 0.26 }, { "cup roundrect", 0.218 }, { "stretched roundrect", 0.295 },
     { "hole cylinder", 0.274 }, { "hole leaning", 0.231 }, { "hole roundrect", 0.284 } };
   const auto found = lower.find(mesh.Name + " " + surface);
   return found != lower.end() ? found->second : 0.3;
