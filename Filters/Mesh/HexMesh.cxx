@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -220,19 +221,32 @@ CellDefect FindCellDefect(const HexMesh& mesh, Id c)
                         : FindCellDefect(mesh, mesh.Connectivity32, mesh.Offsets32, c);
 }
 
-std::string Describe(CellDefect defect, Id c, int type)
+/// Whether cells of a type are hexahedra or wedges written in another way, as with nodes on their
+/// edges.
+bool CanBeRewritten(int type)
+{
+  const char* const name = vtkCellTypes::GetClassNameFromTypeId(type);
+  const auto isCalled = [name](const char* shape) { return name && std::strstr(name, shape); };
+  return type == VTK_VOXEL ||
+    (type != VTK_HEXAHEDRON && type != VTK_WEDGE && (isCalled("Hexahedron") || isCalled("Wedge")));
+}
+
+std::string Describe(CellDefect defect, Id c, const HexMesh& mesh)
 {
   const std::string cell = "Cell " + std::to_string(c) + " of the grid ";
   switch (defect)
   {
     case CellDefect::Type:
     {
-      const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
-      const bool isHexahedral = type == VTK_VOXEL || (name && !vtkCellTypes::IsLinear(type));
+      const char* name = vtkCellTypes::GetClassNameFromTypeId(mesh.Types[c]);
+      // Where such cells follow, those before them are shells or edges of the same mesh.
+      const bool isRewritten = std::any_of(mesh.Types + c, mesh.Types + mesh.NumberOfCells,
+        [](unsigned char type) { return CanBeRewritten(type); });
       return cell + "is a " + (name ? name : "cell of unknown type") +
         ", but only hexahedra and wedges can be trimmed: " +
-        (isHexahedral ? "write the mesh with cells of these types, hexahedra of eight nodes."
-                      : "remove the other cells first, e.g. with Extract Cells By Type.");
+        (isRewritten ? "write the mesh with cells of these types, hexahedra of eight nodes."
+                     : "remove the other cells first, e.g. with Extract Cells By Type, or mesh the "
+                       "part with hexahedra if it has none.");
     }
     case CellDefect::Size:
       return cell + "has not the number of nodes of its type: the grid is corrupt, rewrite it.";
@@ -301,7 +315,7 @@ bool CheckCells(const HexMesh& mesh, std::string& error)
     mesh.NumberOfCells, [&mesh](Id c) { return FindCellDefect(mesh, c) != CellDefect::None; });
   if (bad < mesh.NumberOfCells)
   {
-    error = Describe(FindCellDefect(mesh, bad), bad, mesh.Types[bad]);
+    error = Describe(FindCellDefect(mesh, bad), bad, mesh);
     return false;
   }
   return true;

@@ -18,11 +18,13 @@
 #include <vtkTrimHexahedralGrid.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 using namespace judge;
 
@@ -260,6 +262,15 @@ void TestGrids(const Mesh& mesh)
   const vtkIdType voxel[8] = { 0, 1, 21, 22, 357, 358, 378, 379 };
   grid->InsertNextCell(VTK_VOXEL, 8, voxel);
   Judge("a voxel", grid, plane, { "hexahedra of eight nodes" });
+  grid = CopyOf(mesh);
+  const vtkIdType edge[3] = { 0, 1, 2 };
+  grid->InsertNextCell(VTK_QUADRATIC_EDGE, 3, edge);
+  Judge("a curved edge", grid, plane, { "vtkQuadraticEdge", "Extract Cells By Type" });
+  std::array<vtkIdType, 20> quadratic;
+  std::iota(quadratic.begin(), quadratic.end(), 0);
+  grid->InsertNextCell(VTK_QUADRATIC_HEXAHEDRON, 20, quadratic.data());
+  Judge("a curved edge before a hexahedron of twenty nodes", grid, plane,
+    { "vtkQuadraticEdge", "hexahedra of eight nodes" });
   grid = CopyOf(mesh);
   vtkNew<vtkUnsignedCharArray> types;
   types->DeepCopy(grid->GetCellTypesArray());
