@@ -317,6 +317,30 @@ Votes CollectVotes(const SurfaceModel& model)
   return votes;
 }
 
+/// To which side the largest faces of a shell look as they came, relative to its root. A box that
+/// was written as separate faces has several of one size: most of them decide, as else rounding
+/// would tell which is the largest. Of as many either way the first one decides.
+class ShellSide
+{
+public:
+  double Largest = 0.0;
+
+  void Add(double area, int sign)
+  {
+    constexpr double rounding = 1e-6;
+    if (area >= (1 - rounding) * this->Largest)
+    {
+      this->First = this->First == 0 ? sign : this->First;
+      this->Votes += sign;
+    }
+  }
+  /// 1 or -1: like the root or not.
+  int Decide() const { return this->Votes == 0 ? this->First : this->Votes > 0 ? 1 : -1; }
+
+private:
+  int First = 0, Votes = 0;
+};
+
 }
 
 void OrientShells(SurfaceModel& model)
@@ -343,21 +367,20 @@ void OrientShells(SurfaceModel& model)
     }
   }
   sets.JoinAll();
-  std::vector<int> largest(count, -1);
+  std::vector<ShellSide> sides(count);
   int sign;
   for (int face = 0; face < count; ++face)
   {
-    int& best = largest[sets.Find(face, sign)];
-    if (best < 0 || model.Data[face].Area > model.Data[best].Area)
-    {
-      best = face;
-    }
+    ShellSide& side = sides[sets.Find(face, sign)];
+    side.Largest = std::max(side.Largest, model.Data[face].Area);
   }
   for (int face = 0; face < count; ++face)
   {
-    int reference;
-    const int root = sets.Find(face, sign);
-    sets.Find(largest[root], reference);
+    sides[sets.Find(face, sign)].Add(model.Data[face].Area, sign);
+  }
+  for (int face = 0; face < count; ++face)
+  {
+    const int reference = sides[sets.Find(face, sign)].Decide();
     model.Data[face].Sign = sign * reference;
   }
 }

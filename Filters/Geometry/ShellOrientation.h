@@ -9,7 +9,8 @@ namespace nurbs
 {
 struct SurfaceModel;
 
-/// Sets FaceData::Sign; in each connected shell the face of largest area keeps its normal.
+/// Sets FaceData::Sign; in each connected shell the face of largest area keeps its normal, or most
+/// of those that are as large.
 void OrientShells(SurfaceModel& model);
 
 }

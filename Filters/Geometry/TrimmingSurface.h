@@ -64,7 +64,7 @@ public:
    * @param widestGap the same where a border would be free otherwise; less than the gap tolerance:
    * that.
    * Face normals are made alike across shared edges; where they disagree the largest face
-   * of each connected shell decides.
+   * of each connected shell decides, or most of those that are as large.
    */
   TrimmingSurface(std::vector<NurbsSurface> faces, double gapTolerance, double widestGap = 0.0);
   ~TrimmingSurface();

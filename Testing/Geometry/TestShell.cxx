@@ -6,6 +6,8 @@
 #include "Sectors.h"
 #include "TrimmingSurface.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -350,6 +352,29 @@ void TestOrientation()
   const TrimmingSurface both(two, 1e-7);
   check::That(both.ClosestPoint(Vec3(0.5, 0.5, 0.9)).SignedDistance < 0, "first shell");
   check::That(both.ClosestPoint(Vec3(3.5, 0.5, 0.9)).SignedDistance > 0, "second shell");
+}
+
+/// Six faces of one size, two of them turned round: most decide, in whatever order they come and
+/// however their areas are rounded.
+void TestOrientationOfEqualFaces()
+{
+  std::vector<NurbsSurface> box = samples::BoxShell(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  box[2] = samples::ReversedU(box[2]);
+  box[4] = samples::ReversedU(box[4]);
+  for (int order = 0; order < 24; ++order)
+  {
+    std::rotate(box.begin(), box.begin() + 1, box.end());
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(Uniform(0, 6), RandomVector().normalized()).toRotationMatrix();
+    const Vec3 shift = RandomVector(), inside = turn * Vec3(0.5, 0.5, 0.1) + shift;
+    std::vector<NurbsSurface> turned;
+    for (const NurbsSurface& face : box)
+    {
+      turned.push_back(samples::Transformed(face, turn, shift));
+    }
+    const Foot found = TrimmingSurface(turned, 1e-7).ClosestPoint(inside);
+    check::That(found.SignedDistance < 0, "most of the largest faces" + Place(inside, found));
+  }
 }
 
 /// A strip of an upright cylinder between two angles.
@@ -869,5 +894,6 @@ int main()
   TestNormalCones();
   TestCurvature();
   TestManyFaces();
+  TestOrientationOfEqualFaces();
   return check::Result();
 }
