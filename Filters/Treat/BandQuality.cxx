@@ -204,25 +204,13 @@ bool BandQuality::LeavesBorder(
       this->TheBand, *this->Surface, e, this->SizeBefore(e).LongestEdge, node, points, count);
 }
 
-std::vector<int> BandQuality::FindLeavingBorder(const TrimmedBand& trimmed) const
+std::vector<int> BandQuality::FindLeavingBorder(
+  const TrimmedBand& trimmed, const std::vector<char>& asked) const
 {
-  return FindElements(this->TheBand, trimmed,
+  return FindElements(
+    this->TheBand, trimmed, [&asked](int e) { return asked.empty() || asked[e]; },
     [&](int e, const FinalElement& final)
     { return this->LeavesBorder(e, final.Node, final.Points, final.Count); });
-}
-
-std::vector<int> BandQuality::FindLeavingBorder(
-  const TrimmedBand& trimmed, const Moves& before) const
-{
-  const Moves& now = trimmed.NodeMoves;
-  return FindElements(this->TheBand, trimmed,
-    [&](int e, const FinalElement& final)
-    {
-      const bool differs = std::any_of(final.begin(), final.end(),
-        [&](int n)
-        { return now.Position[n] != before.Position[n] || now.Applied[n] != before.Applied[n]; });
-      return differs && this->LeavesBorder(e, final.Node, final.Points, final.Count);
-    });
 }
 
 bool BandQuality::IsBelowFloor(int e, double measured) const

@@ -114,9 +114,9 @@ public:
     int element, const std::array<int, 8>& node, const ElementPoints& points, int count) const;
 
   /// Touched elements that do, ascending.
-  std::vector<int> FindLeavingBorder(const TrimmedBand& trimmed) const;
-  /// Those of them with a node that was elsewhere before, or not moved.
-  std::vector<int> FindLeavingBorder(const TrimmedBand& trimmed, const Moves& before) const;
+  /// @param asked by element; empty: all.
+  std::vector<int> FindLeavingBorder(
+    const TrimmedBand& trimmed, const std::vector<char>& asked = {}) const;
 
 private:
   /// Of an element as it came.

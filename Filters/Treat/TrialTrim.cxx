@@ -311,7 +311,8 @@ void TrialTrim::ReturnToBorder(
 {
   const auto findLeft = [&]
   {
-    const std::vector<int> now = this->Quality.FindLeavingBorder(trimmed, unpolished);
+    const std::vector<int> now =
+      this->Quality.FindLeavingBorder(trimmed, this->ElementsMoved(unpolished, trimmed.NodeMoves));
     std::vector<int> left;
     if (!now.empty())
     {
