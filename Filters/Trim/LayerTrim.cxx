@@ -68,6 +68,7 @@ public:
     : Near(near)
     , Before(before)
     , IsSheet(isSheet)
+    , LargestShare(largestShare)
     , Task(task)
     , TheColumns(ColumnsFor(near.Mesh, isSheet))
     , Reach(LargestOfColumns(near.Shares, this->TheColumns))
@@ -112,6 +113,17 @@ public:
   /// What Find has kept of the mesh.
   const std::vector<char>& KeptUnderIt() const { return this->Kept; }
 
+  /// Whether an element went, or stays, that neither its volume nor the layer's own share would
+  /// have gone, or stay: to give the layer room, or with others of its column.
+  bool IsAgainstVolume(int e) const
+  {
+    const auto& shares = this->Near.Shares;
+    const double share = this->TheColumns.HasThickness(e) ? shares.Column[e] : shares.Element[e];
+    const auto [least, most] =
+      std::minmax(this->LargestShare, this->Task.Options.Ladder.EliminationFraction);
+    return this->Kept[e] ? share > most : share <= least;
+  }
+
   /// See ReturnToSkin.
   void ReturnToSkin(const Band& layered, TrimmedBand& trimmed) const
   {
@@ -143,6 +155,7 @@ private:
   const TrimBand& Near;
   const std::shared_ptr<const Band>& Before;
   bool IsSheet;
+  double LargestShare;
   const BandTask& Task;
   Columns TheColumns;
   VolumeShares Reach;
@@ -175,6 +188,19 @@ VolumeShares SharesOfOrigins(const Band& layered, const VolumeShares& shares)
     own.Column.push_back(shares.Column[origin.Index]);
   }
   return own;
+}
+
+/// The climb knows of the fates that it set alone, as all others are given to it.
+void TellFates(const Band& layered, const Columns& columns, const LayerSearch& search,
+  std::vector<char>& againstVolume)
+{
+  for (int e = 0; e < layered.NumberOfElements(); ++e)
+  {
+    if (!layered.IsInserted(e) && search.IsAgainstVolume(layered.ElementOrigins[e].Index))
+    {
+      againstVolume[columns.Column[e]] = 1;
+    }
+  }
 }
 
 /// Inserted nodes are moved where they lie elsewhere than those in whose place they are.
@@ -277,6 +303,7 @@ void Complete(TrimBand& layered, const TrimBand& near, const LayerSearch& search
   search.ReturnToSkin(band, layered.Trimmed);
   // Where the layer puts a node counts as a move, also of those that stay there.
   TellInserted(band, layered.Trimmed.NodeMoves);
+  TellFates(band, layered.Structure, search, layered.Trimmed.AgainstVolume);
   layered.NodesLeft = FindNodesLeft(layered, task.Surface, task.Precision);
   layered.Shares = SharesOfOrigins(band, near.Shares);
   for (const Origin& origin : band.ElementOrigins)

@@ -15,7 +15,10 @@
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 using namespace judge;
 
@@ -250,6 +253,46 @@ void TestBehindCut()
   Wrong += report.Failures();
 }
 
+/// Columns that go though hardly any of them lies beyond the surface, so that the layer has room.
+void TestFates()
+{
+  const Mesh sheet = Sheet(5, 5, 3, Vec3(1, 1, 1));
+  const Vec3 corner(sheet.Grid->GetPoint(0));
+  TrimOptions options;
+  options.InsertLayer = true;
+  const Outcome outcome = RunTrim(sheet, SphereAt(corner + Vec3(4.8, 2.6, 0.3), 2.8), options);
+  Expect(Number(outcome.Case.Trimmed, "InsertedElements") > 0, "fates: no layer");
+  vtkCellData* cells = outcome.Case.Whole->GetCellData();
+  vtkDataArray* ids = outcome.Case.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::set<vtkIdType> stays;
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    stays.insert(static_cast<vtkIdType>(ids->GetComponent(i, 0)));
+  }
+  const Model model(sheet.Grid);
+  const auto columnOf = [&](vtkIdType c)
+  {
+    const Vec3 low = model.Corners(c)[0] - corner;
+    return std::make_pair(std::lround(low[0]), std::lround(low[1]));
+  };
+  std::map<std::pair<long, long>, double> beyond; // of each column, in elements
+  for (vtkIdType c = 0; c < outcome.Case.Whole->GetNumberOfCells(); ++c)
+  {
+    beyond[columnOf(c)] += cells->GetArray("EliminatedFraction")->GetComponent(c, 0);
+  }
+  int gone = 0;
+  for (vtkIdType c = 0; c < outcome.Case.Whole->GetNumberOfCells(); ++c)
+  {
+    if (stays.count(c) == 0 && beyond[columnOf(c)] < 0.3)
+    {
+      ++gone;
+      Expect(cells->GetArray("Rescue")->GetComponent(c, 0) > 0,
+        "fates: cell " + std::to_string(c) + " went without a word");
+    }
+  }
+  Expect(gone > 0, "fates: all columns went by their volume");
+}
+
 /// Values that are linear in space stay so where they are mapped; else what was inserted has those
 /// of what it stands on.
 void TestValues()
@@ -372,6 +415,7 @@ int main()
   TestDiagonal();
   TestTilted();
   TestBehindCut();
+  TestFates();
   TestValues();
   TestSequence();
   TestBeneathNodesLeft();
