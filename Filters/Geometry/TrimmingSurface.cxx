@@ -1,6 +1,7 @@
 #include "TrimmingSurface.h"
 
 #include "ClosestPoint.h"
+#include "FaceOrder.h"
 #include "LeafSearch.h"
 #include "LineIntersection.h"
 #include "ModelEvaluation.h"
@@ -16,7 +17,7 @@ namespace nurbs
 struct TrimmingSurface::Implementation
 {
   Implementation(std::vector<NurbsSurface> faces, double gapTolerance, double widestGap)
-    : Model(std::move(faces), gapTolerance, widestGap)
+    : Model(InOwnOrder(std::move(faces)), gapTolerance, widestGap)
   {
   }
 

@@ -59,7 +59,8 @@ class TrimmingSurface
 {
 public:
   /**
-   * @param faces valid surfaces (FindDefect empty), at least one.
+   * @param faces valid surfaces (FindDefect empty), at least one; their order does not matter, nor
+   * is it that of Face.
    * @param gapTolerance absolute distance up to which two face borders count as one edge.
    * @param widestGap the same where a border would be free otherwise; less than the gap tolerance:
    * that.

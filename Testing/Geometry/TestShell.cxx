@@ -870,6 +870,31 @@ void TestManyFaces()
   }
 }
 
+/// The same faces in another order give the same feet, to the last digit.
+void TestFaceOrder()
+{
+  std::vector<NurbsSurface> faces;
+  for (int k = 0; k < 4; ++k)
+  {
+    for (const NurbsSurface& face : samples::RoundedShell(0.3, 0.3, 0.2, 1))
+    {
+      faces.push_back(
+        samples::Transformed(face, Eigen::Matrix3d::Identity(), Vec3(k % 2, k / 2, 0.1)));
+    }
+  }
+  const TrimmingSurface surface(faces, 1e-9);
+  std::shuffle(faces.begin(), faces.end(), Random);
+  const TrimmingSurface shuffled(faces, 1e-9);
+  for (int k = 0; k < check::Trials(20000); ++k)
+  {
+    const Vec3 p = Vec3(0.5, 0.5, 0.5) + RandomVector();
+    const Foot foot = surface.ClosestPoint(p), other = shuffled.ClosestPoint(p);
+    check::That(foot.Point == other.Point && foot.Normal == other.Normal &&
+        foot.SignedDistance == other.SignedDistance,
+      "one foot whatever the order of faces" + Place(p, foot));
+  }
+}
+
 }
 
 int main()
@@ -895,5 +920,6 @@ int main()
   TestCurvature();
   TestManyFaces();
   TestOrientationOfEqualFaces();
+  TestFaceOrder();
   return check::Result();
 }
