@@ -24,6 +24,10 @@ constexpr double WidestGapShare = 4e-4;
 /// ones would close what is meant to be open.
 constexpr double WidestToldGapShare = 4e-3;
 
+/// How far each of two faces may lie off their edge, in its tolerance: that is measured at places
+/// along the edge, and between these borders lie farther off (two halves of a pipe 1.04 of it).
+constexpr double ToldGapFactor = 1.25;
+
 /// How wide a gap may be where a border would be free otherwise. Of two faces each may lie off
 /// their edge by its tolerance.
 inline double FindWidestGap(const std::vector<NurbsSurface>& faces, double size)
@@ -31,7 +35,7 @@ inline double FindWidestGap(const std::vector<NurbsSurface>& faces, double size)
   double told = 0.0;
   for (const NurbsSurface& face : faces)
   {
-    told = std::max(told, 2.0 * face.Tolerance);
+    told = std::max(told, 2.0 * ToldGapFactor * face.Tolerance);
   }
   return std::max(WidestGapShare * size, std::min(told, WidestToldGapShare * size));
 }

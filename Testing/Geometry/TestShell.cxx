@@ -4,6 +4,7 @@
 #include "RandomPlaces.h"
 #include "SampleSurfaces.h"
 #include "Sectors.h"
+#include "SurfaceGaps.h"
 #include "TrimmingSurface.h"
 
 #include <Eigen/Geometry>
@@ -185,6 +186,29 @@ void TestCusps()
       const double x = DistanceFromCusp(p.head<2>()), z = std::abs(p.z()) - 1;
       return std::hypot(std::max(x, 0.0), std::max(z, 0.0)) + std::min(std::max(x, z), 0.0);
     });
+}
+
+/// Gaps a little wider than the faces' tolerances tell are closed: these are measured at places.
+void TestToldGaps()
+{
+  std::vector<NurbsSurface> faces = samples::BoxShell(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  for (NurbsSurface& face : faces)
+  {
+    const Vec3 center =
+      0.5 * (face.ControlPoints.front().head<3>() + face.ControlPoints.back().head<3>());
+    for (Vec4& point : face.ControlPoints)
+    {
+      point.head<3>() += 0.005 * (center - point.head<3>());
+    }
+    face.Tolerance = 0.00165; // the borders are apart by 0.0025 * sqrt(2)
+  }
+  const TrimmingSurface box(faces, 1e-6, FindWidestGap(faces, std::sqrt(3.0)));
+  for (int k = 0; k < check::Trials(4000); ++k)
+  {
+    const Vec3 p = Vec3(0.5, 0.5, 0.5) + 1.2 * RandomVector();
+    const Foot foot = box.ClosestPoint(p);
+    check::That(foot.Kind == FootKind::Interior, "gaps wider than told" + Place(p, foot));
+  }
 }
 
 /// Small gaps and overlaps at the edges of a box are no borders.
@@ -921,5 +945,6 @@ int main()
   TestManyFaces();
   TestOrientationOfEqualFaces();
   TestFaceOrder();
+  TestToldGaps();
   return check::Result();
 }
