@@ -10,7 +10,6 @@
 #include "Team.h"
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -27,7 +26,7 @@ namespace trim
 class ClusterArrays
 {
 public:
-  using Array = PageVector<std::atomic<int>>;
+  using Array = PageVector<int>;
 
   explicit ClusterArrays(MeshBlocks& blocks)
     : Blocks(blocks)
@@ -92,14 +91,14 @@ private:
     Id again = 0;
     for (Id node = begin; node < end; ++node)
     {
-      const int other = array[node].load(std::memory_order_relaxed);
+      const int other = array[node];
       if (other == 0)
       {
         continue;
       }
-      std::atomic<int>& first = this->Blocks.ClusterOfNode[node];
-      const int own = first.load(std::memory_order_relaxed);
-      first.store(std::max(own, other), std::memory_order_relaxed);
+      int& first = this->Blocks.ClusterOfNode[node];
+      const int own = first;
+      first = std::max(own, other);
       if (own == 0)
       {
         continue;

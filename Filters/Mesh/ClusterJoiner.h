@@ -31,7 +31,7 @@ class ClusterJoiner
 public:
   /// @param clusters first ones of the nodes.
   /// @param alone whether no other thread is at these.
-  ClusterJoiner(const HexMesh& mesh, MeshBlocks& blocks, std::atomic<int>* clusters, bool alone)
+  ClusterJoiner(const HexMesh& mesh, MeshBlocks& blocks, int* clusters, bool alone)
     : Mesh(mesh)
     , Blocks(blocks)
     , Clusters(clusters)
@@ -82,22 +82,11 @@ public:
   void JoinRun(int run, const CellRow& row)
   {
     const int cluster = 2 * run;
-    const int own = MeshBlocks::NoCluster - cluster;
-    std::atomic<int>* const clusters = this->Clusters;
     for (const CellRow::Line& line : row.Lines)
     {
-      int known = own; // earlier cluster at the node before: most are the same
-      for (const Id node : line)
+      if (!(row.Counts && this->Alone && this->JoinPlain(this->Clusters + line[0], cluster)))
       {
-        const int seen = clusters[node].load(std::memory_order_relaxed);
-        if (seen != own && seen != known)
-        {
-          known = this->JoinNode(clusters[node], seen, own);
-          if (known != own)
-          {
-            this->AddLink(cluster, MeshBlocks::NoCluster - known);
-          }
-        }
+        this->JoinLine(line, cluster);
       }
     }
     this->Blocks.FirstLength[run] = MeshBlocks::CellsPerClusterRun;
@@ -113,19 +102,89 @@ private:
     this->Later.clear();
   }
 
+  /// A number that other threads may be at: what std::atomic_ref is in later C++.
+  static std::atomic<int>& Shared(int& number)
+  {
+    static_assert(sizeof(std::atomic<int>) == sizeof(int) && std::atomic<int>::is_always_lock_free,
+      "an atomic number is like another one in memory");
+    return reinterpret_cast<std::atomic<int>&>(number);
+  }
+
+  /// Joins a line of nodes one after the other, of which all that had clusters before had those of
+  /// the first or the last node: as most have, and are joined without a question at each node.
+  /// False if it is another one.
+  /// @param clusters of its nodes.
+  bool JoinPlain(int* clusters, int cluster)
+  {
+    constexpr int last = CellRow::Cells;
+    const int own = MeshBlocks::NoCluster - cluster;
+    const std::array<int, 2> ends{ clusters[0], clusters[last] };
+    int others = 0;
+    for (int i = 0; i <= last; ++i)
+    {
+      others |= (clusters[i] != ends[0]) & (clusters[i] != ends[1]);
+    }
+    for (const int end : ends)
+    {
+      others |= end != 0 && end < own;
+    }
+    if (others != 0)
+    {
+      return false;
+    }
+    if (ends[0] == 0 || ends[1] == 0)
+    {
+      int unknown = 0;
+      for (int i = 0; i <= last; ++i)
+      {
+        unknown += clusters[i] == 0;
+        clusters[i] = clusters[i] == 0 ? own : clusters[i];
+      }
+      this->NumberOfNodes += unknown;
+    }
+    for (const int end : ends)
+    {
+      if (end > own)
+      {
+        this->AddLink(cluster, MeshBlocks::NoCluster - end);
+      }
+    }
+    return true;
+  }
+
+  void JoinLine(const CellRow::Line& line, int cluster)
+  {
+    const int own = MeshBlocks::NoCluster - cluster;
+    int known = own; // earlier cluster at the node before: most are the same
+    for (const Id node : line)
+    {
+      std::atomic<int>& first = Shared(this->Clusters[node]);
+      const int seen = first.load(std::memory_order_relaxed);
+      if (seen != own && seen != known)
+      {
+        known = this->JoinNode(first, seen, own);
+        if (known != own)
+        {
+          this->AddLink(cluster, MeshBlocks::NoCluster - known);
+        }
+      }
+    }
+  }
+
   /// @param isCluster links to earlier clusters are to be added.
   void JoinCorners(const std::array<Id, 8>& nodes, const int* corners, int count, int cluster,
     bool isCluster, std::array<int, 8>& known)
   {
-    std::atomic<int>* const clusters = this->Clusters;
+    int* const clusters = this->Clusters;
     const int own = MeshBlocks::NoCluster - cluster;
     for (int k = 0; k < count; ++k)
     {
       const int i = corners[k];
-      const int seen = clusters[nodes[i]].load(std::memory_order_relaxed);
+      std::atomic<int>& first = Shared(clusters[nodes[i]]);
+      const int seen = first.load(std::memory_order_relaxed);
       if (seen != own && seen != known[i])
       {
-        known[i] = this->JoinNode(clusters[nodes[i]], seen, own);
+        known[i] = this->JoinNode(first, seen, own);
         if (isCluster && known[i] != own)
         {
           this->AddLink(cluster, MeshBlocks::NoCluster - known[i]);
@@ -158,21 +217,20 @@ private:
   void AddLink(int cluster, int earlier)
   {
     // Those of a cluster are the last ones.
-    const std::pair<int, int> link(cluster, earlier);
     for (auto known = this->Links.rbegin(); known != this->Links.rend() && known->first == cluster;
          ++known)
     {
-      if (*known == link)
+      if (known->second == earlier)
       {
         return;
       }
     }
-    this->Links.push_back(link);
+    this->Links.emplace_back(cluster, earlier);
   }
 
   const HexMesh& Mesh;
   MeshBlocks& Blocks;
-  std::atomic<int>* Clusters;
+  int* Clusters;
   bool Alone;
   MeshBlocks::LinkList Later; ///< from runs that another thread came to first
 };

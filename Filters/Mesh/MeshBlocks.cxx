@@ -5,6 +5,7 @@
 #include "ClusterJoiner.h"
 #include "Jacobian.h"
 #include "Runs.h"
+#include "WideLanes.h"
 
 #include <algorithm>
 #include <atomic>
@@ -107,8 +108,8 @@ template <typename Coordinate>
 class BlockScan
 {
 public:
-  BlockScan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks,
-    std::atomic<int>* clusters, bool alone)
+  BlockScan(
+    const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks, int* clusters, bool alone)
     : Mesh(mesh)
     , Points(points)
     , Blocks(blocks)
@@ -281,13 +282,17 @@ bool Scan(const HexMesh& mesh, const Coordinate* points, MeshBlocks& blocks)
     {
       ClusterArrays::Array& array = clusters.Take();
       BlockScan<Coordinate> scan(mesh, points, blocks, array.data(), clusters.AreApart());
-      for (Id b = begin; b < end && good; ++b)
-      {
-        if (!scan.Scan(b))
+      nurbs::WithWideLanes( // of nodes and boxes several are looked at at once
+        [&](auto)
         {
-          good = false;
-        }
-      }
+          for (Id b = begin; b < end && good; ++b)
+          {
+            if (!scan.Scan(b))
+            {
+              good = false;
+            }
+          }
+        });
       clusters.Give(array);
       ClusterJoiner& joiner = scan.Joined();
       joiner.Links.shrink_to_fit();
@@ -310,7 +315,7 @@ bool ScanMesh(const HexMesh& mesh, MeshBlocks& blocks)
   blocks.FirstLength.resize(NumberOfRuns(mesh.NumberOfCells, MeshBlocks::CellsPerClusterRun));
   blocks.Counts.resize(blocks.FirstLength.size());
   blocks.FirstNodes.resize(blocks.FirstLength.size());
-  blocks.ClusterOfNode = PageVector<std::atomic<int>>(mesh.NumberOfPoints);
+  blocks.ClusterOfNode = PageVector<int>(mesh.NumberOfPoints);
   return mesh.PointsDouble ? Scan(mesh, mesh.PointsDouble, blocks)
                            : Scan(mesh, mesh.PointsFloat, blocks);
 }

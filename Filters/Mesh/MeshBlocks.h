@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -57,7 +56,7 @@ struct MeshBlocks
   std::vector<unsigned char> Counts;
   UnsetVector<std::array<int, 8>> FirstNodes;
   /// How far the first cluster of each node is before NoCluster; 0: it has none.
-  PageVector<std::atomic<int>> ClusterOfNode;
+  PageVector<int> ClusterOfNode;
   /// Cluster and one before it with a common node. All clusters with a node are linked with one
   /// another, through others or through runs that are no clusters.
   using LinkList = std::vector<std::pair<int, int>>;
@@ -90,10 +89,7 @@ struct MeshBlocks
   }
   /// The first cluster with a node, or with it in a run that is no clusters; NoCluster: no cell
   /// uses it.
-  int FirstClusterOf(Id node) const
-  {
-    return NoCluster - this->ClusterOfNode[node].load(std::memory_order_relaxed);
-  }
+  int FirstClusterOf(Id node) const { return NoCluster - this->ClusterOfNode[node]; }
   static constexpr int NoCluster = std::numeric_limits<int>::max();
 
   Id NumberOfBlocks() const { return static_cast<Id>(this->Boxes.size()); }
