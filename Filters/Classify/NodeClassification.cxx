@@ -278,6 +278,28 @@ std::vector<MixedNode> ListMixedNodes(const HexMesh& mesh, const Piece& piece, c
   return mixed;
 }
 
+/// So many nodes are looked at at once: as many as a run of cells in a row adds to those before.
+constexpr Id ManyNodes = MeshBlocks::CellsPerClusterRun;
+
+/// Whether so many nodes have the same first cluster and no side yet.
+/// @param status of the first of them.
+bool AreAlike(const MeshBlocks& blocks, Id first, const unsigned char* status)
+{
+  const int* const clusters = &blocks.ClusterOfNode[first];
+  if (clusters[0] != clusters[ManyNodes - 1])
+  {
+    return false;
+  }
+  int differ = 0;
+  unsigned char known = 0;
+  for (Id k = 0; k < ManyNodes; ++k)
+  {
+    differ |= clusters[k] ^ clusters[0];
+    known |= status[k] ^ NodeUnknown;
+  }
+  return differ == 0 && known == 0;
+}
+
 /// Gives nodes the side of their set; returns, ascending, those that still have none.
 template <typename Index>
 std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks,
@@ -299,6 +321,12 @@ std::vector<Id> AssignSidesOfNodes(const HexMesh& mesh, const MeshBlocks& blocks
         }
         const int cluster = blocks.FirstClusterOf(i);
         const unsigned char side = cluster == MeshBlocks::NoCluster ? unknown : sides[cluster];
+        if (side != NodeUnknown && i + ManyNodes <= end && AreAlike(blocks, i, status + i))
+        {
+          std::fill_n(status + i, ManyNodes, side);
+          i += ManyNodes - 1;
+          continue;
+        }
         status[i] = side == NodeUnknown ? ofRoot.Of(sets.Find(i)) : side;
         if (status[i] == NodeUnknown)
         {

@@ -1,5 +1,6 @@
 #include "TrimPipeline.h"
 
+#include "CountBytes.h"
 #include "CutColumns.h"
 #include "ElementClassification.h"
 #include "EndInside.h"
@@ -288,7 +289,7 @@ Id CountKept(const Piece& piece, const TrimResult& result)
   {
     inserted += band.IsInserted(e) && result.Near->Trimmed.Kept[e];
   }
-  return piece.All.Sum(Id(std::count(result.Kept.begin(), result.Kept.end(), 1))) + inserted;
+  return piece.All.Sum(CountBytes(result.Kept, 1)) + inserted;
 }
 
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,

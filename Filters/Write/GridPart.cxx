@@ -1,6 +1,7 @@
 #include "GridPart.h"
 
 #include "ArrayRanges.h"
+#include "CountBytes.h"
 #include "FindingArrays.h"
 #include "FollowingIds.h"
 #include "GatherAttributes.h"
@@ -172,6 +173,25 @@ void InterleaveInserted(GridPart& part)
 
 }
 
+namespace
+{
+
+/// So many points are looked at at once.
+constexpr Id ManyFlags = 32;
+
+/// Whether so many points are all flagged or none of them is.
+bool AreAlike(const unsigned char* flags)
+{
+  unsigned char differ = 0;
+  for (Id k = 0; k < ManyFlags; ++k)
+  {
+    differ |= flags[k] ^ flags[0];
+  }
+  return differ == 0;
+}
+
+}
+
 void NumberFlagged(const PointFlags& flags, GridPart& part)
 {
   const auto count = static_cast<Id>(flags.size());
@@ -179,7 +199,7 @@ void NumberFlagged(const PointFlags& flags, GridPart& part)
   std::vector<Id> first(runs + 1, 0);
   ForRuns(count,
     [&](Id run, Id begin, Id end)
-    { first[run + 1] = std::count(flags.begin() + begin, flags.begin() + end, 1); });
+    { first[run + 1] = CountBytes<unsigned char>(flags.data() + begin, flags.data() + end, 1); });
   for (Id run = 0; run < runs; ++run)
   {
     first[run + 1] += first[run];
@@ -195,6 +215,19 @@ void NumberFlagged(const PointFlags& flags, GridPart& part)
       for (Id p = begin; p < end; ++p)
       {
         const bool set = flags[p] != 0;
+        if (p + ManyFlags <= end && AreAlike(&flags[p]))
+        {
+          for (Id k = 0; k < ManyFlags; ++k)
+          {
+            numbers[p + k] = set ? static_cast<int>(next + k) : -1;
+          }
+          for (Id k = 0; set && k < ManyFlags; ++k)
+          {
+            points[next++] = p + k;
+          }
+          p += ManyFlags - 1;
+          continue;
+        }
         numbers[p] = set ? static_cast<int>(next) : -1;
         if (set)
         {

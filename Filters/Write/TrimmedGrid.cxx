@@ -1,6 +1,7 @@
 #include "TrimmedGrid.h"
 
 #include "ArrayRanges.h"
+#include "CountBytes.h"
 #include "FindingArrays.h"
 #include "Rescue.h"
 #include "Status.h"
@@ -154,7 +155,7 @@ void CollectCells(const HexMesh& mesh, const TrimResult& result, GridPart& kept)
   std::vector<Id> first(runs + 1, 0);
   ForRuns(mesh.NumberOfCells,
     [&](Id run, Id begin, Id end) {
-      first[run + 1] = std::count(result.Kept.begin() + begin, result.Kept.begin() + end, char(1));
+      first[run + 1] = CountBytes(result.Kept.data() + begin, result.Kept.data() + end, char(1));
     });
   const std::vector<CellInBand> band = CellsInBand(result);
   for (const CellInBand& cell : band)
@@ -212,9 +213,7 @@ void Summarise(const Ranks& ranks, const TrimResult& result, const GridPart& kep
   summary.InsertedElements = ranks.Sum(inserted);
   summary.Kept = ranks.Sum(kept.Cells.size()) - summary.InsertedElements;
   summary.Eliminated = ranks.Sum(static_cast<Id>(result.Kept.size())) - summary.Kept;
-  const Id treated =
-    std::count(result.ElementStatus.begin(), result.ElementStatus.end(), ElementToTreat);
-  summary.Treated = ranks.Sum(treated);
+  summary.Treated = ranks.Sum(CountBytes(result.ElementStatus, ElementToTreat));
   // The band, and all that is counted in it, is the same on every rank.
   if (result.Near)
   {
