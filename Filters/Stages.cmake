@@ -61,6 +61,7 @@ add_library(NURBSTrimStages STATIC
   Treat/GuardedMesh.cxx
   Treat/InsertedLayer.cxx
   Treat/JointRelaxation.cxx
+  Treat/LayerPits.cxx
   Treat/LayerRelaxation.cxx
   Treat/LayerSkin.cxx
   Treat/LeastSquaresStep.cxx

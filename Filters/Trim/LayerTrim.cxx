@@ -1,6 +1,7 @@
 #include "LayerTrim.h"
 
 #include "InsertedLayer.h"
+#include "LayerPits.h"
 #include "LayerRelaxation.h"
 #include "LayerRoom.h"
 #include "LayerSkin.h"
@@ -25,6 +26,8 @@ constexpr int MostClimbs = 3;
 /// those of which they were began with 68 of 551 at most, or 39 of 93.
 constexpr std::size_t MostBelow = 100;
 constexpr double LargestShareBelow = 0.2;
+/// Nodes left off the surface with elements of the layer left out, of those left without.
+constexpr std::size_t MostByPits = 2;
 /// Squares of distances, in edges, that a layer leaves before nodes return, and after: of 530 those
 /// that came below the limit had 11.1 and 0.5 more than four times that at the most.
 struct MostLeftBy
@@ -293,6 +296,27 @@ bool ClimbWithLayer(TrimBand& layered, const LayerDemand& demand, bool isLast, c
   return isOfUse;
 }
 
+/// Leaves faulty elements of the layer out where that leaves no more nodes off the surface than
+/// are left anyway: in a long layer one is faulty somewhere whatever is kept.
+void DigFewPits(TrimBand& layered, const BandTask& task)
+{
+  const std::vector<int> faulty = FaultyElements(layered);
+  const TrimmedBand before = layered.Trimmed;
+  if (faulty.empty() || !DigPits(layered.Mesh, layered.Structure, faulty, layered.Trimmed))
+  {
+    return;
+  }
+  auto left = FindNodesLeft(layered, task.Surface, task.Precision);
+  if (left.size() <= MostByPits * layered.NodesLeft.size())
+  {
+    layered.NodesLeft = std::move(left);
+  }
+  else
+  {
+    layered.Trimmed = before;
+  }
+}
+
 /// What comes after the climb.
 void Complete(TrimBand& layered, const TrimBand& near, const LayerSearch& search,
   const BandTask& task, const Progress& progress)
@@ -305,6 +329,7 @@ void Complete(TrimBand& layered, const TrimBand& near, const LayerSearch& search
   TellInserted(band, layered.Trimmed.NodeMoves);
   TellFates(band, layered.Structure, search, layered.Trimmed.AgainstVolume);
   layered.NodesLeft = FindNodesLeft(layered, task.Surface, task.Precision);
+  DigFewPits(layered, task);
   layered.Shares = SharesOfOrigins(band, near.Shares);
   for (const Origin& origin : band.ElementOrigins)
   {

@@ -13,9 +13,10 @@ Shortcomings MeasureLeft(const TrimBand& near)
   sum.Elements =
     near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() + near.Rest.Invalid.size();
   sum.Squares = SquaresOfElement * static_cast<double>(near.Rest.BelowFloor.size());
+  const std::vector<char> atCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
   for (const auto& [left, distance] : near.NodesLeft)
   {
-    if (near.Mesh.IsInsertedNode(left))
+    if (near.Mesh.IsInsertedNode(left) && !atCut[left])
     {
       continue; // it sticks out under one of the new boundary
     }

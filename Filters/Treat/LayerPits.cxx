@@ -1,0 +1,69 @@
+#include "LayerPits.h"
+
+#include "Manifold.h"
+#include "NodesOfElements.h"
+
+#include <algorithm>
+
+namespace trim
+{
+namespace
+{
+
+/// Those of the columns that elements are in.
+std::vector<int> ColumnMates(
+  const Band& layered, const Columns& columns, const std::vector<int>& elements)
+{
+  std::vector<char> asked(layered.NumberOfElements(), 0);
+  for (const int e : elements)
+  {
+    asked[columns.Column[e]] = 1;
+  }
+  std::vector<int> mates;
+  for (int e = 0; e < layered.NumberOfElements(); ++e)
+  {
+    if (asked[columns.Column[e]])
+    {
+      mates.push_back(e);
+    }
+  }
+  return mates;
+}
+
+}
+
+bool DigPits(
+  const Band& layered, const Columns& columns, const std::vector<int>& faulty, TrimmedBand& trimmed)
+{
+  const std::vector<int> pits = ColumnMates(layered, columns, faulty);
+  std::vector<char> kept = trimmed.Kept;
+  for (const int e : pits)
+  {
+    kept[e] = 0;
+  }
+  const std::vector<int> nodes = NodesOf(layered, pits);
+  const bool isSound =
+    std::all_of(pits.begin(), pits.end(), [&](int e) { return layered.IsInserted(e); }) &&
+    std::all_of(nodes.begin(), nodes.end(), [&](int n) { return IsManifoldAt(layered, kept, n); });
+  if (!isSound)
+  {
+    return false;
+  }
+  trimmed.Kept = std::move(kept);
+  for (const int n : nodes)
+  {
+    if (layered.IsInsertedNode(n))
+    {
+      trimmed.Moving[n] = 1;
+      trimmed.NodeMoves.Left[n] = 1;
+    }
+  }
+  for (auto* list : { &trimmed.BelowFloor, &trimmed.Invalid })
+  {
+    list->erase(std::remove_if(list->begin(), list->end(), [&](int e) { return !trimmed.Kept[e]; }),
+      list->end());
+  }
+  return true;
+}
+
+}
