@@ -108,6 +108,7 @@ add_library(NURBSTrimStages STATIC
   Trim/InputScale.cxx
   Trim/InputTimes.cxx
   Trim/LayerRoom.cxx
+  Trim/LayerSearch.cxx
   Trim/LayerTrim.cxx
   Trim/LooseParts.cxx
   Trim/LostVolume.cxx

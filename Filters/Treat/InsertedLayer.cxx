@@ -69,12 +69,13 @@ DirectionBehind DirectionBehindAll(const FacesAtCut& faces)
 class LayerBuilder
 {
 public:
-  LayerBuilder(
-    const Band& band, const Columns& columns, const NodeMover& mover, const std::vector<char>& kept)
+  LayerBuilder(const Band& band, const Columns& columns, const NodeMover& mover,
+    const std::vector<char>& kept, const std::vector<char>& bare)
     : TheBand(band)
     , TheColumns(columns)
     , Mover(mover)
     , Kept(kept)
+    , Bare(bare)
     , AllKept(band.NumberOfNodes(), NodeKeep)
     , InnerNode(band.NumberOfNodes(), -1)
   {
@@ -237,7 +238,7 @@ private:
     std::vector<int> nodes;
     for (int n = 0; n < this->TheBand.NumberOfNodes(); ++n)
     {
-      if (onCut[n] && !HasRoomForLayer(this->TheBand, this->Kept, n))
+      if (onCut[n] && !this->Bare[n] && !HasRoomForLayer(this->TheBand, this->Kept, n))
       {
         nodes.push_back(n);
       }
@@ -257,8 +258,8 @@ private:
       for (std::size_t n = 0; n < cells.Nodes.size(); ++n)
       {
         auto& node = cells.Nodes[n];
-        unplaced[n] =
-          node.From.Inserted && !this->PlaceBehind(node.From.Index, share[n], node.Point);
+        unplaced[n] = node.From.Inserted && !this->Bare[node.From.Index] &&
+          !this->PlaceBehind(node.From.Index, share[n], node.Point);
       }
       noRoom = this->FindNoRoom(cells, unplaced, share);
       if (noRoom.empty())
@@ -322,23 +323,28 @@ private:
     return nodes;
   }
 
-  /// Whether a cell with new nodes is.
-  static bool IsInvalid(const BandCells& cells, const BandCells::Cell& cell)
+  /// Whether a cell with new nodes is that did not come so.
+  bool IsInvalid(const BandCells& cells, const BandCells::Cell& cell) const
   {
-    ElementPoints points;
-    bool changed = false;
+    ElementPoints points, before;
+    bool changed = false, goes = false;
     for (int i = 0; i < cell.Count; ++i)
     {
-      points[i] = cells.Nodes[cell.Node[i]].Point;
-      changed |= cells.Nodes[cell.Node[i]].From.Inserted;
+      const auto& node = cells.Nodes[cell.Node[i]];
+      points[i] = node.Point;
+      before[i] = this->TheBand.Point[node.From.Index];
+      changed |= points[i] != before[i];
+      goes |= cell.From.Inserted && this->Bare[node.From.Index];
     }
-    return changed && !(MeasureJacobian(points, cell.Count).Bezier > 0.0);
+    const auto isInvalid = [&cell](const ElementPoints& p)
+    { return !(MeasureJacobian(p, cell.Count).Bezier > 0.0); };
+    return changed && !goes && isInvalid(points) && (cell.From.Inserted || !isInvalid(before));
   }
 
   const Band& TheBand;
   const Columns& TheColumns;
   const NodeMover& Mover;
-  const std::vector<char>& Kept;
+  const std::vector<char>&Kept, &Bare;
   std::vector<unsigned char> AllKept; ///< status of the nodes as if there were no cut
   std::vector<int> InnerNode;         ///< by node of the band: the new one behind it, -1: none
   std::vector<int> CutFaces;          ///< the layer's elements stand on, in their order
@@ -353,9 +359,17 @@ bool HasRoomForLayer(const Band& band, const std::vector<char>& kept, int node)
 }
 
 std::vector<int> InsertLayer(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& kept, BandCells& cells)
+  const std::vector<char>& kept, const std::vector<char>& bare, BandCells& cells)
 {
-  return LayerBuilder(band, columns, mover, kept).Build(cells);
+  return LayerBuilder(band, columns, mover, kept, bare).Build(cells);
+}
+
+bool IsOnBareNode(const Band& layered, const std::vector<char>& bare, int e)
+{
+  const BandElement& element = layered.Elements[e];
+  return layered.IsInserted(e) &&
+    std::any_of(
+      element.begin(), element.end(), [&](int n) { return bare[NodeWithoutLayer(layered, n)]; });
 }
 
 }

@@ -27,12 +27,17 @@ bool HasRoomForLayer(const Band& band, const std::vector<char>& kept, int node);
  * the model along it. The model has the shape that it had.
  *
  * @param mover of the band.
+ * @param bare nodes, by node, where there is to be no layer: the elements on faces with such a node
+ * are without volume, as it stays where it is, and are to be eliminated.
  * @param[out] cells made anew; status, rings and ids as in the band, of inserted nodes and cells
  * their Origin: the node whose place was taken, the kept element on whose face it stands.
  * @return the nodes of the cut where there is no room for it; empty: it stands.
  */
 std::vector<int> InsertLayer(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& kept, BandCells& cells);
+  const std::vector<char>& kept, const std::vector<char>& bare, BandCells& cells);
+
+/// Whether an element is one that has to be eliminated, as a node on which it stands is bare.
+bool IsOnBareNode(const Band& layered, const std::vector<char>& bare, int element);
 
 }
 

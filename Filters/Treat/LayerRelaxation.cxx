@@ -1,5 +1,6 @@
 #include "LayerRelaxation.h"
 
+#include "InsertedLayer.h"
 #include "Jacobian.h"
 #include "JointRelaxation.h"
 #include "Moves.h"
@@ -30,7 +31,7 @@ void UndoSpoiled(const Band& layered, const BandQuality& quality,
     for (std::size_t e = 0; e < elements.size(); ++e)
     {
       const auto& element = elements[e];
-      const bool spoiled = layered.HasInsertedNode(static_cast<int>(e)) &&
+      const bool spoiled = element.Count > 0 && layered.HasInsertedNode(static_cast<int>(e)) &&
         quality.Spoils(static_cast<int>(e), PointsAt(moves.Position, element), element.Count);
       for (int i = 0; spoiled && i < element.Count; ++i)
       {
@@ -62,15 +63,17 @@ bool TakePlaces(const Band& layered, const Moves& moves, BandCells& cells)
 }
 
 bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality,
-  double goal, BandCells& cells)
+  double goal, const std::vector<char>& bare, BandCells& cells)
 {
   std::vector<RelaxedElement> elements;
   std::vector<int> below;
   for (int e = 0; e < layered.NumberOfElements(); ++e)
   {
     const BandElement& element = layered.Elements[e];
-    elements.push_back({ element.Count, element.Node });
-    if (layered.HasInsertedNode(e) && ScaledJacobian(PointsOf(layered, e), element.Count) < goal)
+    const bool stays = !IsOnBareNode(layered, bare, e);
+    elements.push_back({ stays ? element.Count : 0, element.Node });
+    if (stays && layered.HasInsertedNode(e) &&
+      ScaledJacobian(PointsOf(layered, e), element.Count) < goal)
     {
       below.push_back(e);
     }

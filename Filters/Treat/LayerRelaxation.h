@@ -20,11 +20,12 @@ namespace trim
  * @param mover of it.
  * @param quality what spoils an element of it.
  * @param goal scaled Jacobian.
+ * @param bare see InsertLayer.
  * @param[in,out] cells what the band was made of; the inserted nodes get their places.
  * @return false if none moved.
  */
 bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality,
-  double goal, BandCells& cells);
+  double goal, const std::vector<char>& bare, BandCells& cells);
 
 }
 

@@ -1,6 +1,5 @@
 #include "BestLayer.h"
 
-#include "LayerTrim.h"
 #include "Team.h"
 
 #include <algorithm>
@@ -42,15 +41,19 @@ std::unique_ptr<TrimBand> BestLayer::Find(
   }
   const bool isNew = std::none_of(
     this->Trims.begin(), this->Trims.end(), [](const auto& made) { return made.has_value(); });
-  constexpr auto count = static_cast<double>(Shares.size());
+  constexpr auto count = static_cast<double>(Kinds.size());
   // In a large band threads share the work on one, and none need be made in vain.
   const std::size_t ahead = this->Near.Mesh.NumberOfElements() < ManyElements ? 0 : 1;
   std::unique_ptr<TrimBand> best;
   std::size_t ofBest = 0;
-  for (std::size_t i = 0; i < Shares.size() && !(best && best->NodesLeft.empty()) &&
+  for (std::size_t i = 0; i < Kinds.size() && !(best && best->NodesLeft.empty()) &&
        !progress(static_cast<double>(i) / count);
        ++i)
   {
+    if (Kinds[i].MayBeBare && best && MeasureLeft(*best) < limit)
+    {
+      break;
+    }
     if (isNew && i == ahead && Team::Current())
     {
       this->MakeAhead(i, progress);
@@ -77,14 +80,15 @@ std::unique_ptr<TrimBand> BestLayer::Find(
 std::unique_ptr<TrimBand> BestLayer::Make(std::size_t trim, const Progress& progress) const
 {
   return TrimWithLayer(
-    this->Near, this->Before, Shares[trim], { this->GivesUp, this->Limit }, this->Task, progress);
+    this->Near, this->Before, Kinds[trim], { this->GivesUp, this->Limit }, this->Task, progress);
 }
 
-/// Makes all of them from one on at once, by threads; those after one that leaves nothing end, as
-/// hardly anybody will ask for them.
+/// Makes all of them from one on at once, by threads, but for those that may have bare nodes; those
+/// after one that leaves nothing end, as hardly anybody will ask for them.
 void BestLayer::MakeAhead(std::size_t first, const Progress& progress)
 {
-  const Id count = static_cast<Id>(Shares.size());
+  const Id count = static_cast<Id>(std::count_if(
+    Kinds.begin(), Kinds.end(), [](const LayerKind& kind) { return !kind.MayBeBare; }));
   std::atomic<Id> last{ count };
   ParallelFor(static_cast<Id>(first), count, 1,
     [&](Id begin, Id end)

@@ -5,8 +5,7 @@
 #ifndef BestLayer_h
 #define BestLayer_h
 
-#include "BandDecision.h"
-#include "Shortcomings.h"
+#include "LayerTrim.h"
 
 #include <array>
 #include <memory>
@@ -27,9 +26,11 @@ public:
   std::unique_ptr<TrimBand> Find(const Shortcomings& limit, bool known, const Progress& progress);
 
 private:
-  /// How much of the elements under the layer may lie beyond the surface: the less, the more there
-  /// is for the layer to fill, which the border of the model may not let it.
-  static constexpr std::array<double, 3> Shares = { 0.25, 0.5, 0.1 };
+  /// The less of the elements under the layer may lie beyond the surface, the more there is for it
+  /// to fill, which the border of the model may not let it. Last, where none of these is of use, it
+  /// may be left out at some nodes.
+  static constexpr std::array<LayerKind, 4> Kinds = { { { 0.25, false }, { 0.5, false },
+    { 0.1, false }, { 0.25, true } } };
 
   std::unique_ptr<TrimBand> Make(std::size_t trim, const Progress& progress) const;
   void MakeAhead(std::size_t first, const Progress& progress);
@@ -39,8 +40,8 @@ private:
   std::shared_ptr<const Band> Before;
   bool GivesUp = true;               ///< see TrimWithLayer
   std::optional<Shortcomings> Limit; ///< the same
-  /// By Shares: none is not made yet, null is of no use, as there is no room or another is better.
-  std::array<std::optional<std::unique_ptr<TrimBand>>, Shares.size()> Trims;
+  /// By Kinds: none is not made yet, null is of no use, as there is no room or another is better.
+  std::array<std::optional<std::unique_ptr<TrimBand>>, Kinds.size()> Trims;
 };
 
 }

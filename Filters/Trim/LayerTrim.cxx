@@ -1,10 +1,6 @@
 #include "LayerTrim.h"
 
-#include "InsertedLayer.h"
 #include "LayerPits.h"
-#include "LayerRelaxation.h"
-#include "LayerRoom.h"
-#include "LayerSkin.h"
 #include "NodesOfElements.h"
 #include "Shortfalls.h"
 #include "StickingNodes.h"
@@ -18,8 +14,6 @@ namespace trim
 namespace
 {
 
-/// How often the fates of elements are changed to give a layer room.
-constexpr int MostAttempts = 24;
 /// How often they are changed where elements of the layer are not good enough in the end.
 constexpr int MostClimbs = 3;
 /// More elements below the floor, and more of those at the layer, are not raised all: of 416 layers
@@ -35,151 +29,6 @@ struct MostLeftBy
   double Squares, TimesLimit;
 };
 constexpr MostLeftBy MostAtFirst{ 12.0, 4.0 }, MostReturned{ 1.0, 4.0 };
-
-/// By whole columns in a sheet, element by element in a block: there the layer makes up for it.
-Columns ColumnsFor(const Band& band, bool isSheet)
-{
-  Columns columns = FindColumns(band);
-  return isSheet && columns.AllHaveThickness() && columns.Complete(band, 2)
-    ? columns
-    : NoColumns(band, std::move(columns.Part));
-}
-
-/// Of each element the largest share in its column.
-VolumeShares LargestOfColumns(const VolumeShares& shares, const Columns& columns)
-{
-  VolumeShares reach = shares;
-  std::vector<double> largest(shares.Element.size(), 0.0);
-  for (std::size_t e = 0; e < largest.size(); ++e)
-  {
-    double& ofColumn = largest[columns.Column[e]];
-    ofColumn = std::max(ofColumn, shares.Element[e]);
-  }
-  for (std::size_t e = 0; e < largest.size(); ++e)
-  {
-    reach.Column[e] = largest[columns.Column[e]];
-  }
-  return reach;
-}
-
-/// Looks for what is to be kept so that a layer on it has room.
-class LayerSearch
-{
-public:
-  LayerSearch(const TrimBand& near, const std::shared_ptr<const Band>& before, bool isSheet,
-    double largestShare, const BandTask& task)
-    : Near(near)
-    , Before(before)
-    , IsSheet(isSheet)
-    , LargestShare(largestShare)
-    , Task(task)
-    , TheColumns(ColumnsFor(near.Mesh, isSheet))
-    , Reach(LargestOfColumns(near.Shares, this->TheColumns))
-    , TheDecision(near.Mesh, this->TheColumns, this->Reach, task.Surface, largestShare, false)
-    , Mover(near.Mesh, this->TheColumns, task.Surface, task.Precision, false, nullptr,
-        task.Options.Ladder.StaysInside)
-    , Room(near.Mesh, this->TheColumns, this->Reach)
-    , Fates(near.Mesh.NumberOfElements(), Fate::ByVolume)
-  {
-  }
-
-  LayerSearch(const LayerSearch&) = delete; // the members refer to each other
-  void operator=(const LayerSearch&) = delete;
-
-  /// The band with a layer as good as it can be before any correction; none: there is no room.
-  std::optional<Band> Find()
-  {
-    for (int attempt = 0; attempt < MostAttempts; ++attempt)
-    {
-      this->Kept = this->TheDecision.Take(this->Fates);
-      BandCells cells;
-      const std::vector<int> noRoom =
-        InsertLayer(this->Near.Mesh, this->TheColumns, this->Mover, this->Kept, cells);
-      if (noRoom.empty())
-      {
-        return this->Relaxed(std::move(cells));
-      }
-      if (!this->PartElsewhere(noRoom))
-      {
-        break;
-      }
-    }
-    return std::nullopt;
-  }
-
-  /// Other elements at some nodes are to be kept from now on; false if there is no other choice.
-  bool PartElsewhere(const std::vector<int>& nodes)
-  {
-    return this->Room.PartElsewhere(this->Kept, nodes, this->Fates);
-  }
-
-  /// What Find has kept of the mesh.
-  const std::vector<char>& KeptUnderIt() const { return this->Kept; }
-
-  /// Whether an element went, or stays, that neither its volume nor the layer's own share would
-  /// have gone, or stay: to give the layer room, or with others of its column.
-  bool IsAgainstVolume(int e) const
-  {
-    const auto& shares = this->Near.Shares;
-    const double share = this->TheColumns.HasThickness(e) ? shares.Column[e] : shares.Element[e];
-    const auto [least, most] =
-      std::minmax(this->LargestShare, this->Task.Options.Ladder.EliminationFraction);
-    return this->Kept[e] ? share > most : share <= least;
-  }
-
-  /// See ReturnToSkin.
-  void ReturnToSkin(const Band& layered, TrimmedBand& trimmed) const
-  {
-    const LadderOptions& options = this->Task.Options.Ladder;
-    const BandQuality quality(layered, options.Treatment, options.QualityFloor);
-    trim::ReturnToSkin(layered, this->TheColumns, this->Mover, this->Kept, quality, trimmed);
-  }
-
-private:
-  Band MakeBand(const BandCells& cells) const
-  {
-    Band layered(cells, this->Near.Mesh.NumberOfRings(), this->Near.Mesh.SinglePrecision);
-    layered.BeforeLayer = this->Before;
-    return layered;
-  }
-
-  Band Relaxed(BandCells cells) const
-  {
-    Band layered = this->MakeBand(cells);
-    const Columns columns = ColumnsFor(layered, this->IsSheet);
-    const LadderOptions& options = this->Task.Options.Ladder;
-    const NodeMover mover(layered, columns, this->Task.Surface, this->Task.Precision, false,
-      nullptr, options.StaysInside);
-    const BandQuality quality(layered, options.Treatment, options.QualityFloor);
-    return RelaxLayer(layered, mover, quality, options.QualityFloor, cells) ? this->MakeBand(cells)
-                                                                            : layered;
-  }
-
-  const TrimBand& Near;
-  const std::shared_ptr<const Band>& Before;
-  bool IsSheet;
-  double LargestShare;
-  const BandTask& Task;
-  Columns TheColumns;
-  VolumeShares Reach;
-  Decision TheDecision;
-  NodeMover Mover;
-  LayerRoom Room;
-  std::vector<Fate> Fates;
-  std::vector<char> Kept;
-};
-
-/// By which what is kept stays so, the layer with it, and nothing else.
-VolumeShares SharesByFate(const Band& layered, const std::vector<char>& kept)
-{
-  VolumeShares shares;
-  for (const Origin& origin : layered.ElementOrigins)
-  {
-    shares.Element.push_back(kept[origin.Index] ? 0.0 : 1.0);
-  }
-  shares.Column = shares.Element;
-  return shares;
-}
 
 VolumeShares SharesOfOrigins(const Band& layered, const VolumeShares& shares)
 {
@@ -340,11 +189,11 @@ void Complete(TrimBand& layered, const TrimBand& near, const LayerSearch& search
 }
 
 std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
-  const std::shared_ptr<const Band>& before, double largestShare, const LayerDemand& demand,
+  const std::shared_ptr<const Band>& before, const LayerKind& kind, const LayerDemand& demand,
   const BandTask& task, const Progress& progress)
 {
   const bool isSheet = near.Structure.AllHaveThickness() && near.Structure.ChosenByCut.empty();
-  LayerSearch search(near, before, isSheet, largestShare, task);
+  LayerSearch search(near, before, isSheet, kind, task);
   std::unique_ptr<TrimBand> best;
   std::size_t fewest = 0;
   for (int climb = 0; climb < MostClimbs && !progress(-1.0); ++climb)
@@ -357,8 +206,8 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
     const Progress part =
       Part(progress, static_cast<double>(climb) / MostClimbs, (climb + 1.0) / MostClimbs);
     auto layered = std::make_unique<TrimBand>(std::move(*mesh));
-    layered->Structure = ColumnsFor(layered->Mesh, isSheet);
-    layered->Shares = SharesByFate(layered->Mesh, search.KeptUnderIt());
+    layered->Structure = ColumnsForLayer(layered->Mesh, isSheet);
+    layered->Shares = search.SharesByFate(layered->Mesh);
     const bool isLast = climb + 1 == MostClimbs;
     if (!ClimbWithLayer(*layered, demand, isLast, task, Part(part, 0.0, 0.8)))
     {
@@ -370,7 +219,7 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
       // By other fates it mostly would, too.
       const BandOptions inside = task.Options.StayingInside();
       return TrimWithLayer(
-        near, before, largestShare, demand, { task.Surface, task.Precision, inside }, part);
+        near, before, kind, demand, { task.Surface, task.Precision, inside }, part);
     }
     const std::vector<int> faulty = FaultyElements(*layered);
     const std::vector<int> nodes = NodesWithoutLayer(layered->Mesh, faulty);

@@ -6,6 +6,7 @@
 #define LayerTrim_h
 
 #include "BandDecision.h"
+#include "LayerSearch.h"
 #include "Shortcomings.h"
 
 #include <memory>
@@ -30,12 +31,11 @@ struct LayerDemand
  *
  * @param near trimmed without.
  * @param before its mesh.
- * @param largestShare how much of an element, in a sheet of one of its column, may lie beyond.
  * @param demand what a layer is not made to the end without.
  * @return null where there is no room for a layer, or none of use.
  */
 std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
-  const std::shared_ptr<const Band>& before, double largestShare, const LayerDemand& demand,
+  const std::shared_ptr<const Band>& before, const LayerKind& kind, const LayerDemand& demand,
   const BandTask& task, const Progress& progress);
 
 }
