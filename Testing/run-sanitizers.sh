@@ -23,8 +23,9 @@ cmake -S "$project" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLA
 targets=(Testing/Support/all Testing/Geometry/all Testing/Read/all Testing/Filters/all Testing/Fuzz/all)
 tests=(-L 'kernel|reader|filter|fuzz' -E 'TrimDeterminism-small')
 if [ "$sanitizer" = thread ]; then
-  targets=(TestGeometryThreads TestSkin TestArrayRanges TestTreatmentParts TestTrimDeterminism)
-  tests=(-R '^(GeometryThreads|Skin|TrimArrayRanges|TrimTreatmentParts|TrimDeterminism-large)$')
+  targets=(TestGeometryThreads TestSkin TestArrayRanges TestThreadTeam TestTreatmentParts
+    TestTrimDeterminism)
+  tests=(-R '^(GeometryThreads|Skin|TrimArrayRanges|TrimThreadTeam|TrimTreatmentParts|TrimDeterminism-large)$')
   export VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4
 fi
 cmake --build "$build" --target "${targets[@]}"
