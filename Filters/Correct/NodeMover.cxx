@@ -49,9 +49,8 @@ double NodeMover::QualityBefore(int element) const
   return this->Memory->QualityBefore.At(element,
     [&]
     {
-      const Band& mesh = WithoutLayer(this->TheBand);
-      const int own = ElementWithoutLayer(this->TheBand, element);
-      return ScaledJacobian(PointsOf(mesh, own), mesh.Elements[own].Count);
+      const ElementShape before = ShapeBefore(this->TheBand, element);
+      return ScaledJacobian(before.Points, before.Count);
     });
 }
 

@@ -250,6 +250,20 @@ inline int ElementWithoutLayer(const Band& band, int element)
   return band.BeforeLayer ? band.ElementOrigins[element].Index : element;
 }
 
+struct ElementShape
+{
+  int Count;
+  ElementPoints Points;
+};
+
+/// An element as it came; of an inserted one that on whose face it stands, by which it is measured.
+inline ElementShape ShapeBefore(const Band& band, int element)
+{
+  const Band& mesh = WithoutLayer(band);
+  const int own = ElementWithoutLayer(band, element);
+  return { mesh.Elements[own].Count, PointsOf(mesh, own) };
+}
+
 /**
  * The square of the length that an edge counts as having had: of one across an inserted layer the
  * shortest that the mesh has there, as a layer is thin from the start.

@@ -18,10 +18,6 @@ namespace
 constexpr double SmallestJacobian = 1e-6;
 /// Rounding of a coefficient that is zero by construction (a straight corner).
 constexpr double JacobianRounding = 1e-9;
-/// Above this share of the scaled Jacobian it had an element is as good as before.
-constexpr double SameQuality = 0.98;
-/// What an element has to keep that came with it, but below the floor.
-constexpr double LeastKept = 0.2;
 /// An element with less of its volume left has collapsed.
 constexpr double SmallestVolumeShare = 0.01;
 
@@ -64,20 +60,6 @@ bool IsValid(const ElementPoints& points, int count, Optimization asked)
     default:
       return true;
   }
-}
-
-struct ElementShape
-{
-  int Count;
-  ElementPoints Points;
-};
-
-/// An element as it came; an inserted one is held to that on which it stands.
-ElementShape ShapeBefore(const Band& band, int element)
-{
-  const Band& mesh = WithoutLayer(band);
-  const int own = ElementWithoutLayer(band, element);
-  return { mesh.Elements[own].Count, PointsOf(mesh, own) };
 }
 
 /// What came inside out or without volume is not held to anything.
@@ -188,7 +170,7 @@ double BandQuality::FloorOf(int e) const
   {
     return this->Floor;
   }
-  return this->Floor > LeastKept && before >= LeastKept ? LeastKept : 0.0;
+  return this->Floor > PoorQuality && before >= PoorQuality ? PoorQuality : 0.0;
 }
 
 bool BandQuality::FallsBelowFloor(int e, const ElementPoints& points, int count) const
@@ -262,7 +244,7 @@ std::vector<int> BandQuality::FindShortOf(const TrimmedBand& trimmed, double wor
         return false;
       }
       const Standard& before = this->StandardBefore(e);
-      return now < SameQuality * before.ScaledJacobian && !before.Invalid;
+      return now < (1.0 - QualitySlack) * before.ScaledJacobian && !before.Invalid;
     });
 }
 

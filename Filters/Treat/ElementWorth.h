@@ -20,6 +20,12 @@ namespace trim
 constexpr double EdgeWorth = 6.0;
 /// No edge is to become shorter than this share of what it was.
 constexpr double LeastEdgeShare = 0.05;
+/// What an element keeps that came with it, though below the floor. Elements that came below it
+/// need not become better: of drawn-out ones hardly any could, and all nodes round them would be
+/// tried in vain.
+constexpr double PoorQuality = 0.2;
+/// All but this share of what it had is about as much.
+constexpr double QualitySlack = 0.02;
 
 /// How much of its length that edge of an element has left which lost most.
 /// @param node the element's `count` nodes, in VTK's order, which had the band's places.

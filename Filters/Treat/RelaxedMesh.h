@@ -42,12 +42,6 @@ struct RelaxationCase
 constexpr int RelaxedRings = 3;
 /// Elements are raised to a little above the goal, so that rounding does not undo it.
 constexpr double GoalMargin = 1.02;
-/// Elements that came below this need not become better: of drawn-out ones hardly any could, and
-/// all nodes round them would be tried in vain.
-constexpr double PoorQuality = 0.2;
-/// All but this share of it is about as much.
-constexpr double QualitySlack = 0.02;
-
 class RelaxedMesh
 {
 public:
