@@ -94,7 +94,8 @@ double ColumnShift(const Band& band, const Columns& columns, const NodeFeet& kno
 
 }
 
-void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
+void SetColumns(
+  TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurface& surface, bool nodesMove)
 {
   const Band& band = near.Mesh;
   if (ColumnShift(band, near.Structure, known, surface) > LargestColumnShift ||
@@ -102,7 +103,7 @@ void SetColumns(TrimBand& near, const NodeFeet& known, const nurbs::TrimmingSurf
   {
     near.Structure = NoColumns(band, std::move(near.Structure.Part));
   }
-  if (near.Structure.AllHaveThickness())
+  if (near.Structure.AllHaveThickness() || !nodesMove)
   {
     return;
   }

@@ -174,8 +174,9 @@ bool BuildBand(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece
 /// Sets columns and shares of the stretches; leaves an error if the surface ends in the band.
 /// Collective.
 void MeasureStretches(const Piece& piece, const nurbs::TrimmingSurface& surface,
-  StretchTrims& stretches, TrimResult& result)
+  const BandOptions& options, StretchTrims& stretches, TrimResult& result)
 {
+  const bool nodesMove = options.Ladder.CorrectionType != Correction::Eliminate;
   const auto& feet = result.Nodes.Near.Feet;
   const bool ends = piece.All.Any(std::any_of(feet.begin(), feet.end(),
     [](const nurbs::Foot& foot) { return foot.Kind == nurbs::FootKind::Border; }));
@@ -183,7 +184,7 @@ void MeasureStretches(const Piece& piece, const nurbs::TrimmingSurface& surface,
   for (int s = 0; s < stretches.Count() && result.Error.empty(); ++s)
   {
     TrimBand& near = stretches[s];
-    SetColumns(near, result.Nodes.Near, surface);
+    SetColumns(near, result.Nodes.Near, surface, nodesMove);
     std::array<int, 2> missed{ -1, -1 };
     if (!MeasureShares(near.Mesh, near.Structure, surface, gap, near.Shares, missed))
     {
@@ -367,7 +368,7 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
       return result;
     }
     StretchTrims stretches(*result.Near);
-    MeasureStretches(piece, surface, stretches, result);
+    MeasureStretches(piece, surface, options.OfBand, stretches, result);
     addHint();
     if (!result.Error.empty() || aborted(0.4))
     {

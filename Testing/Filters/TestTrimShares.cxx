@@ -1,6 +1,7 @@
 /**
  * @file TestTrimShares.cxx
- * @brief V^e of elements in which the surface has a sharp edge, or bends strongly, against samples.
+ * @brief V^e of elements in which the surface has a sharp edge, or bends strongly, against samples;
+ * and which go by it.
  */
 #include "Expect.h"
 #include "HalvedShare.h"
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <vector>
 
 using namespace judge;
 using trim::ElementPoints;
@@ -219,10 +221,45 @@ void TestWindow()
   }
 }
 
+// With type I no node moves, and each element of a block goes by its own share: nothing is decided
+// by columns along the cut.
+void TestBlockOfTypeI()
+{
+  const Mesh block = Block(8, 8, 8);
+  TrimOptions stepped;
+  stepped.CorrectionType = 1;
+  int cut = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    Placement at;
+    at.Angle = 0.03 + 0.02 * i;
+    at.Lean = 0.02 * i;
+    at.X = 0.007 * i;
+    const Trial trial = RunTrim(block, MakeSurface("plane", block.Box, at), stepped).Case;
+    vtkDataArray* shares = trial.Whole->GetCellData()->GetArray("EliminatedFraction");
+    vtkDataArray* ids = trial.Trimmed->GetCellData()->GetArray("vtkOriginalCellIds");
+    std::vector<char> kept(trial.Whole->GetNumberOfCells(), 0);
+    for (vtkIdType c = 0; c < ids->GetNumberOfTuples(); ++c)
+    {
+      kept[static_cast<std::size_t>(ids->GetComponent(c, 0))] = 1;
+    }
+    for (std::size_t c = 0; c < kept.size(); ++c)
+    {
+      const double share = shares->GetComponent(static_cast<vtkIdType>(c), 0);
+      cut += share > 0.0 && share < 1.0;
+      Expect(kept[c] == (share <= 0.5),
+        "block " + std::to_string(i) + ", type I: element " + std::to_string(c) +
+          " with a share of " + std::to_string(share));
+    }
+  }
+  Expect(cut > 500, "hardly an element is cut: " + std::to_string(cut));
+}
+
 }
 
 int main()
 {
+  TestBlockOfTypeI();
   TestPlanes();
   TestRoofs();
   TestOtherShapes();
