@@ -366,6 +366,12 @@ int main(int argc, char* argv[])
   const vtkIdType largest = argc > 2 ? std::atoll(argv[2]) : 10000000;
   const int rounds = argc > 3 ? std::atoi(argv[3]) : 5;
   const std::string parts = argc > 4 ? argv[4] : "crsgm";
+  if (cells < 1 || largest < 1 || rounds < 1)
+  {
+    std::fprintf(
+      stderr, "usage: BenchmarkTrim [elements [largest number of them [rounds [parts]]]]\n");
+    return EXIT_FAILURE;
+  }
   // Large pieces of memory are fresh each time, for all alike. By itself the C library begins to
   // keep them at some time, which halves the floor.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
