@@ -30,6 +30,21 @@ std::vector<int> ColumnMates(
   return mates;
 }
 
+/// What is eliminated is no pentahedron, nor the wedge that it became.
+void ForgetPentahedra(const std::vector<int>& elements, Pentahedra& treated)
+{
+  for (const int e : elements)
+  {
+    treated.Count -= treated.FlatCorner[e] || FindWedge(treated, e) ? 1 : 0;
+    treated.FlatCorner[e] = 0;
+  }
+  treated.Wedges.erase(
+    std::remove_if(treated.Wedges.begin(), treated.Wedges.end(),
+      [&elements](const ReplacedElement& wedge)
+      { return std::binary_search(elements.begin(), elements.end(), wedge.Element); }),
+    treated.Wedges.end());
+}
+
 }
 
 bool DigPits(
@@ -50,6 +65,7 @@ bool DigPits(
     return false;
   }
   trimmed.Kept = std::move(kept);
+  ForgetPentahedra(pits, trimmed.Treated);
   for (const int n : nodes)
   {
     if (layered.IsInsertedNode(n))
