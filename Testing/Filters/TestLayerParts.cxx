@@ -151,6 +151,7 @@ void CheckPits()
   TrimmedBand whole;
   whole.Moving.assign(layered.NumberOfNodes(), 0);
   whole.NodeMoves.Left.assign(layered.NumberOfNodes(), 0);
+  whole.Treated.FlatCorner.assign(layered.NumberOfElements(), 0);
   std::vector<int> inserted;
   int under = -1;
   for (int e = 0; e < layered.NumberOfElements(); ++e)
@@ -166,6 +167,11 @@ void CheckPits()
     }
   }
   whole.BelowFloor = inserted;
+  // The first is a wedge, the last has a straight corner.
+  whole.Treated.Count = 2;
+  whole.Treated.Wedges.resize(1);
+  whole.Treated.Wedges[0].Element = inserted.front();
+  whole.Treated.FlatCorner[inserted.back()] = 1;
   int dug = 0, refused = 0;
   for (const int first : inserted)
   {
@@ -181,6 +187,11 @@ void CheckPits()
       Expect(
         whole.BelowFloor.size() - pitted.BelowFloor.size() == static_cast<std::size_t>(expected),
         "what goes is not below the floor any more");
+      const int treated = pitted.Kept[inserted.front()] + pitted.Kept[inserted.back()];
+      Expect(pitted.Treated.Count == treated &&
+          pitted.Treated.Wedges.size() == std::size_t(pitted.Kept[inserted.front()]) &&
+          pitted.Treated.FlatCorner[inserted.back()] == pitted.Kept[inserted.back()],
+        "nor a pentahedron");
       for (const int n : NodesOf(layered, { first, second }))
       {
         const bool left = sound && layered.IsInsertedNode(n);
