@@ -344,7 +344,8 @@ private:
   const Band& TheBand;
   const Columns& TheColumns;
   const NodeMover& Mover;
-  const std::vector<char>&Kept, &Bare;
+  const std::vector<char>& Kept;
+  const std::vector<char>& Bare;
   std::vector<unsigned char> AllKept; ///< status of the nodes as if there were no cut
   std::vector<int> InnerNode;         ///< by node of the band: the new one behind it, -1: none
   std::vector<int> CutFaces;          ///< the layer's elements stand on, in their order

@@ -2,6 +2,7 @@
 
 #include "Manifold.h"
 #include "NodesOfElements.h"
+#include "SortUnique.h"
 
 #include <algorithm>
 
@@ -11,22 +12,16 @@ namespace
 {
 
 /// Those of the columns that elements are in.
-std::vector<int> ColumnMates(
-  const Band& layered, const Columns& columns, const std::vector<int>& elements)
+std::vector<int> ColumnMates(const Columns& columns, const std::vector<int>& elements)
 {
-  std::vector<char> asked(layered.NumberOfElements(), 0);
+  const Band::Lists members = columns.Elements();
+  std::vector<int> mates;
   for (const int e : elements)
   {
-    asked[columns.Column[e]] = 1;
+    const int column = columns.Column[e];
+    mates.insert(mates.end(), members.begin(column), members.end(column));
   }
-  std::vector<int> mates;
-  for (int e = 0; e < layered.NumberOfElements(); ++e)
-  {
-    if (asked[columns.Column[e]])
-    {
-      mates.push_back(e);
-    }
-  }
+  SortUnique(mates);
   return mates;
 }
 
@@ -50,7 +45,7 @@ void ForgetPentahedra(const std::vector<int>& elements, Pentahedra& treated)
 bool DigPits(
   const Band& layered, const Columns& columns, const std::vector<int>& faulty, TrimmedBand& trimmed)
 {
-  const std::vector<int> pits = ColumnMates(layered, columns, faulty);
+  const std::vector<int> pits = ColumnMates(columns, faulty);
   std::vector<char> kept = trimmed.Kept;
   for (const int e : pits)
   {

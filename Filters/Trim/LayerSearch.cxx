@@ -1,5 +1,6 @@
 #include "LayerSearch.h"
 
+#include "CountBytes.h"
 #include "InsertedLayer.h"
 #include "LayerRelaxation.h"
 #include "LayerSkin.h"
@@ -144,9 +145,9 @@ std::optional<Band> LayerSearch::FindWithBareNodes(std::vector<int> bare)
 
 bool LayerSearch::FewAreBare() const
 {
-  const auto count = [](const std::vector<char>& nodes)
-  { return static_cast<double>(std::count(nodes.begin(), nodes.end(), 1)); };
-  return count(this->Bare) <= LargestShareBare * count(FindCutNodes(this->Near.Mesh, this->Kept));
+  const Id onCut = CountBytes(FindCutNodes(this->Near.Mesh, this->Kept), 1);
+  return static_cast<double>(CountBytes(this->Bare, 1)) <=
+    LargestShareBare * static_cast<double>(onCut);
 }
 
 /// Nodes of the cut where a kept element is below the floor, as the layer takes their place.

@@ -14,7 +14,8 @@ namespace trim
 namespace
 {
 
-/// How often they are changed where elements of the layer are not good enough in the end.
+/// How often the fates of elements are changed where those of the layer are not good enough in the
+/// end.
 constexpr int MostClimbs = 3;
 /// More elements below the floor, and more of those at the layer, are not raised all: of 416 layers
 /// those of which they were began with 68 of 551 at most, or 39 of 93.
@@ -150,8 +151,12 @@ bool ClimbWithLayer(TrimBand& layered, const LayerDemand& demand, bool isLast, c
 void DigFewPits(TrimBand& layered, const BandTask& task)
 {
   const std::vector<int> faulty = FaultyElements(layered);
+  if (faulty.empty())
+  {
+    return;
+  }
   const TrimmedBand before = layered.Trimmed;
-  if (faulty.empty() || !DigPits(layered.Mesh, layered.Structure, faulty, layered.Trimmed))
+  if (!DigPits(layered.Mesh, layered.Structure, faulty, layered.Trimmed))
   {
     return;
   }

@@ -26,8 +26,9 @@ struct LayerDemand
 };
 
 /**
- * Elements that reach no farther beyond the surface stay, and the layer on them ends on it. If a
- * node of it would stick out of the mesh, it is made once more with all of them inside.
+ * Elements that reach no farther beyond the surface than its kind allows stay, and the layer on
+ * them ends on it. If a node of it would stick out of the mesh, it is made once more with all of
+ * them inside.
  *
  * @param near trimmed without.
  * @param before its mesh.

@@ -13,7 +13,8 @@ Shortcomings MeasureLeft(const TrimBand& near)
   sum.Elements =
     near.Trimmed.Invalid.size() + near.Trimmed.BelowFloor.size() + near.Rest.Invalid.size();
   sum.Squares = SquaresOfElement * static_cast<double>(near.Rest.BelowFloor.size());
-  const std::vector<char> atCut = FindBoundaryNodes(near.Mesh, near.Trimmed);
+  const std::vector<char> atCut =
+    near.Mesh.BeforeLayer ? FindBoundaryNodes(near.Mesh, near.Trimmed) : std::vector<char>();
   for (const auto& [left, distance] : near.NodesLeft)
   {
     if (near.Mesh.IsInsertedNode(left) && !atCut[left])
