@@ -73,6 +73,8 @@ add_library(NURBSTrimStages STATIC
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
   Treat/StepDirections.cxx
+  Treat/CornerShape.cxx
+  Treat/ShapeDescent.cxx
   Treat/StraightPillars.cxx
   Treat/TrialCreases.cxx
   Treat/TrialReturns.cxx

@@ -76,7 +76,7 @@ public:
   NodeMove Between(int node, const Vec3& through, const Vec3& planeNormal) const;
 
   /// True for a node that may be relaxed: off the border, or where the border is straight, so
-  /// that it keeps its shape.
+  /// that it keeps its shape; with a layer in a solid also where it bends a little, but for ridges.
   bool MayRelax(int node, bool onCut) const;
 
   /// True unless the two nodes lie above each other in one pillar.

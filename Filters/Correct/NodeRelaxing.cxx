@@ -46,6 +46,12 @@ bool NodeMover::MayRelax(int node, bool onCut) const
   {
     return constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Free;
   }
+  // A layer in a solid has no shape of its own yet, and finds none with its border held.
+  if (this->TheBand.BeforeLayer && !this->TheColumns.AnyHasThickness() &&
+    constraint.Kind == ConstraintKind::Faces)
+  {
+    return true;
+  }
   const bool slides =
     (constraint.Kind == ConstraintKind::Faces && this->TheBand.NodeStatus[node] != NodeEliminate) ||
     (constraint.Kind == ConstraintKind::Ridge && !onCut);

@@ -354,12 +354,17 @@ double ScaledJacobian(const ElementPoints& p, int count, double limit, EdgeSquar
   return std::min(smallest, UnitDeterminant(r, s, t));
 }
 
+const int* CornerEnds(int corner, int count)
+{
+  return count == 8 ? HexahedronCorners[corner] : WedgeCorners[corner];
+}
+
 double ScaledJacobianBound(const ElementPoints& p, int count, unsigned moving)
 {
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count; ++i)
   {
-    const int* corner = count == 8 ? HexahedronCorners[i] : WedgeCorners[i];
+    const int* corner = CornerEnds(i, count);
     const unsigned part = 1u << i | 1u << corner[0] | 1u << corner[1] | 1u << corner[2];
     if (!(moving & part))
     {
@@ -395,7 +400,7 @@ ScaledDeterminants::ScaledDeterminants(const ElementPoints& p, int count, double
   };
   for (int i = 0; i < count; ++i)
   {
-    const int* corner = count == 8 ? HexahedronCorners[i] : WedgeCorners[i];
+    const int* corner = CornerEnds(i, count);
     find({ p[corner[0]] - p[i], p[corner[1]] - p[i], p[corner[2]] - p[i] },
       [&](auto& gradient, int k, const Vec3& by)
       {

@@ -3,6 +3,7 @@
 #include "JointRelaxation.h"
 #include "MovingNodes.h"
 #include "NodesOfElements.h"
+#include "ShapeDescent.h"
 #include "StraightPillars.h"
 
 #include <algorithm>
@@ -288,6 +289,15 @@ void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const 
   const Promise& promises, TrimmedBand& trimmed) const
 {
   const double quality = std::max(goal.GetFloor(), SmallestGoal);
+  if (bad.size() > MostThorough && this->MayDescend())
+  {
+    const std::vector<int> left = this->DescendRound(set, bad, quality, trimmed);
+    if (left.size() < bad.size())
+    {
+      this->RelaxBad(set, left, goal, promises, trimmed);
+      return;
+    }
+  }
   if (bad.size() > MostThorough)
   {
     this->RelaxRound(set, bad, quality, Brief, trimmed);
@@ -301,6 +311,22 @@ void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const 
   {
     this->RelaxRound(set, bad, quality, Thorough, trimmed);
   }
+}
+
+/// Whether so many elements are bad because a layer's have to find their shape yet, and nodes need
+/// not stay above each other.
+bool TrialTrim::MayDescend() const
+{
+  return this->TheBand.BeforeLayer && !this->TheColumns.AnyHasThickness();
+}
+
+/// @return elements that are short of the quality then.
+std::vector<int> TrialTrim::DescendRound(
+  const Choices& set, const std::vector<int>& bad, double quality, TrimmedBand& trimmed) const
+{
+  const auto [elements, fixed, onCut] = this->ShapesOf(set, trimmed, true);
+  const RelaxationCase given{ this->TheBand, this->Mover, elements, fixed, onCut };
+  return DescendToShape(given, bad, quality, trimmed.NodeMoves);
 }
 
 /// Takes nodes back to where they were, round elements that left the border of the model meanwhile,

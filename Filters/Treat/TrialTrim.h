@@ -99,6 +99,9 @@ private:
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
   std::vector<int> FindBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
     TrimmedBand& trimmed) const;
+  bool MayDescend() const;
+  std::vector<int> DescendRound(
+    const Choices& set, const std::vector<int>& bad, double quality, TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const std::vector<int>& bad, const BandQuality& goal,
     const Promise& promises, TrimmedBand& trimmed) const;
   std::vector<char> ElementsMoved(const Moves& before, const Moves& now) const;
