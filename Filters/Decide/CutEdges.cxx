@@ -34,11 +34,11 @@ std::vector<std::array<int, 2>> EdgesOf(const std::array<Tetrahedron, N>& tetrah
 CutEdges::CutEdges(const Band& band, const nurbs::TrimmingSurface& surface, double gap)
   : Status(band.NodeStatus)
 {
-  this->ListEdges(band, surface);
+  this->ListEdges(band);
   this->Cross(band, surface, gap);
 }
 
-void CutEdges::ListEdges(const Band& band, const nurbs::TrimmingSurface& surface)
+void CutEdges::ListEdges(const Band& band)
 {
   const auto ofHexahedron = EdgesOf(HexahedronTetrahedra);
   const auto ofWedge = EdgesOf(WedgeTetrahedra);
@@ -51,7 +51,7 @@ void CutEdges::ListEdges(const Band& band, const nurbs::TrimmingSurface& surface
         {
           continue;
         }
-        const std::array<int, 8> nodes = OrderForTetrahedra(band, e, surface);
+        const std::array<int, 8> nodes = OrderForTetrahedra(band.Elements[e]);
         for (const auto& [i, j] : band.Elements[e].Count == 8 ? ofHexahedron : ofWedge)
         {
           if (this->Status[nodes[i]] == NodeEliminate && this->Status[nodes[j]] == NodeKeep)

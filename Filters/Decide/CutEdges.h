@@ -34,7 +34,7 @@ public:
   std::array<int, 2> FindMissed() const;
 
 private:
-  void ListEdges(const Band& band, const nurbs::TrimmingSurface& surface);
+  void ListEdges(const Band& band);
   void Cross(const Band& band, const nurbs::TrimmingSurface& surface, double gap);
   std::size_t Find(int eliminated, int kept) const;
 

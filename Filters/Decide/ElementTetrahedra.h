@@ -7,7 +7,6 @@
 #define ElementTetrahedra_h
 
 #include "Band.h"
-#include "TrimmingSurface.h"
 
 #include <array>
 
@@ -25,14 +24,8 @@ constexpr std::array<Tetrahedron, 3> WedgeTetrahedra = { { { 0, 1, 2, 5 }, { 0, 
 /**
  * The nodes of an element of the band in a positive order, from that which is the first one of the
  * band on: the tetrahedra must not depend on how the element is numbered.
- *
- * Where the nodes of a face lie on the two sides by turns, the surface crosses one diagonal of it
- * and not the other one, which has to be an edge of the tetrahedra: of two that the surface does
- * not part, they would take what is between for the other side. Then the order begins with the
- * first node from which most such faces are divided so.
  */
-std::array<int, 8> OrderForTetrahedra(
-  const Band& band, int element, const nurbs::TrimmingSurface& surface);
+std::array<int, 8> OrderForTetrahedra(const BandElement& element);
 
 }
 

@@ -41,7 +41,7 @@ bool MeasureShares(const Band& band, const Columns& columns, const nurbs::Trimmi
     count,
     [&](int e)
     {
-      const std::array<int, 8> nodes = OrderForTetrahedra(band, e, surface);
+      const std::array<int, 8> nodes = OrderForTetrahedra(band.Elements[e]);
       const double volume = MeasureVolume(band, e, nodes);
       shares.Volume[e] = volume;
       shares.Element[e] = band.ElementStatus[e] == ElementEliminate ? 1.0 : 0.0;
