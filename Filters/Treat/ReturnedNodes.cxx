@@ -226,34 +226,29 @@ private:
   }
 
   /// Moves a node whose border ends right before the surface to that end, together with the others
-  /// left in its pillar, as one alone would twist a thin element; else by itself. False if it is
-  /// there, or the elements do not stand it.
+  /// left in its pillar, as one alone would twist a thin element. False if it is there, or the
+  /// elements do not stand it.
   bool ComeToCorner(int node, const std::vector<int>& left)
   {
     std::vector<int> pillar;
     std::copy_if(left.begin(), left.end(), std::back_inserter(pillar),
       [&](int n) { return this->Mover.PillarOf(n) == this->Mover.PillarOf(node); });
-    return this->GoToCorner(pillar) || (pillar.size() > 1 && this->GoToCorner({ node }));
-  }
-
-  bool GoToCorner(const std::vector<int>& nodes)
-  {
-    const State before = this->StateOf(nodes);
-    const std::vector<int> elements = this->ElementsAt(nodes);
+    const State before = this->StateOf(pillar);
+    const std::vector<int> elements = this->ElementsAt(pillar);
     const std::vector<Standard> standards = this->StandardsOf(elements, this->Limit);
     bool any = false;
-    for (const int node : nodes)
+    for (const int n : pillar)
     {
-      const NodeMove corner = this->Mover.ComeToCorner(node, this->TheMoves.Position[node]);
+      const NodeMove corner = this->Mover.ComeToCorner(n, this->TheMoves.Position[n]);
       if (corner.Found)
       {
         any = true;
-        this->TheMoves.Position[node] = AsStored(this->TheBand, corner.Target);
-        this->TheMoves.Applied[node] = Correction::Relax;
+        this->TheMoves.Position[n] = AsStored(this->TheBand, corner.Target);
+        this->TheMoves.Applied[n] = Correction::Relax;
       }
     }
     if (any && this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before) &&
-      this->OthersStand(nodes))
+      this->OthersStand(pillar))
     {
       return true;
     }
