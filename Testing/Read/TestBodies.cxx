@@ -13,6 +13,10 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
@@ -20,6 +24,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <ShapeUpgrade_ShapeDivideAngle.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Ax2.hxx>
 
@@ -63,6 +68,43 @@ TopoDS_Shape CylinderInHalves(double x, double y, double z, double radius, doubl
   ShapeUpgrade_ShapeDivideAngle divide(M_PI, Cylinder(x, y, z, radius, height));
   divide.Perform();
   return divide.Result();
+}
+
+/// A rectangle in a plane across z or x, and to which side it looks.
+TopoDS_Shape Rectangle(const gp_Pnt& corner, const gp_Vec& one, const gp_Vec& other)
+{
+  BRepBuilderAPI_MakePolygon polygon(
+    corner, corner.Translated(one), corner.Translated(one + other), corner.Translated(other), true);
+  return BRepBuilderAPI_MakeFace(polygon.Wire()).Shape();
+}
+
+/// The faces of a body that close to a shell, but for one of them.
+void AddFacesBut(const TopoDS_Shape& body, const gp_Pnt& onFace, std::vector<TopoDS_Shape>& faces)
+{
+  const TopoDS_Shape place = BRepBuilderAPI_MakeVertex(onFace).Shape();
+  for (TopExp_Explorer it(body, TopAbs_FACE); it.More(); it.Next())
+  {
+    if (BRepExtrema_DistShapeShape(it.Current(), place).Value() > 1e-9)
+    {
+      faces.push_back(it.Current());
+    }
+  }
+}
+
+TopoDS_Shape SewnSolid(const std::vector<TopoDS_Shape>& faces)
+{
+  BRepBuilderAPI_Sewing sewing;
+  for (const TopoDS_Shape& face : faces)
+  {
+    sewing.Add(face);
+  }
+  sewing.Perform();
+  BRepBuilderAPI_MakeSolid solid;
+  for (TopExp_Explorer it(sewing.SewedShape(), TopAbs_SHELL); it.More(); it.Next())
+  {
+    solid.Add(TopoDS::Shell(it.Current()));
+  }
+  return solid.Shape();
 }
 
 struct Assembly
@@ -118,6 +160,44 @@ void TestAssemblies()
     CHECK(CountUnjoined(path) == assembly.Apart,
       assembly.Name << ": as they are, there are other faces");
     CHECK(IsBoundary(assembly.Name, path, shape), assembly.Name << ": a face is within the bodies");
+  }
+}
+
+/// Walls without thickness, as programs write the leads of chips: one face goes on beyond the body,
+/// and another one lies on the back of that.
+void TestFins()
+{
+  const std::string path = OutputPath("fins.step");
+  const TopoDS_Shape block = Box(0, 0, 0, 10, 10, 4);
+  const TopoDS_Shape second = Box(25, 0, 0, 7, 10, 4);
+  std::vector<TopoDS_Shape> standing;
+  AddFacesBut(block, gp_Pnt(10, 5, 2), standing);
+  standing.push_back(Rectangle(gp_Pnt(10, 0, 0), gp_Vec(0, 10, 0), gp_Vec(0, 0, 9)));
+  standing.push_back(Rectangle(gp_Pnt(10, 0, 4), gp_Vec(0, 0, 5), gp_Vec(0, 10, 0)));
+  std::vector<TopoDS_Shape> bridge;
+  AddFacesBut(block, gp_Pnt(5, 5, 0), bridge);
+  AddFacesBut(second, gp_Pnt(30, 5, 0), bridge);
+  bridge.push_back(Rectangle(gp_Pnt(0, 0, 0), gp_Vec(0, 10, 0), gp_Vec(32, 0, 0)));
+  bridge.push_back(Rectangle(gp_Pnt(10, 0, 0), gp_Vec(15, 0, 0), gp_Vec(0, 10, 0)));
+  const struct
+  {
+    std::string Name;
+    std::vector<TopoDS_Shape> Bodies, Without;
+    size_t Faces;
+  } cases[] = {
+    { "a fin on a block", { SewnSolid(standing) }, { block }, 6 },
+    { "a fin on a block on another one", { SewnSolid(standing), Box(2, 3, 4, 5, 4, 3) },
+      { block, Box(2, 3, 4, 5, 4, 3) }, 11 },
+    { "blocks that a fin holds together", { SewnSolid(bridge) }, { block, second }, 12 },
+  };
+  for (const auto& finned : cases)
+  {
+    WriteStep(Together(finned.Bodies), path);
+    const ReadResult read = ReadFile(path);
+    CHECK(read.Warnings.empty(), finned.Name << ": " << read.Warnings[0]);
+    CHECK(read.Surfaces.size() == finned.Faces, finned.Name << ": " << read.Surfaces.size());
+    CHECK(IsBoundary(finned.Name, path, Together(finned.Without)),
+      finned.Name << ": a face is no boundary");
   }
 }
 
@@ -195,6 +275,7 @@ int main()
 {
   SilenceTranslators();
   TestAssemblies();
+  TestFins();
   TestLooseFaces();
   TestFacesTwice();
   TestSpoiler();

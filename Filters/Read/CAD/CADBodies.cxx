@@ -1,7 +1,9 @@
 #include "CADBodies.h"
 
+#include "CADFins.h"
 #include "CADProgress.h"
 #include "CADShells.h"
+#include "CADSolids.h"
 #include "CADUnion.h"
 
 #include <BRepBndLib.hxx>
@@ -75,14 +77,7 @@ std::vector<Group> GroupByBoxes(std::vector<Candidate> left)
 /// @return how many of the latter there are.
 size_t TakeOutUnfit(const CADModel& model, Group& group)
 {
-  std::set<int> isWrong;
-  for (const CADFace& face : model.Faces)
-  {
-    if (face.IsOtherPart)
-    {
-      isWrong.insert(face.Body);
-    }
-  }
+  const std::set<int> isWrong = BodiesOfOtherParts(model);
   Group fit;
   size_t wrong = 0;
   for (Candidate& body : group)
@@ -123,18 +118,13 @@ UnionOutcome JoinGroup(CADModel& model, const Group& group, const Message_Progre
   {
     return outcome;
   }
-  std::vector<bool> isOfGroup(model.Faces.size());
-  std::vector<CADFace> given;
-  for (size_t i = 0; i < model.Faces.size(); ++i)
-  {
-    const int body = model.Faces[i].Body;
-    isOfGroup[i] = std::any_of(group.begin(), group.end(),
-      [body](const Candidate& member) { return static_cast<int>(member.Index) == body; });
-    if (isOfGroup[i])
+  const std::vector<bool> isOfGroup = FacesOf(model,
+    [&group](int body)
     {
-      given.push_back(model.Faces[i]);
-    }
-  }
+      return std::any_of(group.begin(), group.end(),
+        [body](const Candidate& member) { return static_cast<int>(member.Index) == body; });
+    });
+  const std::vector<CADFace> given = TakeMarked(model, isOfGroup);
   if (joined.SwallowsSewn(given))
   {
     return group.size() == 2 ? UnionOutcome::Apart : UnionOutcome::Failed;
@@ -144,25 +134,8 @@ UnionOutcome JoinGroup(CADModel& model, const Group& group, const Message_Progre
   {
     return UnionOutcome::Failed;
   }
-  std::vector<CADFace> faces;
-  size_t next = 0;
-  for (size_t i = 0; i < model.Faces.size(); ++i)
-  {
-    if (isOfGroup[i])
-    {
-      for (CADFace& face : taken[next])
-      {
-        face.Body = static_cast<int>(group.front().Index);
-        faces.push_back(std::move(face));
-      }
-      ++next;
-    }
-    else
-    {
-      faces.push_back(model.Faces[i]);
-    }
-  }
-  model.Faces.swap(faces);
+  ReplaceFaces(model, isOfGroup, std::move(taken),
+    [&group](const CADFace&) { return static_cast<int>(group.front().Index); });
   model.Bodies[group.front().Index] = joined.Shape();
   return UnionOutcome::Joined;
 }
@@ -277,10 +250,11 @@ bool JoinBodies(CADModel& model, const std::function<bool(double)>& progress)
       SewBodies(model);
       return std::string();
     });
-  std::vector<Group> groups = GroupByBoxes(FindBoxes(model));
   Handle(ProgressBridge) bridge = new ProgressBridge(progress, 0.0);
-  Message_ProgressScope scope(
-    bridge->Start(), "Joining bodies", static_cast<double>(groups.size()));
+  Message_ProgressScope whole(bridge->Start(), "Bodies", 2);
+  RemoveFins(model, whole.Next());
+  std::vector<Group> groups = GroupByBoxes(FindBoxes(model));
+  Message_ProgressScope scope(whole.Next(), "Joining bodies", static_cast<double>(groups.size()));
   for (size_t i = 0; i < groups.size() && scope.More(); ++i)
   {
     const size_t unfit = TakeOutUnfit(model, groups[i]);

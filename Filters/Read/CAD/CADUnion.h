@@ -6,6 +6,7 @@
 #define CADUnion_h
 
 #include "CADModel.h"
+#include "CADSolids.h"
 
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <Message_ProgressRange.hxx>
@@ -18,9 +19,6 @@ enum class UnionOutcome
   Apart, ///< nothing to join
   Failed ///< not soundly
 };
-
-/// The volume that a closed shape encloses as OpenCASCADE integrates it; negative if inside out.
-double VolumeOf(const TopoDS_Shape& shape);
 
 /// The union of bodies by OpenCASCADE's general fuse, and where its faces come from.
 class CADUnion
@@ -38,9 +36,12 @@ public:
 
   const TopoDS_Shape& Shape() { return this->Fuse.Shape(); }
 
-  /// Of each face of the bodies given the faces of the union that are it, or a part of it; none if
-  /// a face of the union is of none.
-  std::vector<std::vector<CADFace>> TakeFaces(const std::vector<CADFace>& faces);
+  /// Of each face of the bodies given the faces of the union that are it, or a part of it; see
+  /// PartsOf.
+  std::vector<std::vector<CADFace>> TakeFaces(const std::vector<CADFace>& faces)
+  {
+    return PartsOf(faces, *this->Fuse.History(), this->Fuse.Shape());
+  }
 
 private:
   std::vector<TopoDS_Shape> Given;
