@@ -48,7 +48,7 @@ bool NodeMover::MayRelax(int node, bool onCut) const
   }
   // A layer in a solid has no shape of its own yet, and finds none with its border held.
   if (this->TheBand.BeforeLayer && !this->TheColumns.AnyHasThickness() &&
-    constraint.Kind == ConstraintKind::Faces)
+    constraint.Kind == ConstraintKind::Faces && (onCut || this->TheBand.IsInsertedNode(node)))
   {
     return true;
   }

@@ -237,6 +237,40 @@ void TestTilted()
   Expect(left <= 3, "nodes left off tilted planes");
 }
 
+/// Hexahedra that are divided tetrahedra, in a cube and in a body with a curved skin: no plane is
+/// along any of their facets, and hundreds of the layer's elements begin poor or inverted.
+void TestDivided()
+{
+  struct Trial
+  {
+    double Bulge;
+    Vec3 Normal;
+    double Offset;
+  };
+  int left = 0, planes = 0;
+  for (const auto& [bulge, normal, offset] : { Trial{ 0, Vec3(1, 0.3, 0.2), 0.3 },
+         Trial{ 0, Vec3(1, 0.8, 0.6), 0.4 }, Trial{ 0, Vec3(0.2, 1, 0.1), -0.4 },
+         Trial{ 0.6, Vec3(1, 0.3, 0.2), 0.3 }, Trial{ 0.6, Vec3(0.1, -0.4, 1), -0.5 } })
+  {
+    const Mesh mesh = DividedTetrahedra(4, bulge);
+    TrimOptions options;
+    options.InsertLayer = true;
+    Report report("layer divided " + std::to_string(planes));
+    const Vec3 unit = normal.normalized();
+    const Outcome outcome =
+      RunAndJudge(mesh, PlaneThrough(mesh.Box.Centre + offset * unit, unit, 40), options, report);
+    Wrong += report.Failures();
+    ++planes;
+    left += CountLeft(outcome.Case.Trimmed);
+    Expect(Number(outcome.Case.Trimmed, "MinimumScaledJacobian") > 0.28,
+      "divided: elements are worth " +
+        std::to_string(Number(outcome.Case.Trimmed, "MinimumScaledJacobian")));
+    Expect(Number(outcome.Case.Trimmed, "InsertedElements") > 20, "divided: no layer");
+  }
+  std::printf("divided tetrahedra: %d left off by %d planes\n", left, planes);
+  Expect(left == 0, "nodes left off divided tetrahedra");
+}
+
 /// A node behind the cut that slid to the surface, on a twisted skin that the layer divides: it
 /// goes back to the skin along the surface.
 void TestBehindCut()
@@ -414,6 +448,7 @@ int main()
   TestBent();
   TestDiagonal();
   TestTilted();
+  TestDivided();
   TestBehindCut();
   TestFates();
   TestValues();

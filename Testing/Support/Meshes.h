@@ -103,6 +103,11 @@ Mesh PatchedSheet(int nx, int ny, int nz, const MeshOptions& options = {});
 /// two sides meet there in a thin edge.
 Mesh Segment(int nr, int nz, double angle, const MeshOptions& options = {});
 
+/// A cube of n^3 cubes of 1 x 1 x 1, each divided into six tetrahedra, and these into four hexahedra
+/// each, as some meshers make hexahedra.
+/// @param bulge of the cube's faces; its edges are straight.
+Mesh DividedTetrahedra(int n, double bulge, const MeshOptions& options = {});
+
 /// A mesh of hexahedra and wedges from a file (.vtu), of which nothing is known; its frame is the
 /// box round it, with the shortest side as thickness. Throws std::invalid_argument.
 Mesh ReadMesh(const std::string& path);
