@@ -28,6 +28,7 @@ struct NodeHold
   NodeConstraint Constraint;
   std::shared_ptr<const SkinRings> Rings; ///< faces that it may come to lie on
   bool Straight;                          ///< on a border that does not turn there
+  bool Smooth;                            ///< a layer's, on a border that turns little there
 };
 
 /// Of one band, its columns and a surface; for any number of movers and threads.

@@ -97,6 +97,7 @@ const NodeHold& NodeMover::HoldOf(int node, bool onCut) const
         hold.Straight = this->TheColumns.IsOnBorder(this->TheBand, node) &&
           (constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Ridge) &&
           this->IsStraight(node, constraint);
+        hold.Smooth = this->IsOnSmoothSkin(node, constraint);
         return hold;
       });
 }

@@ -76,7 +76,7 @@ public:
   NodeMove Between(int node, const Vec3& through, const Vec3& planeNormal) const;
 
   /// True for a node that may be relaxed: off the border, or where the border is straight, so
-  /// that it keeps its shape; with a layer in a solid also where it bends a little, but for ridges.
+  /// that it keeps its shape; of a layer in a solid also where it bends little.
   bool MayRelax(int node, bool onCut) const;
 
   /// True unless the two nodes lie above each other in one pillar.
@@ -149,6 +149,7 @@ private:
   bool IsBesideCut(int corner, const NodeConstraint& constraint) const;
   NodeMove SlideAlongRidge(int node, const NodeConstraint& constraint) const;
   bool IsStraight(int node, const NodeConstraint& constraint) const;
+  bool IsOnSmoothSkin(int node, const NodeConstraint& constraint) const;
   bool NearestFacet(NodeFreedom& freedom, const Vec3& x, Vec3& place, Vec3* normal) const;
   Vec3 AlongRidge(int node, const NodeConstraint& constraint) const;
   bool PlaceOnRidge(int node, const NodeConstraint& constraint, const Vec3& x, Vec3& place) const;

@@ -23,6 +23,9 @@ constexpr double CreaseApproach = 0.1;
 /// have places to six or seven digits, and a node that slides takes less from its edges than this.
 constexpr double StraightSine = 1e-4;
 
+/// Faces that turn by less are a smooth skin, on which nodes may slide without spoiling its shape.
+constexpr double SmoothSine = 0.3;
+
 /// Sine that the directions of the edges of a face, or their normals, are known to.
 double SineRounding(const Band& band, int node)
 {
@@ -47,8 +50,7 @@ bool NodeMover::MayRelax(int node, bool onCut) const
     return constraint.Kind == ConstraintKind::Faces || constraint.Kind == ConstraintKind::Free;
   }
   // A layer in a solid has no shape of its own yet, and finds none with its border held.
-  if (this->TheBand.BeforeLayer && !this->TheColumns.AnyHasThickness() &&
-    constraint.Kind == ConstraintKind::Faces && (onCut || this->TheBand.IsInsertedNode(node)))
+  if (hold.Smooth && (onCut || this->TheBand.IsInsertedNode(node)))
   {
     return true;
   }
@@ -89,6 +91,24 @@ bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
       }
       return true;
     });
+}
+
+/// Whether a node of a layer, or at one, in a solid is on faces that bend little there.
+bool NodeMover::IsOnSmoothSkin(int node, const NodeConstraint& constraint) const
+{
+  if (!this->TheBand.BeforeLayer || this->TheColumns.AnyHasThickness() ||
+    constraint.Kind != ConstraintKind::Faces)
+  {
+    return false;
+  }
+  const auto normalOf = [&](int f)
+  {
+    const auto& face = this->TheBand.Faces[f];
+    return Facet(this->TheBand, face).NormalAt(CornerOf(face, node));
+  };
+  const auto& faces = constraint.Faces;
+  return std::all_of(faces.begin(), faces.end(),
+    [&](int f) { return normalOf(f).cross(normalOf(faces.front())).norm() < SmoothSine; });
 }
 
 void NodeMover::StartFrom(int node, const Vec3& x, NodeFreedom& freedom) const
