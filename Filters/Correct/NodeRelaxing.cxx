@@ -24,7 +24,7 @@ constexpr double CreaseApproach = 0.1;
 constexpr double StraightSine = 1e-4;
 
 /// Faces that turn by less are a smooth skin, on which nodes may slide without spoiling its shape.
-constexpr double SmoothSine = 0.3;
+constexpr double SmoothSine = 0.2;
 
 /// Sine that the directions of the edges of a face, or their normals, are known to.
 double SineRounding(const Band& band, int node)
