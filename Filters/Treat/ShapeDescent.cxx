@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -143,6 +144,7 @@ private:
   void AddCorners(int e)
   {
     const RelaxedElement& element = this->Elements[e];
+    const Vec3 wanted = this->LengthsOf(e);
     for (int i = 0; i < element.Count; ++i)
     {
       const int* ends = CornerEnds(i, element.Count);
@@ -153,32 +155,34 @@ private:
       for (int k = 0; k < 3; ++k)
       {
         corner.Node[k + 1] = element.Node[ends[k]];
-        lengths[k] = this->LengthAlong(e, DirectionOf(element.Count, i, ends[k]));
+        lengths[k] = wanted[DirectionOf(element.Count, i, ends[k])];
       }
       corner.Scale = ScaleOfCorner(lengths, element.Count);
       this->Corners.push_back(corner);
     }
   }
 
-  /// The mean length that the edges of an element in one of its directions are to have.
-  double LengthAlong(int e, int direction) const
+  /// The mean length that the edges of an element in each of its directions are to have.
+  Vec3 LengthsOf(int e) const
   {
     const RelaxedElement& element = this->Elements[e];
     const auto& topology = TopologyOf(element.Count);
-    double length = 0.0;
-    int count = 0;
+    Vec3 sum = Vec3::Zero();
+    std::array<int, 3> count{};
     for (int i = 0; i < topology.NumberOfEdges; ++i)
     {
       const auto& edge = topology.Edges[i];
-      if (DirectionOf(element.Count, edge.First, edge.Second) == direction)
-      {
-        length += std::sqrt(
-          SquaredLengthBefore(this->TheBand, element.Node[edge.First], element.Node[edge.Second]));
-        ++count;
-      }
+      const int direction = DirectionOf(element.Count, edge.First, edge.Second);
+      sum[direction] += std::sqrt(
+        SquaredLengthBefore(this->TheBand, element.Node[edge.First], element.Node[edge.Second]));
+      ++count[direction];
     }
-    const bool isThin = direction == 2 && this->TheBand.IsInserted(e);
-    return length / count * (isThin ? LayerGrowth : 1.0);
+    for (int direction = 0; direction < 3; ++direction)
+    {
+      sum[direction] /= std::max(count[direction], 1); // a wedge has but two
+    }
+    sum[2] *= this->TheBand.IsInserted(e) ? LayerGrowth : 1.0;
+    return sum;
   }
 
   /// Elements that have less than they are to have.

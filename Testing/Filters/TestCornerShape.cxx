@@ -20,12 +20,9 @@ using namespace trim;
 
 namespace
 {
-const Corner& PerfectCorner(int count)
+Corner PerfectCorner(int count)
 {
-  static Corner corner;
-  corner.Node = { 0, 1, 2, 3 };
-  corner.Scale = ScaleOfCorner(Vec3(2, 3, 0.5), count);
-  return corner;
+  return { { 0, 1, 2, 3 }, 0, ScaleOfCorner(Vec3(2, 3, 0.5), count) };
 }
 
 std::vector<Vec3> PlacesOf(int count)
@@ -45,7 +42,7 @@ double EnergyAt(const Corner& corner, const std::vector<Vec3>& places, double ep
 void CheckDerivatives(int count, const Vec3& shift, double epsilon)
 {
   constexpr double Step = 1e-4;
-  const Corner& corner = PerfectCorner(count);
+  const Corner corner = PerfectCorner(count);
   for (int node = 0; node < 4; ++node)
   {
     std::vector<Vec3> places = PlacesOf(count);
@@ -85,7 +82,7 @@ void CheckDerivatives(int count, const Vec3& shift, double epsilon)
 /// A perfect corner, of whatever edges, has the least energy there is.
 void CheckLeast(int count)
 {
-  const Corner& corner = PerfectCorner(count);
+  const Corner corner = PerfectCorner(count);
   const double least = EnergyAt(corner, PlacesOf(count), 0);
   Expect(std::abs(least - std::pow(3.0, 1.5)) < 1e-12, "a perfect corner's energy");
   for (int i = 0; i < 12; ++i)
@@ -103,7 +100,7 @@ void CheckLeast(int count)
 /// determinant it has no end.
 void CheckInverted()
 {
-  const Corner& corner = PerfectCorner(8);
+  const Corner corner = PerfectCorner(8);
   double last = std::numeric_limits<double>::infinity();
   for (const double height : { -1.0, -0.5, -0.1, 0.0, 0.1, 0.3, 0.5 })
   {
