@@ -96,8 +96,7 @@ bool NodeMover::IsStraight(int node, const NodeConstraint& constraint) const
 /// Whether a node of a layer, or at one, in a solid is on faces that bend little there.
 bool NodeMover::IsOnSmoothSkin(int node, const NodeConstraint& constraint) const
 {
-  if (!this->TheBand.BeforeLayer || this->TheColumns.AnyHasThickness() ||
-    constraint.Kind != ConstraintKind::Faces)
+  if (!HasLayerInSolid(this->TheBand, this->TheColumns) || constraint.Kind != ConstraintKind::Faces)
   {
     return false;
   }

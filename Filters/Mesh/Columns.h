@@ -79,6 +79,13 @@ struct Columns
   }
 };
 
+/// Whether a layer was inserted in a solid: its nodes have no places of their own yet, and need not
+/// stay above each other.
+inline bool HasLayerInSolid(const Band& band, const Columns& columns)
+{
+  return band.BeforeLayer && !columns.AnyHasThickness();
+}
+
 Columns FindColumns(const Band& band);
 
 /**

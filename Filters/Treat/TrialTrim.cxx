@@ -147,6 +147,10 @@ TrimmedBand TrialTrim::Make(
     trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
       { this->Options.Treatment, set.Treatments }, trimmed.NodeMoves);
     trimmed.Unrelaxed = trimmed.NodeMoves;
+    if (!from && this->Shaped)
+    {
+      this->TakeRelaxed(set, *this->Shaped, trimmed);
+    }
     const std::vector<int> bad = this->FindBad(set, goal, from, trimmed);
     if (bad.empty())
     {
@@ -156,6 +160,10 @@ TrimmedBand TrialTrim::Make(
     this->RelaxBad(set, bad, goal, promises, trimmed);
     trimmed.Invalid = this->Quality.FindInvalid(
       trimmed, this->ElementsMoved(before, trimmed.NodeMoves), trimmed.Invalid);
+    if (!from && this->HasToFindShape(bad))
+    {
+      this->Shaped = std::make_shared<const TrimmedBand>(trimmed);
+    }
     return trimmed;
   }
   trimmed.Invalid = this->Quality.FindInvalid(trimmed);
@@ -289,7 +297,7 @@ void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const 
   const Promise& promises, TrimmedBand& trimmed) const
 {
   const double quality = std::max(goal.GetFloor(), SmallestGoal);
-  if (bad.size() > MostThorough && this->MayDescend())
+  if (this->HasToFindShape(bad))
   {
     const std::vector<int> left = this->DescendRound(set, bad, quality, trimmed);
     if (left.size() < bad.size())
@@ -313,11 +321,10 @@ void TrialTrim::RelaxBad(const Choices& set, const std::vector<int>& bad, const 
   }
 }
 
-/// Whether so many elements are bad because a layer's have to find their shape yet, and nodes need
-/// not stay above each other.
-bool TrialTrim::MayDescend() const
+/// Whether so many elements are bad because a layer's have to find their shape yet.
+bool TrialTrim::HasToFindShape(const std::vector<int>& bad) const
 {
-  return this->TheBand.BeforeLayer && !this->TheColumns.AnyHasThickness();
+  return bad.size() > MostThorough && HasLayerInSolid(this->TheBand, this->TheColumns);
 }
 
 /// @return elements that are short of the quality then.

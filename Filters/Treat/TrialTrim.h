@@ -99,7 +99,7 @@ private:
   Choices ForDecision(Choices choices, const TrimmedBand& trimmed) const;
   std::vector<int> FindBad(const Choices& set, const BandQuality& goal, const TrimmedBand* from,
     TrimmedBand& trimmed) const;
-  bool MayDescend() const;
+  bool HasToFindShape(const std::vector<int>& bad) const;
   std::vector<int> DescendRound(
     const Choices& set, const std::vector<int>& bad, double quality, TrimmedBand& trimmed) const;
   void RelaxBad(const Choices& set, const std::vector<int>& bad, const BandQuality& goal,
@@ -169,6 +169,9 @@ private:
   BandQuality Quality;
   NodeMover Mover;
   Decision TheDecision;
+  /// The last trial in which many elements had to find their shape: others that begin at the start
+  /// begin with that.
+  std::shared_ptr<const TrimmedBand> Shaped;
 };
 
 template <typename Action>
