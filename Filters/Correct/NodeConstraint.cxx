@@ -12,9 +12,9 @@ namespace trim
 namespace
 {
 
-/// Cosine of the dihedral angle (45 degrees) above which an edge is a ridge: bends with radii of
-/// two elements turn by about 30 degrees from face to face.
-constexpr double RidgeCosine = 0.7071;
+/// Cosine of the dihedral angle from which an edge is a ridge, between two sides of the model:
+/// bends with radii of two elements turn by about 30 degrees from face to face.
+constexpr double RidgeCosine = SameSideCosine;
 /// Under more than 35 degrees a ridge goes on, though it fades.
 constexpr double FadingCosine = 0.8192;
 /// A border that turns by more than 30 degrees at a node has a corner there.

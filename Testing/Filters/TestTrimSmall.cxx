@@ -9,6 +9,7 @@
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -314,11 +315,40 @@ void TestSlideToBothSides()
   }
   Expect(seen == 3, "pillar on both sides, type 3: a node is gone");
 }
+
+// A chamfer of just 45 degrees keeps its edges: both sides of a cut make up the whole.
+void TestChamfer()
+{
+  Mesh block = Sheet(10, 8, 8, Vec3(1, 1, 0.75));
+  MovePoints(block.Grid,
+    [](const Vec3& p)
+    {
+      const double rise = std::max(0.0, p.z() - 1.5), share = std::max(0.0, (p.y() - 3) / 5);
+      return Vec3(p.x(), p.y() - rise * share, p.z());
+    });
+  const double whole = VolumeOf(Model(block.Grid));
+  for (const Vec3& way : { Vec3(1, 0, 0.5), Vec3(1, 0.2, -0.5) })
+  {
+    const Vec3 normal = way.normalized();
+    const Surface plane = PlaneThrough(Vec3(5, 4, 0) + 0.3 * normal, normal, 50);
+    double both = 0;
+    for (const bool invert : { false, true })
+    {
+      const Outcome outcome = RunTrim(block, plane, With(2, 2, invert));
+      Expect(outcome.Clean(), "a chamfer: not trimmed");
+      both += VolumeOf(Model(outcome.Case.Trimmed));
+    }
+    Expect(std::abs(both - whole) < 1e-6 * whole,
+      "a chamfer: both sides of a cut have " + std::to_string(both) + " of " +
+        std::to_string(whole));
+  }
+}
 }
 
 int main()
 {
   TestRow();
+  TestChamfer();
   TestStrip();
   TestPentahedron();
   TestColumns();
