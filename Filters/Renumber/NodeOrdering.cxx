@@ -26,7 +26,8 @@ namespace
 constexpr double RowGap = 1e-6;
 /// Cuthill-McKee is applied to its own result up to this often.
 constexpr int MostRounds = 6;
-/// From here on the search runs on pillars, or from there on where each node is one by itself.
+/// From here on the search runs on pillars alone, or from there on where each node is one by
+/// itself.
 constexpr int ManyNodes = 20000;
 constexpr int ManyWithoutPillars = 200000;
 
@@ -450,6 +451,10 @@ PageVector<int> OrderNodes(
     const double width = 0.5 * (position(nodes[1]) - position(nodes[0])).norm();
     const Csr rooted = BuildGraph(graph, links, WholeSide(count, position, axes.col(0), width));
     best.Offer(graph, ReverseCuthillMcKee(rooted, count, count));
+  }
+  if (best.Bandwidth > bound && !aborted())
+  {
+    best.Offer(graph, OrderByPillars(graph, FindPillars(graph, position), position, aborted));
   }
   return best.Number;
 }

@@ -1,6 +1,6 @@
 /**
  * @file PillarOrdering.h
- * @brief Node numbers of a large mesh: the candidates of NodeOrdering, on the pillars of the sheet.
+ * @brief The candidates of NodeOrdering on the pillars of a sheet: for large meshes all there are.
  */
 #ifndef PillarOrdering_h
 #define PillarOrdering_h
