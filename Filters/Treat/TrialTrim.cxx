@@ -147,10 +147,6 @@ TrimmedBand TrialTrim::Make(
     trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
       { this->Options.Treatment, set.Treatments }, trimmed.NodeMoves);
     trimmed.Unrelaxed = trimmed.NodeMoves;
-    if (!from && this->Shaped)
-    {
-      this->TakeRelaxed(set, *this->Shaped, trimmed);
-    }
     const std::vector<int> bad = this->FindBad(set, goal, from, trimmed);
     if (bad.empty())
     {
@@ -266,6 +262,10 @@ std::vector<int> TrialTrim::FindBad(
   if (from)
   {
     near = this->TakeRelaxed(set, *from, trimmed);
+  }
+  else if (this->Shaped) // nearer to good places than the start, but all may be relaxed anew
+  {
+    this->TakeRelaxed(set, *this->Shaped, trimmed);
   }
   trimmed.Relaxed.assign(this->TheBand.NumberOfElements(), 0);
   trimmed.Invalid = from ? this->Quality.FindInvalid(trimmed, near, from->Invalid)
