@@ -1,7 +1,5 @@
 #include "BlockDirection.h"
 
-#include "PatchTree.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -57,11 +55,12 @@ void BlockDirection::Divide(const BlockLimits& limits)
   }
 }
 
-void BlockDirection::BendSlender(double flatness, double width)
+void BlockDirection::BendSlender(const BlockLimits& limits, double width)
 {
   for (std::size_t k = 0; k < this->Bend.size(); ++k)
   {
-    this->Bend[k] = std::max(this->Bend[k], flatness * this->Length[k] / (MostSlender * width));
+    this->Bend[k] =
+      std::max(this->Bend[k], limits.Flatness * this->Length[k] / (limits.Slender * width));
   }
 }
 

@@ -16,6 +16,7 @@ namespace nurbs
 struct BlockLimits
 {
   double Flatness; ///< a block bends by at most so much (about radians)
+  double Slender;  ///< a block is at most so many times as long as wide
   int Least;       ///< a direction has at least about so many blocks
   int MostSpans;   ///< a block holds at most so many spans of a direction
 };
@@ -33,7 +34,7 @@ public:
 
   /// Raises the bend of spans that are long against the blocks of the other direction, so that
   /// blocks are not too slender.
-  void BendSlender(double flatness, double width);
+  void BendSlender(const BlockLimits& limits, double width);
 
   // The result of Divide:
   std::vector<int> First;     ///< of each span, its block or the first of them

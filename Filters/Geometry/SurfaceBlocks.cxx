@@ -34,8 +34,8 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face,
   u.Divide(limits);
   v.Divide(limits);
   const double blockU = u.LengthOfBlocks(), blockV = v.LengthOfBlocks();
-  u.BendSlender(limits.Flatness, blockV);
-  v.BendSlender(limits.Flatness, blockU);
+  u.BendSlender(limits, blockV);
+  v.BendSlender(limits, blockU);
   u.Divide(limits);
   v.Divide(limits);
   grid.CountU = u.NumberOfBlocks();
@@ -48,41 +48,77 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face,
   grid.BreaksV = std::move(v.Breaks);
 }
 
-void SurfaceBlocks::Build(const SurfaceModel& model, const std::vector<PatchShape>& shapes)
+/// @return how many blocks there are.
+std::size_t SurfaceBlocks::Divide(
+  const SurfaceModel& model, const std::vector<PatchShape>& shapes, const BlockLimits& limits)
+{
+  const int faces = static_cast<int>(model.Faces.size());
+  this->Grids.assign(faces, Grid());
+  std::size_t count = 0;
+  for (int face = 0; face < faces; ++face)
+  {
+    Grid& grid = this->Grids[face];
+    this->AddGrid(model, face, shapes, limits, grid);
+    grid.First = static_cast<int>(count);
+    count += static_cast<std::size_t>(grid.CountU) * grid.CountV;
+  }
+  return count;
+}
+
+/// As few blocks as it takes to know enough of each.
+std::size_t SurfaceBlocks::ChooseGrids(
+  const SurfaceModel& model, const std::vector<PatchShape>& shapes)
 {
   constexpr double Flat = 0.15;
   // A block is measured as a whole, and those about it with it, though few points may be near it.
   constexpr int FewSpans = 8;
   constexpr std::size_t Affordable = 20000;
-  const int faces = static_cast<int>(model.Faces.size());
   // Small faces among many are not worth more than one block: their edges are never far.
-  const int least = std::clamp(static_cast<int>(std::sqrt(4096.0 / faces)), 1, 8);
-  BlockLimits limits{ Flat, least, FewSpans };
-  std::size_t count = 0;
-  for (int attempt = 0; attempt < 4; ++attempt, limits.Flatness *= 1.5, limits.MostSpans *= 2)
+  const int least = std::clamp(static_cast<int>(std::sqrt(4096.0 / model.Faces.size())), 1, 8);
+  const std::size_t few = std::max<std::size_t>(1024, 16 * model.Faces.size());
+  BlockLimits limits{ Flat, MostSlender, least, FewSpans };
+  std::size_t count = this->Divide(model, shapes, limits);
+  // A long strip has few blocks across it, or very many.
+  for (bool fewer = true; fewer && count > few;)
   {
-    this->Grids.assign(faces, Grid());
-    count = 0;
-    for (int face = 0; face < faces; ++face)
+    const BlockLimits wider{ limits.Flatness, 2 * limits.Slender, limits.Least, limits.MostSpans };
+    std::vector<Grid> before = std::move(this->Grids);
+    const std::size_t next = this->Divide(model, shapes, wider);
+    fewer = next < count - count / 8;
+    if (fewer)
     {
-      Grid& grid = this->Grids[face];
-      this->AddGrid(model, face, shapes, limits, grid);
-      grid.First = static_cast<int>(count);
-      count += static_cast<std::size_t>(grid.CountU) * grid.CountV;
+      limits = wider;
+      count = next;
     }
-    if (count <= Affordable)
+    else
     {
-      break;
+      this->Grids = std::move(before);
     }
+  }
+  for (int attempt = 0; attempt < 3 && count > Affordable; ++attempt)
+  {
+    limits.Flatness *= 1.5;
+    limits.MostSpans *= 2;
+    count = this->Divide(model, shapes, limits);
   }
   if (count > 4 * Affordable)
   {
     this->Grids.clear(); // too rough: the search has to do
+    return 0;
+  }
+  return count;
+}
+
+void SurfaceBlocks::Build(const SurfaceModel& model, const std::vector<PatchShape>& shapes)
+{
+  const std::size_t count = this->ChooseGrids(model, shapes);
+  if (count == 0)
+  {
     return;
   }
   std::vector<Eigen::AlignedBox3f> boxes;
   boxes.reserve(count);
-  for (int face = 0; face < faces; ++face)
+  for (int face = 0; face < static_cast<int>(this->Grids.size()); ++face)
   {
     const Grid& grid = this->Grids[face];
     for (int j = 0; j < grid.CountV; ++j)

@@ -105,6 +105,9 @@ private:
     std::atomic<float> Clearance[3] = { { -1 }, { -1 }, { -1 } }; ///< by width of the ring
   };
 
+  std::size_t Divide(
+    const SurfaceModel& model, const std::vector<PatchShape>& shapes, const BlockLimits& limits);
+  std::size_t ChooseGrids(const SurfaceModel& model, const std::vector<PatchShape>& shapes);
   void AddGrid(const SurfaceModel& model, int face, const std::vector<PatchShape>& shapes,
     const BlockLimits& limits, Grid& grid) const;
   Eigen::AlignedBox3f BoxOfBlock(
