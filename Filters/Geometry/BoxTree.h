@@ -38,6 +38,17 @@ std::vector<TreeNode> BuildTree(
 std::vector<TreeNode> BuildTreeOfGroups(std::vector<int>& order, const std::vector<int>& ends,
   const std::vector<Eigen::AlignedBox3f>& boxes);
 
+/// Items in rows: First + i + j * CountU.
+struct ItemGrid
+{
+  int First = 0, CountU = 1, CountV = 1;
+  double LengthU = 1, LengthV = 1; ///< of an item, in the mean
+};
+/// The same for boxes of items that lie in grids: if they are many, a tree of tiles of these, and
+/// in each of them one by rows and columns, which asks for no sorting.
+std::vector<TreeNode> BuildTreeOfGrids(
+  const std::vector<ItemGrid>& grids, const std::vector<Eigen::AlignedBox3f>& boxes);
+
 /// Deep enough for any tree: three more entries a level at most.
 constexpr int TreeStackSize = 256;
 

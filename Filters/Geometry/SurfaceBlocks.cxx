@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace nurbs
 {
@@ -40,6 +39,8 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face,
   v.Divide(limits);
   grid.CountU = u.NumberOfBlocks();
   grid.CountV = v.NumberOfBlocks();
+  grid.LengthU = u.LengthOfBlocks();
+  grid.LengthV = v.LengthOfBlocks();
   grid.BlockU = std::move(u.First);
   grid.BlockV = std::move(v.First);
   grid.DivisionsU = std::move(u.Divisions);
@@ -129,16 +130,7 @@ void SurfaceBlocks::Build(const SurfaceModel& model, const std::vector<PatchShap
       }
     }
   }
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  this->Nodes = BuildTree(order, boxes);
-  for (TreeNode& node : this->Nodes)
-  {
-    for (int& child : node.Child)
-    {
-      child = child < 0 ? ~order[~child] : child;
-    }
-  }
+  this->Nodes = BuildTreeOfGrids({ this->Grids.begin(), this->Grids.end() }, boxes);
   this->Blocks = SparseVector<SurfaceBlock>(count);
   this->Certificates = std::make_unique<Certificate[]>(count);
 }

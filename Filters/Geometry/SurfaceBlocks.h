@@ -90,10 +90,9 @@ public:
   static bool FollowFoot(const SurfaceModel& model, const Vec3& p, SurfacePoint& start);
 
 private:
-  /// The blocks of a face: First + i + j * CountU.
-  struct Grid
+  /// The blocks of a face.
+  struct Grid : ItemGrid
   {
-    int First = 0, CountU = 1, CountV = 1;
     std::vector<int> BlockU, BlockV;         ///< of each knot span, the first of them
     std::vector<int> DivisionsU, DivisionsV; ///< blocks in the span; 1 where one holds many spans
     std::vector<double> BreaksU, BreaksV;
