@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <iterator>
 #include <new>
@@ -191,6 +192,13 @@ void* TakeUsed(std::size_t bytes)
   return IsMapped(bytes) ? PagePool::Get().Take(SizeOfMapping(bytes)) : nullptr;
 }
 
+void FillZeros(void* memory, std::size_t bytes)
+{
+  std::memset(memory, 0, bytes);
+}
+
+std::atomic<void (*)(void*, std::size_t)> ZeroFill{ &FillZeros };
+
 }
 
 void* TakePages(std::size_t bytes)
@@ -202,7 +210,17 @@ void* TakePages(std::size_t bytes)
 void* TakeZeroPages(std::size_t bytes)
 {
   void* const used = TakeUsed(bytes);
-  return used ? std::memset(used, 0, bytes) : AllocateZeros(bytes, PageSize::Large);
+  if (!used)
+  {
+    return AllocateZeros(bytes, PageSize::Large);
+  }
+  ZeroFill.load()(used, bytes);
+  return used;
+}
+
+void SetZeroFill(void (*fill)(void* memory, std::size_t bytes))
+{
+  ZeroFill = fill;
 }
 
 void GivePages(void* memory, std::size_t bytes, PageUse use)

@@ -67,6 +67,8 @@ private:
 void* TakePages(std::size_t bytes);
 /// The same, filled with zeros.
 void* TakeZeroPages(std::size_t bytes);
+/// How memory from the pool is filled with zeros: by std::memset, unless somebody has threads.
+void SetZeroFill(void (*fill)(void* memory, std::size_t bytes));
 /// Frees what one of the two gave for so many bytes.
 void GivePages(void* memory, std::size_t bytes, PageUse use);
 

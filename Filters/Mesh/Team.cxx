@@ -1,5 +1,6 @@
 #include "Team.h"
 
+#include "PagePool.h"
 #include "PageVector.h"
 #include "Runs.h"
 
@@ -11,6 +12,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstring>
 #include <exception>
 #include <mutex>
 #include <string>
@@ -214,9 +216,25 @@ struct Team::Loop
   };
 };
 
+namespace
+{
+
+/// By the calling thread's team, if it has one.
+void FillZeros(void* memory, std::size_t bytes)
+{
+  auto* const begin = static_cast<char*>(memory);
+  const auto fill = [begin](Id first, Id last) { std::memset(begin + first, 0, last - first); };
+  constexpr Id Grain = 1 << 19; // less takes no longer than to call the others
+  Team* const team = Team::Current();
+  team ? team->For(0, static_cast<Id>(bytes), Grain, fill) : fill(0, static_cast<Id>(bytes));
+}
+
+}
+
 Team::Team(int threads)
   : Size(threads)
 {
+  nurbs::SetZeroFill(&FillZeros);
   if (threads > 1 && !Own)
   {
     this->Pool = std::make_unique<Others>(threads - 1);

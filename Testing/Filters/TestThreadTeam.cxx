@@ -5,6 +5,7 @@
  */
 #include "Band.h"
 #include "Expect.h"
+#include "PagePool.h"
 #include "Remembered.h"
 #include "RememberedLast.h"
 #include "Team.h"
@@ -308,6 +309,24 @@ void CheckFailureInTeam()
 }
 
 // The system may have no threads left, here as none has a stack so large: the caller does the work.
+// Memory that was in use comes back as zeros, whoever fills them in.
+void CheckZerosOfTeam()
+{
+  constexpr std::size_t count = (std::size_t(5) << 20) + 3;
+  const nurbs::PageUser user;
+  for (const int threads : { 1, 3 })
+  {
+    const Team team(threads);
+    {
+      UnsetVector<char> used(count);
+      std::fill(used.begin(), used.end(), 1);
+    }
+    const PageVector<char> zeros(count);
+    Expect(std::find_if(zeros.begin(), zeros.end(), [](char x) { return x != 0; }) == zeros.end(),
+      "a long array from memory that was in use is not zero");
+  }
+}
+
 void CheckTeamWithoutThreads()
 {
   pthread_attr_t usual, huge;
@@ -433,6 +452,7 @@ int main()
   CheckLoopsOfTeam();
   CheckLookOfTeam();
   CheckFailureInTeam();
+  CheckZerosOfTeam();
   CheckTeamWithoutThreads();
   CheckSizeOfTeam();
   CheckRemembered();
