@@ -1,6 +1,8 @@
 /**
  * @file TestTrimLayer.cxx
  * @brief InsertLayer: blocks that are cut aslant to their elements end on the surface.
+ *
+ * TestTrimLayer [trial|all]
  */
 #include "Expect.h"
 #include "RunTrim.h"
@@ -19,6 +21,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace judge;
 
@@ -441,20 +444,24 @@ void TestThickness()
 }
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  TestAslant();
-  TestInnerEdges();
-  TestBent();
-  TestDiagonal();
-  TestTilted();
-  TestDivided();
-  TestBehindCut();
-  TestFates();
-  TestValues();
-  TestSequence();
-  TestBeneathNodesLeft();
-  TestThickness();
+  const std::vector<std::pair<std::string, void (*)()>> trials = { { "aslant", &TestAslant },
+    { "edges", &TestInnerEdges }, { "bent", &TestBent }, { "diagonal", &TestDiagonal },
+    { "tilted", &TestTilted }, { "divided", &TestDivided }, { "behind", &TestBehindCut },
+    { "fates", &TestFates }, { "values", &TestValues }, { "sequence", &TestSequence },
+    { "beneath", &TestBeneathNodesLeft }, { "thickness", &TestThickness } };
+  const std::string chosen = argc > 1 ? argv[1] : "all";
+  int run = 0;
+  for (const auto& [name, trial] : trials)
+  {
+    if (chosen == "all" || chosen == name)
+    {
+      trial();
+      ++run;
+    }
+  }
+  Expect(run > 0, "there is no trial " + chosen);
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
