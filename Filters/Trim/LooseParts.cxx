@@ -10,10 +10,14 @@ namespace trim
 namespace
 {
 
-/// By element: whether it is kept and has one of some nodes.
+/// By element: whether it is kept and has one of some nodes, or has a layer between it and them.
 std::vector<char> FindKeptAt(const TrimBand& near, const std::vector<int>& nodes)
 {
   std::vector<char> found(near.Mesh.NumberOfElements(), 0);
+  for (int e = 0; near.Mesh.BeforeLayer && e < near.Mesh.NumberOfElements(); ++e)
+  {
+    found[e] = near.Trimmed.Kept[e] && near.Mesh.HasInsertedNode(e);
+  }
   for (const int n : nodes)
   {
     for (const int e : near.Mesh.ElementsOfNode(n))

@@ -745,6 +745,18 @@ void TestLooseParts()
   Expect(countLoose(2.9, 3.2, false) == 2, "the corner that a hole leaves is not loose");
   Expect(countLoose(6.1, 1.6, false) == 0, "what is round a hole is loose");
   Expect(countLoose(6.1, 1.6, true) == 0, "a disc that is all there is, is loose");
+
+  // Of a corner that a sphere leaves of a block the element is not at the cut itself, but beneath
+  // an inserted layer.
+  TrimOptions options;
+  options.InvertSide = true;
+  options.InsertLayer = true;
+  const Outcome outcome = RunTrim(Block(10, 10, 10), SphereAt(Vec3(3.5, 3.5, -1.5), 5.0), options);
+  const auto count = [&](const char* name, int value)
+  { return CountValues(outcome.Case.Trimmed->GetCellData()->GetArray(name))[value]; };
+  Expect(outcome.Clean() && count("Inserted", 1) > 3 && count("Shortfall", 6) == 4 &&
+      CountWarned(outcome, ShortfallPhrases[6]) == 4,
+    "an element in a corner is not loose with its layer");
 }
 
 // Elements that are inside out are not mended by the trim, but told of, and hold what they held.
