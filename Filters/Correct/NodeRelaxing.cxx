@@ -208,6 +208,10 @@ bool NodeMover::Constrained(
   {
     return this->PlaceOnRidge(node, constraint, x, place);
   }
+  if (constraint.Kind == ConstraintKind::Fixed)
+  {
+    return false; // a corner of the model may have no face to slide on at all
+  }
   if (onCut)
   {
     const auto& face = this->TheBand.Faces[constraint.Faces.front()];

@@ -346,6 +346,20 @@ void CheckNodeGrid()
   Expect(!grid.AnyNear(at[3], 0.1, isThere), "a node where it was");
 }
 
+// Where columns end within a solid, three edges may hold a node that has no face to slide on.
+void CheckCornerWithoutFaces()
+{
+  const CutBlock block;
+  const NodeMover mover = block.MoverWith(std::make_shared<MoverMemory>(block.Mesh));
+  NodeFreedom corner;
+  corner.Constraint.Kind = ConstraintKind::Fixed;
+  for (const bool onCut : { true, false })
+  {
+    Vec3 place = Vec3::Zero();
+    Expect(!mover.Constrained(0, corner, block.Mesh.Point[0], onCut, place), "a corner stays");
+  }
+}
+
 // Sliding behind the cut is another trim only where the border beyond the surface is asked for.
 void CheckSlidingMatters()
 {
@@ -446,6 +460,7 @@ int main()
   CheckBudget();
   CheckWorth();
   CheckCrease();
+  CheckCornerWithoutFaces();
   CheckSlidingMatters();
   CheckGap();
   CheckShortfalls();
