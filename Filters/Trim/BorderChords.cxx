@@ -15,14 +15,19 @@ namespace
 constexpr double Stretched = 1.5;
 /// How far the surface may be from the middle of such an edge, in the longest edge before.
 constexpr double LargestSag = 0.2;
+/// Of other edges, where the surface turns by more than 60 degrees between their ends: one that
+/// goes from wall to wall of it, or cuts off a corner that no node went to.
+constexpr double LargestShortSag = 0.4;
+constexpr double ShortTurnCosine = 0.5;
 
 class ChordSearch
 {
 public:
-  ChordSearch(const TrimBand& near, const nurbs::TrimmingSurface& surface)
+  ChordSearch(const TrimBand& near, const NodeFeet& feet, const nurbs::TrimmingSurface& surface)
     : Mesh(near.Mesh)
     , Structure(near.Structure)
     , Trimmed(near.Trimmed)
+    , Feet(feet)
     , Surface(surface)
   {
   }
@@ -67,14 +72,33 @@ private:
     for (const int node : facet)
     {
       const Vec3 &a = moves.Position[last], &b = moves.Position[node];
+      const double length = (b - a).norm();
+      const double sag = length > Stretched * before ? LargestSag : LargestShortSag;
+      // No edge is farther off the surface than half its length.
+      const bool mayBe = length > 2.0 * sag * before &&
+        (length > Stretched * before || this->TurnsBetween(last, node));
       last = node;
-      if ((b - a).norm() > Stretched * before &&
-        std::abs(this->Surface.ClosestPoint(0.5 * (a + b)).SignedDistance) > LargestSag * before)
+      if (mayBe && this->Surface.ClosestPoint(0.5 * (a + b)).Distance > sag * before)
       {
         return true;
       }
     }
     return false;
+  }
+
+  /// Whether the normals at the places of the surface nearest to where the nodes came from differ.
+  bool TurnsBetween(int a, int b) const
+  {
+    const nurbs::Foot *const footOfA = this->FootOf(a), *const footOfB = this->FootOf(b);
+    return footOfA && footOfB && footOfA->Normal.dot(footOfB->Normal) < ShortTurnCosine;
+  }
+
+  const nurbs::Foot* FootOf(int node) const
+  {
+    const Id point = this->Mesh.GlobalNode[node];
+    const auto& ids = this->Feet.Ids;
+    const auto at = std::lower_bound(ids.begin(), ids.end(), point);
+    return at != ids.end() && *at == point ? &this->Feet.Feet[at - ids.begin()] : nullptr;
   }
 
   bool IsOnSurface(int node) const
@@ -86,14 +110,16 @@ private:
   const Band& Mesh;
   const Columns& Structure;
   const TrimmedBand& Trimmed;
+  const NodeFeet& Feet;
   const nurbs::TrimmingSurface& Surface;
 };
 
 }
 
-std::vector<int> FindLongChords(const TrimBand& near, const nurbs::TrimmingSurface& surface)
+std::vector<int> FindLongChords(
+  const TrimBand& near, const NodeFeet& feet, const nurbs::TrimmingSurface& surface)
 {
-  const ChordSearch search(near, surface);
+  const ChordSearch search(near, feet, surface);
   std::vector<int> found = FindTouchedElements(near.Mesh, near.Trimmed);
   found.erase(std::remove_if(
                 found.begin(), found.end(), [&search](int e) { return !search.HasLongChord(e); }),

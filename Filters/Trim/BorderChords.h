@@ -1,12 +1,13 @@
 /**
  * @file BorderChords.h
- * @brief Where nodes of the new border had to go so far apart that the surface bends away between
- * them: beside a place where it grazes the border of the model, a facet there may be three elements
- * long.
+ * @brief Where the surface bends away between nodes of the new border: beside a place where it
+ * grazes the border of the model, a facet there may be three elements long, and one of the usual
+ * length may go from wall to wall of the surface.
  */
 #ifndef BorderChords_h
 #define BorderChords_h
 
+#include "NodeClassification.h"
 #include "TrimBand.h"
 #include "TrimmingSurface.h"
 
@@ -15,8 +16,13 @@
 namespace trim
 {
 
-/// The kept elements with such a facet, ascending.
-std::vector<int> FindLongChords(const TrimBand& near, const nurbs::TrimmingSurface& surface);
+/**
+ * The kept elements with such a facet, ascending.
+ *
+ * @param feet of the nodes where they came from.
+ */
+std::vector<int> FindLongChords(
+  const TrimBand& near, const NodeFeet& feet, const nurbs::TrimmingSurface& surface);
 
 }
 

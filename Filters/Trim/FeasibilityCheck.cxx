@@ -105,7 +105,7 @@ private:
       return;
     }
     const TrimBand& near = *this->Result.Near;
-    std::vector<int> chords = FindLongChords(near, this->Surface);
+    std::vector<int> chords = FindLongChords(near, this->Result.Nodes.Near, this->Surface);
     const std::vector<int> bridges = FindBridges(near.Mesh, this->Surface, near.Trimmed);
     chords.insert(chords.end(), bridges.begin(), bridges.end());
     const auto known = static_cast<std::ptrdiff_t>(found.size());

@@ -759,6 +759,17 @@ void TestLooseParts()
     "an element in a corner is not loose with its layer");
 }
 
+// Between two holes that nearly touch a facet of the usual length goes from the one to the other.
+void TestWallToWall()
+{
+  const Mesh sheet = Sheet(14, 12, 2, Vec3(1, 1, 0.4));
+  const Surface holes =
+    Together(RoundHole(sheet, 6.81, 5.37, 2.57).Data, RoundHole(sheet, 0.908, 4.906, 2.75).Data);
+  const Outcome outcome = RunTrim(sheet, holes, TrimOptions());
+  const auto told = ExpectWarned("from hole to hole", outcome);
+  Expect(told.count(Curved) && told.at(Curved) == 2, "facets that go from hole to hole");
+}
+
 // Elements that are inside out are not mended by the trim, but told of, and hold what they held.
 void TestFolded()
 {
@@ -968,6 +979,7 @@ int main()
   TestShortfalls();
   TestShortEdges();
   TestLooseParts();
+  TestWallToWall();
   TestFolded();
   TestFlat();
   TestLeft();
