@@ -12,9 +12,6 @@ namespace trim
 namespace
 {
 
-/// Cosine of the dihedral angle from which an edge is a ridge, between two sides of the model:
-/// bends with radii of two elements turn by about 30 degrees from face to face.
-constexpr double RidgeCosine = SameSideCosine;
 /// Under more than 35 degrees a ridge goes on, though it fades.
 constexpr double FadingCosine = 0.8192;
 /// A border that turns by more than 30 degrees at a node has a corner there.
@@ -313,12 +310,12 @@ NodeConstraint ConstrainBy(const Band& band, const Columns& columns,
       nodeStatus[node] == NodeEliminate && StaysOnBorder(band, columns, nodeStatus, border, node);
     constraint.RidgeEdges = stays ? border : LateralEdges(band, columns, exterior, node);
     // Folds of the skin without a radius hold their nodes; inner layers fold alike.
-    AddCreases(band, constraint.Faces, node, RidgeCosine, constraint.RidgeEdges);
+    AddCreases(band, constraint.Faces, node, SameSideCosine, constraint.RidgeEdges);
   }
   else
   {
     constraint.Faces = exterior;
-    AddCreases(band, exterior, node, RidgeCosine, constraint.RidgeEdges);
+    AddCreases(band, exterior, node, SameSideCosine, constraint.RidgeEdges);
   }
   // A ridge that lies beyond the surface to both sides of the node goes with what is cut off.
   const bool ridgeGoes = nodeStatus[node] == NodeEliminate && !stays &&

@@ -51,8 +51,9 @@ bool GoesWhole(const BandFace& face, const std::vector<unsigned char>& nodeStatu
 double TurnCosine(
   const BandFace& a, const Vec3& normalOfA, const BandFace& b, const Vec3& normalOfB);
 
-/// Faces that meet under less than 45 degrees belong to one side of the model. Half a degree less:
-/// chamfers have just 45.
+/// Faces that meet under less than 45 degrees belong to one side of the model, others at a ridge:
+/// bends with radii of two elements turn by about 30 degrees from face to face. Half a degree less,
+/// as chamfers have just 45.
 constexpr double SameSideCosine = 0.7133;
 
 /// Some faces and, behind them, those next to each on the same side of the model.

@@ -1,6 +1,6 @@
 /**
  * @file TestTrimSmall.cxx
- * @brief Trims small enough to be worked out on paper: exact ids, statuses and positions.
+ * @brief Trims of which paper tells what comes out: exact ids, statuses, positions and volumes.
  */
 #include "Expect.h"
 #include "RunTrim.h"
