@@ -15,7 +15,8 @@ namespace trim
 
 /**
  * The kept elements of parts that no face joins to the rest, and all of whose elements are at the
- * new boundary; ascending. A part that is all there is is not loose.
+ * new boundary, or beneath a layer inserted there; ascending. A part that is all there is is not
+ * loose.
  *
  * @param boundary see ListBoundaryNodes.
  * @param kept how many elements are kept in all, in the band and elsewhere.

@@ -77,8 +77,8 @@ enum class Loose : char
   Either ///< the largest, or one of them
 };
 
-/// The parts all of whose elements are at the new boundary, but for the largest where there is no
-/// other; by element.
+/// The parts all of whose elements are at the new boundary, or have an inserted layer between it
+/// and them, but for the largest where there is no other; by element.
 std::vector<Loose> FindLooseElements(const Evidence& e)
 {
   const std::vector<int> part = PartOfElements(e.Out);
@@ -88,7 +88,7 @@ std::vector<Loose> FindLooseElements(const Evidence& e)
   {
     const Element& element = e.Out.Elements[c];
     const bool atCut = std::any_of(element.Node.begin(), element.Node.begin() + element.Size,
-      [&e](Id p) { return e.OnNewBoundary[p]; });
+      [&e](Id p) { return e.OnNewBoundary[p] || e.InsertedPoint[p]; });
     ++sizes[part[c]];
     Loose& own = loose.emplace(part[c], Loose::Yes).first->second;
     own = atCut ? own : Loose::No;
