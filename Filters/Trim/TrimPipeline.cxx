@@ -376,6 +376,10 @@ TrimResult Trim(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
     }
     const BandTask task{ surface, within.Place, options.OfBand };
     DecideStretches(stretches, task, Part(progress, 0.4, 0.6));
+    if (aborted(0.6)) // what there is then may be in part, as an offcut that nobody fitted
+    {
+      return result;
+    }
     stretches.Join();
     NumberInserted(mesh.NumberOfPoints, result.Near->Mesh);
   }

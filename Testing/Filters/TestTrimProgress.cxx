@@ -50,6 +50,69 @@ void TestAbort()
   Expect(output->GetNumberOfCells() > 0, "abort: nothing comes out afterwards");
 }
 
+// Tells a filter to end when it has been asked so many times whether it should.
+class Stopper
+{
+public:
+  Stopper(vtkTrimHexahedralGrid* filter, int after)
+    : Filter(filter)
+    , Left(after)
+  {
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
+      {
+        if (--static_cast<Stopper*>(data)->Left < 0)
+        {
+          static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+        }
+      });
+    stop->SetClientData(this);
+    this->Tag = filter->AddObserver(vtkCommand::AbortCheckEvent, stop);
+  }
+  ~Stopper()
+  {
+    this->Filter->RemoveObserver(this->Tag);
+    this->Filter->SetAbortExecute(0);
+    this->Filter->Modified();
+  }
+  bool HasStopped() const { return this->Left < 0; }
+
+private:
+  vtkTrimHexahedralGrid* Filter;
+  int Left;
+  unsigned long Tag;
+};
+
+// Aborted wherever it asks, with the parts that are made one after the other: the outputs are
+// empty, and there is no crash.
+void TestAbortAnywhere(bool offcut)
+{
+  const Mesh mesh = Sheet(8, 8, 2, Vec3(1, 1, 0.4));
+  const Surface surface = MakeSurface("wavy", mesh.Box, Placement());
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(0, mesh.Grid);
+  filter->SetInputDataObject(1, surface.Data);
+  filter->SetMinimumScaledJacobian(0.9);
+  filter->SetProduceOffcut(offcut);
+  filter->SetInsertLayer(!offcut);
+  int stops = 0;
+  bool stopped = true;
+  for (int after = 0; stopped; after += 1 + after / 4)
+  {
+    const Stopper stopper(filter, after);
+    filter->Update();
+    stopped = stopper.HasStopped();
+    stops += stopped;
+    for (int port = 0; stopped && port < 3; ++port)
+    {
+      auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port));
+      Expect(output->GetNumberOfCells() == 0, "abort anywhere: an output is not empty");
+    }
+  }
+  Expect(stops > 15, "abort anywhere: the filter hardly asks");
+}
+
 // Once work is to end the classification ends too, without an error or a guess.
 void TestAbortOfClassification()
 {
@@ -107,6 +170,8 @@ int main()
 {
   TestProgress();
   TestAbort();
+  TestAbortAnywhere(true);
+  TestAbortAnywhere(false);
   TestAbortOfClassification();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
