@@ -107,6 +107,7 @@ add_library(NURBSTrimStages STATIC
   Trim/ElementProbe.cxx
   Trim/ElementsAstray.cxx
   Trim/FeasibilityCheck.cxx
+  Trim/GridState.cxx
   Trim/InputScale.cxx
   Trim/InputTimes.cxx
   Trim/LayerRoom.cxx

@@ -216,7 +216,7 @@ bool TrimInputs::TakeChecked(vtkUnstructuredGrid* grid, std::string& error)
 
 bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
 {
-  if (this->Grid == grid && this->GridTime == grid->GetMTime())
+  if (this->Grid == grid && this->StateOfGrid == StateOf(grid))
   {
     return true;
   }
@@ -236,7 +236,7 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   }
   this->OwnInsideOut = this->TheBlocks.SomeInsideOut ? this->TheMesh.CountInsideOut() : 0;
   this->Grid = grid;
-  this->GridTime = grid->GetMTime();
+  this->StateOfGrid = StateOf(grid);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #define TrimInputs_h
 
 #include "GhostCells.h"
+#include "GridState.h"
 #include "HexMesh.h"
 #include "MeshBlocks.h"
 #include "SharedNodes.h"
@@ -60,7 +61,7 @@ private:
 
   const vtkNew<vtkUnstructuredGrid> NoGrid; ///< stands for that of a composite without one
   vtkWeakPointer<vtkUnstructuredGrid> Grid;
-  vtkMTimeType GridTime = 0;
+  GridState StateOfGrid;
   OwnCells TheOwn;
   HexMesh TheMesh;
   MeshBlocks TheBlocks;
