@@ -37,6 +37,13 @@ struct NodeFeet
     return static_cast<int>(
       std::lower_bound(this->Ids.begin(), this->Ids.end(), node) - this->Ids.begin());
   }
+
+  /// That of any node; null: it is of no candidate cell.
+  const nurbs::Foot* FootOf(Id node) const
+  {
+    const std::size_t at = this->Find(node);
+    return at < this->Ids.size() && this->Ids[at] == node ? &this->Feet[at] : nullptr;
+  }
 };
 
 struct Piece;

@@ -89,16 +89,9 @@ private:
   /// Whether the normals at the places of the surface nearest to where the nodes came from differ.
   bool TurnsBetween(int a, int b) const
   {
-    const nurbs::Foot *const footOfA = this->FootOf(a), *const footOfB = this->FootOf(b);
+    const nurbs::Foot* const footOfA = this->Feet.FootOf(this->Mesh.GlobalNode[a]);
+    const nurbs::Foot* const footOfB = this->Feet.FootOf(this->Mesh.GlobalNode[b]);
     return footOfA && footOfB && footOfA->Normal.dot(footOfB->Normal) < ShortTurnCosine;
-  }
-
-  const nurbs::Foot* FootOf(int node) const
-  {
-    const Id point = this->Mesh.GlobalNode[node];
-    const auto& ids = this->Feet.Ids;
-    const auto at = std::lower_bound(ids.begin(), ids.end(), point);
-    return at != ids.end() && *at == point ? &this->Feet.Feet[at - ids.begin()] : nullptr;
   }
 
   bool IsOnSurface(int node) const

@@ -22,11 +22,8 @@ constexpr double SmallestCosine = 1e-6;
 nurbs::Foot FootOf(
   const Band& band, int node, const NodeFeet& known, const nurbs::TrimmingSurface& surface)
 {
-  const Id id = band.GlobalNode[node];
-  const auto at = static_cast<std::size_t>(id >= 0 ? known.Find(id) : 0);
-  return id >= 0 && at < known.Ids.size() && known.Ids[at] == id
-    ? known.Feet[at]
-    : surface.ClosestPoint(band.Point[node]);
+  const nurbs::Foot* const foot = known.FootOf(band.GlobalNode[node]);
+  return foot ? *foot : surface.ClosestPoint(band.Point[node]);
 }
 
 /// Shift of the surface along an axis of an element, in elements as they are in the direction of

@@ -26,21 +26,17 @@ GridState::Array StateOf(vtkDataArray* array)
   return state;
 }
 
-bool operator==(const GridState::Array& a, const GridState::Array& b)
-{
-  return std::tie(a.Time, a.Memory, a.Values) == std::tie(b.Time, b.Memory, b.Values);
 }
 
+bool GridState::Array::operator==(const Array& other) const
+{
+  return std::tie(this->Time, this->Memory, this->Values) ==
+    std::tie(other.Time, other.Memory, other.Values);
 }
 
 bool GridState::operator==(const GridState& other) const
 {
-  bool same = this->Time == other.Time;
-  for (std::size_t i = 0; i < this->Arrays.size(); ++i)
-  {
-    same = same && this->Arrays[i] == other.Arrays[i];
-  }
-  return same;
+  return this->Time == other.Time && this->Arrays == other.Arrays;
 }
 
 GridState StateOf(vtkUnstructuredGrid* grid)

@@ -23,6 +23,8 @@ struct GridState
     vtkMTimeType Time = 0; ///< no two arrays have the same
     const void* Memory = nullptr;
     vtkIdType Values = 0;
+
+    bool operator==(const Array& other) const;
   };
 
   vtkMTimeType Time = 0;

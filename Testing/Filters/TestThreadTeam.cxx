@@ -308,7 +308,6 @@ void CheckFailureInTeam()
   }
 }
 
-// The system may have no threads left, here as none has a stack so large: the caller does the work.
 // Memory that was in use comes back as zeros, whoever fills them in.
 void CheckZerosOfTeam()
 {
@@ -327,6 +326,7 @@ void CheckZerosOfTeam()
   }
 }
 
+// The system may have no threads left, here as none has a stack so large: the caller does the work.
 void CheckTeamWithoutThreads()
 {
   pthread_attr_t usual, huge;
