@@ -39,7 +39,7 @@ struct SolvingBudget
 
 /**
  * The step that misses the targets least, in the sum of squares, with its own length. Which values
- * miss  * them is found by repetition, as long as the budget is not spent.
+ * miss them is found by repetition, as long as the budget is not spent.
  *
  * @param damping weight of the square of the step's length, positive.
  * @param[in,out] missed where to begin: demands that may miss their targets after the step; empty:

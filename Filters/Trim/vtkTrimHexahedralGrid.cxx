@@ -322,30 +322,13 @@ int vtkTrimHexahedralGrid::Trim(
     return this->Refuse(ranks, error);
   }
 
-  const auto look = [this]
-  {
-    this->InvokeEvent(vtkCommand::AbortCheckEvent);
-    this->CheckAbort();
-  };
-  // Asked from every thread, but only the caller's looks; negative: no news of the progress.
-  const trim::Progress progress = [this, look, caller = std::this_thread::get_id()](double done)
-  {
-    if (std::this_thread::get_id() == caller)
-    {
-      if (done >= 0.0)
-      {
-        this->UpdateProgress(done);
-      }
-      look();
-    }
-    return this->GetAbortOutput() || this->GetAbortExecute();
-  };
+  const trim::Progress progress = this->TellProgress();
   if (ranks.Any(progress(0.05)))
   {
     return 1;
   }
   const trim::TrimInputs& inputs = *this->Inputs;
-  trim::TrimResult result = WhileLooking(look,
+  trim::TrimResult result = WhileLooking([this] { this->LookForAbort(); },
     [&]
     {
       return trim::Trim(inputs.Mesh(), inputs.Blocks(),
@@ -359,6 +342,49 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return 1;
   }
+  if (!this->Write(result, ranks, progress, outputs))
+  {
+    return 1;
+  }
+  for (vtkUnstructuredGrid* output : outputs)
+  {
+    trim::TellRanges(output);
+    trim::TellTime(grid, surface, output);
+  }
+  this->Warn(ranks, result.Warnings);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrimHexahedralGrid::LookForAbort()
+{
+  this->InvokeEvent(vtkCommand::AbortCheckEvent);
+  this->CheckAbort();
+}
+
+//------------------------------------------------------------------------------
+trim::Progress vtkTrimHexahedralGrid::TellProgress()
+{
+  // Asked from every thread, but only the caller's looks; negative: no news of the progress.
+  return [this, caller = std::this_thread::get_id()](double done)
+  {
+    if (std::this_thread::get_id() == caller)
+    {
+      if (done >= 0.0)
+      {
+        this->UpdateProgress(done);
+      }
+      this->LookForAbort();
+    }
+    return this->GetAbortOutput() || this->GetAbortExecute();
+  };
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrimHexahedralGrid::Write(trim::TrimResult& result, const trim::Ranks& ranks,
+  const trim::Progress& progress, const Outputs& outputs)
+{
+  const trim::TrimInputs& inputs = *this->Inputs;
   const std::vector<std::string> remarks = inputs.Remarks();
   result.Warnings.insert(result.Warnings.begin(), remarks.begin(), remarks.end());
   const bool renumber =
@@ -369,15 +395,9 @@ int vtkTrimHexahedralGrid::Trim(
   if (ranks.Any(progress(1.0)))
   {
     Clear(outputs);
-    return 1;
+    return false;
   }
-  for (vtkUnstructuredGrid* output : outputs)
-  {
-    trim::TellRanges(output);
-    trim::TellTime(grid, surface, output);
-  }
-  this->Warn(ranks, result.Warnings);
-  return 1;
+  return true;
 }
 
 //------------------------------------------------------------------------------

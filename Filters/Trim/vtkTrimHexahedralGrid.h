@@ -34,8 +34,8 @@
  * - DistanceLeft (float, points): from the surface, of a node that was left off it; 0 elsewhere;
  * - NewBoundary (unsigned char, points): 1 for nodes of the border that the trim made; 0 elsewhere;
  * - CornerLost (unsigned char, points), with ProduceOffcut: 1 where a corner of the model moved, or
- *   a node left its border or a fold of its skin or slid past a bend of the border, so that the parts do not add up to the whole; 0
- *   elsewhere.
+ *   a node left its border or a fold of its skin or slid past a bend of the border, so that the
+ *   parts do not add up to the whole; 0 elsewhere.
  *
  * Each value of the last four comes with one warning: how many, where, and what to do.
  *
@@ -68,9 +68,11 @@
 #include "NURBSTrimFilterModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
-#include <vector> // For std::vector
+#include <array>      // For std::array
+#include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
+#include <string>     // For std::string
+#include <vector>     // For std::vector
 
 class vtkDataObject;
 class vtkUnstructuredGrid;
@@ -86,6 +88,7 @@ namespace trim
 class Ranks;
 class TrimInputs;
 struct TrimOptions;
+struct TrimResult;
 }
 
 class NURBSTRIMFILTER_EXPORT vtkTrimHexahedralGrid : public vtkUnstructuredGridAlgorithm
@@ -284,6 +287,13 @@ private:
   /// All of RequestData but threads and memory.
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     const trim::Ranks& ranks);
+  /// The outputs; false, with empty ones, if it was aborted.
+  bool Write(trim::TrimResult& result, const trim::Ranks& ranks,
+    const std::function<bool(double)>& progress,
+    const std::array<vtkUnstructuredGrid*, 3>& outputs);
+  /// See Progress.h; for the calling thread's trim.
+  std::function<bool(double)> TellProgress();
+  void LookForAbort();
   void Warn(const trim::Ranks& ranks, const std::vector<std::string>& warnings);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
   /// a line of its own to the one that says what to do.
