@@ -5,6 +5,7 @@
 #include "Expect.h"
 #include "RunTrim.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -322,6 +323,35 @@ void ReverseCells(vtkUnstructuredGrid* grid)
   grid->SetCells(types, cells);
 }
 
+// Adds a copy of one tuple to all arrays.
+void RepeatTuple(vtkDataSetAttributes* data, vtkIdType tuple)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    data->GetAbstractArray(i)->InsertNextTuple(tuple, data->GetAbstractArray(i));
+  }
+}
+
+// Adds a copy of the first cell, with nodes of its own beyond the last ones, in the arrays that
+// there are: they grow.
+void GrowByOneCell(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkIdList> nodes;
+  grid->GetCellPoints(0, nodes);
+  vtkPoints* const points = grid->GetPoints();
+  const vtkBoundingBox box(grid->GetBounds());
+  for (vtkIdType i = 0; i < nodes->GetNumberOfIds(); ++i)
+  {
+    Vec3 place;
+    points->GetPoint(nodes->GetId(i), place.data());
+    place[1] += 2 * box.GetLength(1);
+    RepeatTuple(grid->GetPointData(), nodes->GetId(i));
+    nodes->SetId(i, points->InsertNextPoint(place.data()));
+  }
+  grid->InsertNextCell(grid->GetCellType(0), nodes);
+  RepeatTuple(grid->GetCellData(), 0);
+}
+
 // What a filter remembers of its inputs it forgets when they change, though they are the same
 // objects, and what it said of them.
 void TestChangedInPlace(Mesh mesh)
@@ -355,6 +385,9 @@ void TestChangedInPlace(Mesh mesh)
   ReverseCells(grid);
   filter->Modified(); // as by an option: VTK does not take it for a change of the grid
   check("other cells");
+  GrowByOneCell(grid);
+  filter->Modified();
+  check("one more cell");
   vtkDataArray* const control = surface.Data->GetFieldData()->GetArray("NURBSControlPoints");
   for (vtkIdType i = 0; i < control->GetNumberOfTuples(); ++i)
   {
