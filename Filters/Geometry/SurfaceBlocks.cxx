@@ -187,7 +187,7 @@ Eigen::AlignedBox3f SurfaceBlocks::BoxOfBlock(
 const SurfaceBlock& SurfaceBlocks::BlockOf(const SurfaceModel& model, int index) const
 {
   SurfaceBlock& block = this->Blocks[index];
-  this->Turns.Measure(block.Known, index,
+  this->Turns.Measure(this->Certificates[index].Measured, index,
     [&]
     {
       this->MeasureBlock(model, index, block);

@@ -31,8 +31,6 @@ struct SurfacePoint;
 /// A rectangle in (u, v) of one face. Its own parameters run from -1/2 to 1/2.
 struct alignas(CacheLine) SurfaceBlock
 {
-  std::atomic<bool> Known; ///< false in new memory: not measured yet
-
   Vec3 Center;                ///< S at the middle
   Eigen::Vector3f X, Y, Z;    ///< axes: X along S_u, Z the normal at the middle
   float Xu, Xv, Yv;           ///< first derivatives at the middle along the axes; the others are 0
@@ -102,6 +100,9 @@ private:
   {
     std::atomic<float> Cost[3], Radius, Tilt{ -1 };
     std::atomic<float> Clearance[3] = { { -1 }, { -1 }, { -1 } }; ///< by width of the ring
+    /// The block itself. Not in it: its memory would be read before it is written to, and then the
+    /// kernel gives it twice, the second time in the way of all threads.
+    std::atomic<bool> Measured{ false };
   };
 
   std::size_t Divide(
