@@ -10,6 +10,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nurbs
@@ -63,7 +64,7 @@ private:
   void MeasurePart(const BezierPatch& patch, const LeafDomain& box, PartAlong& part) const;
   bool IsDecided(const BezierPatch& patch, int index, const LeafDomain& box, const PartAlong& part,
     double tolerance);
-  bool MayLieAtGap(const BezierPatch& patch, const LeafDomain& box) const;
+  bool MayGape(const BezierPatch& patch, const std::array<bool, 4>& at) const;
   bool FindTouch(const BezierPatch& patch, int index, const LeafDomain& box);
   Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
   double SquaredDistance(const Vec3& point) const;
@@ -342,6 +343,10 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
   // gapes, as at a knot, the next patch is met on the line or there is no meeting.
   if (away > 2 * slack)
   {
+    if (!this->MayGape(patch, { solution.S<0, solution.S> 1, solution.T<0, solution.T> 1 }))
+    {
+      return false;
+    }
     const Neighbourhood around = ExamineNeighbourhood(this->Model, meeting.Point);
     if (around.Border || away > MostOfGap * around.Gap)
     {
@@ -529,11 +534,10 @@ bool LineSearch::FindTouch(const BezierPatch& patch, int index, const LeafDomain
     this->Report(index, solution, true);
 }
 
-/// Whether there may be a gap to the next face beside the box. At a knot there is none, unless a
-/// loop runs along it.
-bool LineSearch::MayLieAtGap(const BezierPatch& patch, const LeafDomain& box) const
+/// Whether there may be a gap to the next face beside one of the sides. At a knot there is none,
+/// unless a loop runs along it.
+bool LineSearch::MayGape(const BezierPatch& patch, const std::array<bool, 4>& at) const
 {
-  const bool at[4] = { box.S0 == 0, box.S1 == 1, box.T0 == 0, box.T1 == 1 };
   const bool isTrimmed = !this->Model.Data[patch.Face].Loops.Empty();
   for (int side = 0; side < 4; ++side)
   {
@@ -551,8 +555,8 @@ bool LineSearch::SearchBox(
 {
   PartAlong part;
   this->MeasurePart(patch, box, part);
-  const double tolerance =
-    this->MayLieAtGap(patch, box) ? this->Tolerance + this->Model.Gap : this->Tolerance;
+  const bool gapes = this->MayGape(patch, { box.S0 == 0, box.S1 == 1, box.T0 == 0, box.T1 == 1 });
+  const double tolerance = gapes ? this->Tolerance + this->Model.Gap : this->Tolerance;
   if ((part.Low.array() > tolerance).any() || (part.High.array() < -tolerance).any() ||
     part.First > this->High + this->Tolerance || part.Last < this->Low - this->Tolerance ||
     this->IsDecided(patch, index, box, part, tolerance))

@@ -47,15 +47,37 @@ bool IsFree(
   return true;
 }
 
+/// How far apart the pieces are. Those farther on along the same border, where a knot or a corner
+/// is near, are not: the way to them leads along it.
+double MeasureGap(const std::vector<Sector>& sectors, const Vec3& x)
+{
+  const auto own = std::min_element(sectors.begin(), sectors.end(),
+    [](const Sector& a, const Sector& b) { return a.Away < b.Away; });
+  if (own == sectors.end() || own->RayCount == 0)
+  {
+    return 0.0;
+  }
+  // One ray: at a knot of the border, beyond which the next patch has the other.
+  const bool isEdge = own->Straight || own->RayCount == 1;
+  const Vec3 along = isEdge ? own->Rays[0].Direction : Vec3(Vec3::Zero());
+  double gap = 0.0;
+  for (const Sector& sector : sectors)
+  {
+    const Vec3 way = sector.Nearest - x;
+    gap = std::max(gap, (way - along.dot(way) * along).norm());
+  }
+  return gap;
+}
+
 /// What meets where borders that lie within `gap` of each other are one edge.
 Neighbourhood ExamineWithin(const SurfaceModel& model, const Vec3& x, double gap)
 {
   Neighbourhood result;
   const std::vector<Sector> sectors = FindSectors(model, x, gap);
+  result.Gap = MeasureGap(sectors, x);
   for (const Sector& sector : sectors)
   {
     result.Normal += model.Data[sector.Face].Sign * sector.Weighted;
-    result.Gap = std::max(result.Gap, sector.Away);
     if (sector.Straight && sector.RayCount == 2)
     {
       const bool matched = FindPartner(sectors, sector, sector.Rays[0]) ||

@@ -313,6 +313,29 @@ void TestGrazingAtBorders()
   }
 }
 
+/// The same beside corners of patches, at a seam or not: the patch across the corner is within the
+/// gap tolerance there, and farther away than any that meets the line's.
+void TestGrazingAtCorners()
+{
+  const double gap = 3e-5;
+  const TrimmingSurface sphere({ samples::Sphere(1) }, gap);
+  for (int k = 0; k < check::Trials(8000); ++k)
+  {
+    const double angle = 0.5 * M_PI * (k % 4);
+    const Vec3 corner(std::cos(angle), std::sin(angle), 0);
+    const Vec3 p = (corner + Uniform(0, 1) * gap * RandomVector()).normalized();
+    const Vec3 t = p.cross(RandomVector()).normalized();
+    const Vec3 d = 0.1 * (t - std::pow(10, Uniform(-1, 0)) * p);
+    auto hits = sphere.Intersect(p - d, p + d);
+    CheckHits(sphere, p - d, p + d, hits, "beside a corner");
+    check::That(hits.size() == 1 && Contains(hits, 0.5, 1e-8),
+      "one hit beside a corner: " + Describe(hits) + Points(p - d, p + d));
+    // The line ends before the surface, nearer to it than the gap tolerance.
+    hits = sphere.Intersect(p - d, p - 1e-5 * d);
+    check::That(hits.empty(), "none before it: " + Describe(hits) + Points(p - d, p - 1e-5 * d));
+  }
+}
+
 /// A line exactly through the gap between two faces within the tolerance is caught once; one
 /// past a free border is not.
 void TestGaps()
@@ -349,6 +372,7 @@ int main()
   TestEnds();
   TestTangency();
   TestGrazingAtBorders();
+  TestGrazingAtCorners();
   TestGaps();
   return check::Result();
 }
