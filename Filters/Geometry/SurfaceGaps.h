@@ -28,6 +28,16 @@ constexpr double WidestToldGapShare = 4e-3;
 /// along the edge, and between these borders lie farther off (two halves of a pipe 1.04 of it).
 constexpr double ToldGapFactor = 1.25;
 
+/// Gaps go by a surface of this many diagonals of the grid at most: those of a much larger one
+/// would be wider than elements, and close holes of the surface, and the corners of bodies.
+constexpr double LargestForGaps = 20.0;
+
+/// By which size of the surface gaps go.
+inline double SizeForGaps(double surface, double grid)
+{
+  return std::min(surface, LargestForGaps * grid);
+}
+
 /// How wide a gap may be where a border would be free otherwise. Of two faces each may lie off
 /// their edge by its tolerance.
 inline double FindWidestGap(const std::vector<NurbsSurface>& faces, double size)

@@ -176,7 +176,8 @@ std::string DescribeSurplus(const std::string& own, const Ranks& ranks)
       arrays + ". If these are not theirs, rewrite the grid or remove the arrays.";
 }
 
-std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurface> faces)
+/// The diagonal of the box of all control points.
+double SizeOf(const std::vector<nurbs::NurbsSurface>& faces)
 {
   nurbs::Box3 box;
   for (const auto& face : faces)
@@ -186,9 +187,7 @@ std::unique_ptr<nurbs::TrimmingSurface> MakeSurface(std::vector<nurbs::NurbsSurf
       box.extend(nurbs::Vec3(point[0], point[1], point[2]));
     }
   }
-  const double size = box.diagonal().norm();
-  const double widest = nurbs::FindWidestGap(faces, size);
-  return std::make_unique<nurbs::TrimmingSurface>(std::move(faces), nurbs::GapShare * size, widest);
+  return box.diagonal().norm();
 }
 
 }
@@ -308,23 +307,42 @@ bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
   return true;
 }
 
-bool TrimInputs::JoinSurface(const Ranks& ranks, std::string& error)
+bool TrimInputs::JoinFaces(const Ranks& ranks, std::string& error)
 {
   if (!ranks.Any(!this->TheSurface))
   {
     return true;
   }
   this->TheSurface = nullptr;
-  auto faces = ShareFaces(ranks, this->OwnFaces, this->BlocksOfFaces);
-  if (faces.empty())
+  this->Faces = ShareFaces(ranks, this->OwnFaces, this->BlocksOfFaces);
+  if (this->Faces.empty())
   {
     error = "The trimming surface is empty: see the error of its source, or connect a CAD Surface "
             "Reader, Trim Line Source or NURBS Surface Source.";
     return false;
   }
-  this->TheSurface = MakeSurface(std::move(faces));
-  this->SurfaceRemark = ranks.FirstText(FindShift(this->Shown, *this->TheSurface));
+  this->SizeOfFaces = SizeOf(this->Faces);
   return true;
+}
+
+void TrimInputs::MakeSurface(const Ranks& ranks)
+{
+  const double grid = this->TheBlocks.Bounds.diagonal().norm();
+  const double size = nurbs::SizeForGaps(this->SizeOfFaces, grid);
+  if (this->TheSurface && size == this->SizeOfGaps)
+  {
+    return;
+  }
+  for (int face = 0; this->TheSurface && face < this->TheSurface->NumberOfFaces(); ++face)
+  {
+    this->Faces.push_back(this->TheSurface->Face(face)); // the grid is another one
+  }
+  const double widest = nurbs::FindWidestGap(this->Faces, size);
+  this->TheSurface = std::make_unique<nurbs::TrimmingSurface>(
+    std::move(this->Faces), nurbs::GapShare * size, widest);
+  this->Faces.clear();
+  this->SizeOfGaps = size;
+  this->SurfaceRemark = ranks.FirstText(FindShift(this->Shown, *this->TheSurface));
 }
 
 bool TrimInputs::Take(
@@ -354,10 +372,11 @@ bool TrimInputs::Take(
   {
     return false;
   }
-  if (!this->JoinSurface(ranks, error) || !this->JoinPieces(ranks, error))
+  if (!this->JoinFaces(ranks, error) || !this->JoinPieces(ranks, error))
   {
     return false;
   }
+  this->MakeSurface(ranks);
   const nurbs::Box3& bounds = this->TheBlocks.Bounds;
   error = FindGridScaleDefect(bounds);
   error = error.empty() ? FindSurfaceScaleDefect(bounds, this->TheSurface->Bounds()) : error;

@@ -56,8 +56,10 @@ private:
   bool TakeSurface(vtkDataObject* data, std::string& error);
   /// Collective: what the pieces have in common.
   bool JoinPieces(const Ranks& ranks, std::string& error);
-  /// Collective: the whole surface on each rank.
-  bool JoinSurface(const Ranks& ranks, std::string& error);
+  /// Collective: all faces on each rank, unless their surface is made.
+  bool JoinFaces(const Ranks& ranks, std::string& error);
+  /// Collective: the whole surface on each rank, with gaps for this grid.
+  void MakeSurface(const Ranks& ranks);
 
   const vtkNew<vtkUnstructuredGrid> NoGrid; ///< stands for that of a composite without one
   vtkWeakPointer<vtkUnstructuredGrid> Grid;
@@ -78,6 +80,9 @@ private:
   std::vector<Id> BlocksOfFaces;
   std::vector<Vec3> Shown; ///< see SamplePolygons
   std::string SurfaceRemark;
+  std::vector<nurbs::NurbsSurface> Faces; ///< of all ranks, until the surface is made
+  double SizeOfFaces = 0.0;               ///< of the box of their control points
+  double SizeOfGaps = 0.0;                ///< the size that the gaps of the surface go by
   std::unique_ptr<nurbs::TrimmingSurface> TheSurface; ///< of all ranks' faces; null: not made yet
 };
 

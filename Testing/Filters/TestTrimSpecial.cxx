@@ -20,6 +20,8 @@
 #include <vtkPolyData.h>
 #include <vtkTrimHexahedralGrid.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -622,6 +624,74 @@ void TestToldGaps()
   Expect(lost(unknown) > 1e-2, "gaps that are not told of cut corners off");
 }
 
+/// Three faces that meet at a corner, of this side length, turned; what lies before all goes.
+Surface CornerOfBody(const Vec3& corner, const Eigen::Matrix3d& turn, double side)
+{
+  vtkNew<vtkMultiBlockDataSet> faces;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vec3 u = side * turn.col((axis + 1) % 3), v = side * turn.col((axis + 2) % 3);
+    SplineSurface face;
+    face.CountU = face.CountV = 2;
+    face.KnotsU = face.KnotsV = UniformKnots(2, 1);
+    for (const Vec3& p : { corner, Vec3(corner + u), Vec3(corner + v), Vec3(corner + u + v) })
+    {
+      face.Control.emplace_back(p[0], p[1], p[2], 1);
+    }
+    faces->SetBlock(axis, ToPolyData(face));
+  }
+  Surface surface;
+  surface.Data = faces;
+  return surface;
+}
+
+/// Nodes that slid, but not along an edge of a mesh whose edges are along the axes.
+int CountAstray(vtkUnstructuredGrid* trimmed)
+{
+  auto* by = trimmed->GetPointData()->GetArray("CorrectionApplied");
+  auto* displacement = trimmed->GetPointData()->GetArray("Displacement");
+  int astray = 0;
+  for (vtkIdType i = 0; i < trimmed->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 moved(displacement->GetTuple(i));
+    astray += by->GetComponent(i, 0) == 3 &&
+      moved.squaredNorm() - moved.cwiseAbs2().maxCoeff() > 1e-8 * moved.squaredNorm();
+  }
+  return astray;
+}
+
+// Which gaps between faces count as closed goes by the size of the surface, but not where they
+// would be as wide as elements: at the corner of a large body nodes slid to places beside their
+// edges. The gaps are those of the grid, whatever was trimmed before.
+void TestLargeBody()
+{
+  const Mesh block = Block(6, 6, 6), larger = Block(12, 12, 12);
+  TrimOptions options;
+  options.CorrectionType = 3;
+  options.MinimumScaledJacobian = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.3 + 0.4 * k, Vec3(1, 2 - k, 0.5 * k).normalized()).toRotationMatrix();
+    const Vec3 corner = Vec3(3, 3, 3) + 0.3 * Vec3(std::cos(k), std::sin(2 * k), std::sin(k));
+    const Surface body = CornerOfBody(corner, turn, 1e5);
+    const Outcome outcome = RunTrim(block, body, options);
+    const std::string name = "a large body, " + std::to_string(k) + ": ";
+    const int astray = outcome.Clean() ? CountAstray(outcome.Case.Trimmed) : -1;
+    Expect(astray == 0, name + std::to_string(astray) + " nodes astray");
+    vtkNew<vtkTrimHexahedralGrid> filter;
+    SetOptions(filter, options);
+    filter->SetInputDataObject(1, body.Data);
+    for (const Mesh* mesh : { &larger, &block })
+    {
+      filter->SetInputDataObject(0, mesh->Grid);
+      filter->Update();
+    }
+    auto* later = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    Expect(FirstDifference(outcome.Case.Trimmed, later).empty(), name + "after another grid");
+  }
+}
+
 // Wedges of the input may have the node order of vtkWedge's documentation; those of the outputs
 // have the other one, as if the input had it.
 void TestWedgeOrder()
@@ -899,6 +969,7 @@ int main()
   TestCornersAtBorder();
   TestRepeatedFaces();
   TestToldGaps();
+  TestLargeBody();
   TestWedgeOrder();
   TestWedgesAtBorder();
   TestJoints();
