@@ -133,5 +133,6 @@ target_link_libraries(NURBSTrimStages
   PUBLIC NURBSTrimGeometry Eigen3::Eigen VTK::CommonCore VTK::CommonDataModel
   PRIVATE Boost::headers VTK::ParallelCore)
 target_compile_features(NURBSTrimStages PUBLIC cxx_std_17)
+target_precompile_headers(NURBSTrimStages PRIVATE ${nurbstrim_common_headers})
 # Processors that multiply and add in one step would round otherwise than others.
 set_source_files_properties(Mesh/CellMeasure.cxx PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
