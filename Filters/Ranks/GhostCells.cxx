@@ -21,6 +21,10 @@ namespace trim
 namespace
 {
 
+constexpr unsigned char CopyFlag = vtkDataSetAttributes::DUPLICATECELL;
+constexpr unsigned char HiddenFlags =
+  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+
 bool HasFlags(vtkUnsignedCharArray* ghosts)
 {
   if (!ghosts)
@@ -34,17 +38,14 @@ bool HasFlags(vtkUnsignedCharArray* ghosts)
 
 void FindOwn(const HexMesh& mesh, vtkUnsignedCharArray* ghosts, OwnCells& own)
 {
-  constexpr unsigned char copy = vtkDataSetAttributes::DUPLICATECELL;
-  constexpr unsigned char hidden =
-    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   std::vector<char> used(mesh.NumberOfPoints, 0);
   std::array<Id, 8> nodes;
   for (Id c = 0; c < mesh.NumberOfCells; ++c)
   {
     const unsigned char flags = ghosts ? ghosts->GetPointer(0)[c] : 0;
-    if (flags & (copy | hidden))
+    if (IsLeftOut(flags))
     {
-      ++(flags & copy ? own.Copies : own.Hidden);
+      ++(flags & CopyFlag ? own.Copies : own.Hidden);
       continue;
     }
     own.Cells.push_back(c);
@@ -101,6 +102,11 @@ void CopyCells(
   grid->SetCells(ownTypes, cells);
 }
 
+}
+
+bool IsLeftOut(unsigned char flags)
+{
+  return (flags & (CopyFlag | HiddenFlags)) != 0;
 }
 
 bool HasGhosts(vtkUnstructuredGrid* grid)

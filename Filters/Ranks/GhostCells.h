@@ -25,6 +25,9 @@ struct OwnCells
   Id Hidden = 0;                             ///< others left out: hidden or refined ones
 };
 
+/// Whether a cell with these flags is no cell of the rank's own.
+bool IsLeftOut(unsigned char flags);
+
 /// Whether some cells or points are flagged as ghosts, so that not all cells are a rank's own.
 bool HasGhosts(vtkUnstructuredGrid* grid);
 

@@ -1,5 +1,7 @@
 #include "DegenerateHexahedra.h"
 
+#include "GhostCells.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
 #include <vtkNew.h>
@@ -87,6 +89,14 @@ bool HasCells(vtkUnstructuredGrid* grid)
     grid->GetCellTypesArray()->GetNumberOfValues() >= grid->GetNumberOfCells();
 }
 
+/// Of cells, those that are trimmed: several ranks may have copies of the others.
+vtkIdType CountOwn(const std::vector<vtkIdType>& cells, vtkUnsignedCharArray* flags)
+{
+  return std::count_if(cells.begin(), cells.end(),
+    [flags](vtkIdType c)
+    { return !flags || c >= flags->GetNumberOfValues() || !IsLeftOut(flags->GetValue(c)); });
+}
+
 /// Whether each cell ends where the next one begins.
 struct AreInOrder
 {
@@ -116,7 +126,7 @@ vtkSmartPointer<vtkUnstructuredGrid> WithWedges(vtkUnstructuredGrid* grid, vtkId
   {
     return grid;
   }
-  count = static_cast<vtkIdType>(wedges.Cells.size());
+  count = CountOwn(wedges.Cells, grid->GetCellGhostArray());
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(given->GetNumberOfCells(), given->GetNumberOfConnectivityIds());
   vtkNew<vtkUnsignedCharArray> types;

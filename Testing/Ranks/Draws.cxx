@@ -108,38 +108,6 @@ Cut DrawOne(Dice& dice, const Frame& box)
   return cut;
 }
 
-/// Some cells with their nodes in the other order, or as hexahedra with two pairs of equal corners.
-Mesh WithOddCells(const Mesh& mesh, double insideOut, bool wedgesAsHexahedra, Dice& dice)
-{
-  Mesh odd = mesh;
-  odd.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  odd.Grid->ShallowCopy(mesh.Grid);
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkIdList> nodes;
-  for (vtkIdType c = 0; c < mesh.Grid->GetNumberOfCells(); ++c)
-  {
-    mesh.Grid->GetCellPoints(c, nodes);
-    int type = mesh.Grid->GetCellType(c);
-    if (type == VTK_WEDGE && wedgesAsHexahedra)
-    {
-      const vtkIdType n[8] = { nodes->GetId(0), nodes->GetId(1), nodes->GetId(2), nodes->GetId(2),
-        nodes->GetId(3), nodes->GetId(4), nodes->GetId(5), nodes->GetId(5) };
-      nodes->SetNumberOfIds(8);
-      std::copy(n, n + 8, nodes->GetPointer(0));
-      type = VTK_HEXAHEDRON;
-    }
-    else if (type == VTK_HEXAHEDRON && dice.Chance(insideOut))
-    {
-      std::swap_ranges(nodes->GetPointer(0), nodes->GetPointer(4), nodes->GetPointer(4));
-    }
-    cells->InsertNextCell(nodes);
-    types->InsertNextValue(static_cast<unsigned char>(type));
-  }
-  odd.Grid->SetCells(types, cells);
-  return odd;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -215,6 +183,38 @@ Extra DrawOptions(Dice& dice, const Frame& box)
     o.UseKeepPoint ? " keeppoint" : "", extra.Quality ? " quality" : "");
   extra.Words = text;
   return extra;
+}
+
+//------------------------------------------------------------------------------
+Mesh WithOddCells(const Mesh& mesh, double insideOut, bool wedgesAsHexahedra, Dice& dice)
+{
+  Mesh odd = mesh;
+  odd.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  odd.Grid->ShallowCopy(mesh.Grid);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType c = 0; c < mesh.Grid->GetNumberOfCells(); ++c)
+  {
+    mesh.Grid->GetCellPoints(c, nodes);
+    int type = mesh.Grid->GetCellType(c);
+    if (type == VTK_WEDGE && wedgesAsHexahedra)
+    {
+      const vtkIdType n[8] = { nodes->GetId(0), nodes->GetId(1), nodes->GetId(2), nodes->GetId(2),
+        nodes->GetId(3), nodes->GetId(4), nodes->GetId(5), nodes->GetId(5) };
+      nodes->SetNumberOfIds(8);
+      std::copy(n, n + 8, nodes->GetPointer(0));
+      type = VTK_HEXAHEDRON;
+    }
+    else if (type == VTK_HEXAHEDRON && dice.Chance(insideOut))
+    {
+      std::swap_ranges(nodes->GetPointer(0), nodes->GetPointer(4), nodes->GetPointer(4));
+    }
+    cells->InsertNextCell(nodes);
+    types->InsertNextValue(static_cast<unsigned char>(type));
+  }
+  odd.Grid->SetCells(types, cells);
+  return odd;
 }
 
 //------------------------------------------------------------------------------

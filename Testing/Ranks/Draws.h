@@ -59,6 +59,11 @@ Cut DrawAslant(Dice& dice, const Frame& box);
 
 Extra DrawOptions(Dice& dice, const Frame& box);
 
+/// Some cells with their nodes in the other order, and wedges as hexahedra with two pairs of equal
+/// corners.
+/// @param insideOut the share of hexahedra that are turned.
+Mesh WithOddCells(const Mesh& mesh, double insideOut, bool wedgesAsHexahedra, Dice& dice);
+
 /// One of `names`, or now and then one of its own.
 /// @param needsIds gets whether places alone do not tell its nodes apart.
 Mesh DrawMesh(

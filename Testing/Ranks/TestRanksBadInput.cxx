@@ -2,6 +2,7 @@
  * @file TestRanksBadInput.cxx
  * @brief What is wrong on one rank ends the trim on all: one error, empty outputs, nobody waits.
  */
+#include "Draws.h"
 #include "Pieces.h"
 #include "SplineData.h"
 
@@ -345,6 +346,24 @@ void TestRemarks()
   Check(outcome.Errors.empty() && outcome.Warnings.empty(), "ids that are no whole numbers");
 }
 
+/// Hexahedra that are wedges are told of once each, however many ranks have copies of them.
+void TestCopiesOfWedges()
+{
+  Dice dice(1, 1);
+  const Mesh mesh = WithOddCells(SheetWithWedges(8, 6, 2), 0.0, true, dice);
+  const auto whole = WithWholeIds(mesh.Grid);
+  const std::vector<Surface> planes(3, MakeSurface("plane", mesh.Box, Placement()));
+  const PiecesOutcome alone = TrimPieces({ whole }, { planes[0].Data }, TrimOptions());
+  Check(alone.Warnings.size() == 1 &&
+      alone.Warnings[0].find("two pairs of corners in one node") != std::string::npos,
+    "wedges as hexahedra: not one warning of them");
+  const PiecesOutcome parts =
+    TrimPieces(Divide(mesh, whole, "ghosts", 3), SurfacesOf(planes), TrimOptions());
+  Check(parts.Errors.empty(), "copies of wedges as hexahedra: errors");
+  const std::string difference = DifferenceOfTexts(alone.Warnings, parts.Warnings);
+  Check(difference.empty(), "copies of wedges as hexahedra: " + difference);
+}
+
 void TestMissingSurface()
 {
   Placement outside;
@@ -500,6 +519,7 @@ int main()
   TestRerun(1);
   TestMended();
   TestRemarks();
+  TestCopiesOfWedges();
   TestEndInOnePart();
   TestPartialArrays();
   std::printf("%d wrong\n", Wrong);
