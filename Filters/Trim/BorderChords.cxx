@@ -1,9 +1,11 @@
 #include "BorderChords.h"
 
 #include "MovingNodes.h"
+#include "Place.h"
 #include "Status.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace trim
 {
@@ -20,16 +22,26 @@ constexpr double LargestSag = 0.2;
 constexpr double LargestShortSag = 0.4;
 constexpr double ShortTurnCosine = 0.5;
 
+/// Of the surface at the foot of a node of the band.
+struct FootNormal
+{
+  int Node;
+  Place Normal;
+};
+
 class ChordSearch
 {
 public:
-  ChordSearch(const TrimBand& near, const NodeFeet& feet, const nurbs::TrimmingSurface& surface)
+  /// Collective.
+  ChordSearch(const TrimBand& near, const NodeFeet& feet, const nurbs::TrimmingSurface& surface,
+    const Ranks& ranks)
     : Mesh(near.Mesh)
     , Structure(near.Structure)
     , Trimmed(near.Trimmed)
-    , Feet(feet)
     , Surface(surface)
+    , Normals(near.Mesh.NumberOfNodes(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()))
   {
+    this->ShareNormals(feet, ranks);
   }
 
   bool HasLongChord(int e) const
@@ -86,12 +98,30 @@ private:
     return false;
   }
 
+  /// The feet of an element's nodes may be known to another rank alone: that of the elements which
+  /// the surface meets there.
+  void ShareNormals(const NodeFeet& feet, const Ranks& ranks)
+  {
+    std::vector<FootNormal> own;
+    for (int n = 0; n < this->Mesh.NumberOfNodes(); ++n)
+    {
+      const nurbs::Foot* const foot =
+        this->IsOnSurface(n) ? feet.FootOf(this->Mesh.GlobalNode[n]) : nullptr;
+      if (foot)
+      {
+        own.push_back({ n, ToPlace(foot->Normal) });
+      }
+    }
+    for (const auto& [node, normal] : ranks.Gather(own))
+    {
+      this->Normals[node] = ToVec3(normal);
+    }
+  }
+
   /// Whether the normals at the places of the surface nearest to where the nodes came from differ.
   bool TurnsBetween(int a, int b) const
   {
-    const nurbs::Foot* const footOfA = this->Feet.FootOf(this->Mesh.GlobalNode[a]);
-    const nurbs::Foot* const footOfB = this->Feet.FootOf(this->Mesh.GlobalNode[b]);
-    return footOfA && footOfB && footOfA->Normal.dot(footOfB->Normal) < ShortTurnCosine;
+    return this->Normals[a].dot(this->Normals[b]) < ShortTurnCosine; // false if one is unknown
   }
 
   bool IsOnSurface(int node) const
@@ -103,16 +133,16 @@ private:
   const Band& Mesh;
   const Columns& Structure;
   const TrimmedBand& Trimmed;
-  const NodeFeet& Feet;
   const nurbs::TrimmingSurface& Surface;
+  std::vector<Vec3> Normals; ///< at the feet of nodes on the surface; NaN: no rank has one
 };
 
 }
 
-std::vector<int> FindLongChords(
-  const TrimBand& near, const NodeFeet& feet, const nurbs::TrimmingSurface& surface)
+std::vector<int> FindLongChords(const TrimBand& near, const NodeFeet& feet,
+  const nurbs::TrimmingSurface& surface, const Ranks& ranks)
 {
-  const ChordSearch search(near, feet, surface);
+  const ChordSearch search(near, feet, surface, ranks);
   std::vector<int> found = FindTouchedElements(near.Mesh, near.Trimmed);
   found.erase(std::remove_if(
                 found.begin(), found.end(), [&search](int e) { return !search.HasLongChord(e); }),

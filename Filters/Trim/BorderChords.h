@@ -8,6 +8,7 @@
 #define BorderChords_h
 
 #include "NodeClassification.h"
+#include "Ranks.h"
 #include "TrimBand.h"
 #include "TrimmingSurface.h"
 
@@ -17,12 +18,12 @@ namespace trim
 {
 
 /**
- * The kept elements with such a facet, ascending.
+ * The kept elements with such a facet, ascending. Collective.
  *
- * @param feet of the nodes where they came from.
+ * @param feet of this rank's nodes where they came from.
  */
-std::vector<int> FindLongChords(
-  const TrimBand& near, const NodeFeet& feet, const nurbs::TrimmingSurface& surface);
+std::vector<int> FindLongChords(const TrimBand& near, const NodeFeet& feet,
+  const nurbs::TrimmingSurface& surface, const Ranks& ranks);
 
 }
 

@@ -47,14 +47,17 @@ constexpr double RayStart = 1e-3;
 class Checker
 {
 public:
-  Checker(const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const TrimResult& result)
+  Checker(const HexMesh& mesh, const Ranks& ranks, const nurbs::TrimmingSurface& surface,
+    const TrimResult& result)
     : Mesh(mesh)
+    , All(ranks)
     , Surface(surface)
     , Result(result)
     , CrossedTwice(FindEdgesCrossedTwice(mesh, surface, result.Nodes))
   {
   }
 
+  /// Collective.
   std::vector<std::pair<Id, Feasibility>> Run()
   {
     const auto& cells = this->Result.Nodes.CandidateCells;
@@ -96,7 +99,7 @@ private:
   }
 
   /// Adds cells with long chords of the surface, or of a bend of the border, cut or not, of which
-  /// nothing else is told.
+  /// nothing else is told. Collective.
   /// @param[in,out] found by ascending cell.
   void AddChords(std::vector<std::pair<Id, Feasibility>>& found) const
   {
@@ -105,7 +108,8 @@ private:
       return;
     }
     const TrimBand& near = *this->Result.Near;
-    std::vector<int> chords = FindLongChords(near, this->Result.Nodes.Near, this->Surface);
+    std::vector<int> chords =
+      FindLongChords(near, this->Result.Nodes.Near, this->Surface, this->All);
     const std::vector<int> bridges = FindBridges(near.Mesh, this->Surface, near.Trimmed);
     chords.insert(chords.end(), bridges.begin(), bridges.end());
     const auto known = static_cast<std::ptrdiff_t>(found.size());
@@ -401,6 +405,7 @@ private:
   }
 
   const HexMesh& Mesh;
+  const Ranks& All;
   const nurbs::TrimmingSurface& Surface;
   const TrimResult& Result;
   std::vector<MeshEdge> CrossedTwice;          ///< ascending
@@ -409,10 +414,10 @@ private:
 
 }
 
-std::vector<std::pair<Id, Feasibility>> CheckFeasibility(
-  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const TrimResult& result)
+std::vector<std::pair<Id, Feasibility>> CheckFeasibility(const HexMesh& mesh, const Ranks& ranks,
+  const nurbs::TrimmingSurface& surface, const TrimResult& result)
 {
-  return Checker(mesh, surface, result).Run();
+  return Checker(mesh, ranks, surface, result).Run();
 }
 
 }

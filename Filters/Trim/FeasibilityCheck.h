@@ -9,6 +9,7 @@
 #ifndef FeasibilityCheck_h
 #define FeasibilityCheck_h
 
+#include "Ranks.h"
 #include "TrimResult.h"
 #include "TrimmingSurface.h"
 
@@ -16,12 +17,14 @@ namespace trim
 {
 
 /**
+ * Collective.
+ *
  * @param result classified and, unless the surface touches nothing, decided; its surface turned
  * as it was for that.
  * @return by ascending cell.
  */
-std::vector<std::pair<Id, Feasibility>> CheckFeasibility(
-  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const TrimResult& result);
+std::vector<std::pair<Id, Feasibility>> CheckFeasibility(const HexMesh& mesh, const Ranks& ranks,
+  const nurbs::TrimmingSurface& surface, const TrimResult& result);
 
 }
 

@@ -296,7 +296,7 @@ Id CountKept(const Piece& piece, const TrimResult& result)
 void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingSurface& surface,
   const TrimOptions& options, const std::string& unitsHint, TrimResult& result)
 {
-  result.Found.Feasibilities = CheckFeasibility(mesh, surface, result);
+  result.Found.Feasibilities = CheckFeasibility(mesh, piece.All, surface, result);
   if (result.Near)
   {
     auto& near = *result.Near;
