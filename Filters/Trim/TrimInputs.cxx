@@ -307,25 +307,26 @@ bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
   return true;
 }
 
-bool TrimInputs::JoinFaces(const Ranks& ranks, std::string& error)
+bool TrimInputs::JoinFaces(
+  const Ranks& ranks, std::vector<nurbs::NurbsSurface>& faces, std::string& error)
 {
   if (!ranks.Any(!this->TheSurface))
   {
     return true;
   }
   this->TheSurface = nullptr;
-  this->Faces = ShareFaces(ranks, this->OwnFaces, this->BlocksOfFaces);
-  if (this->Faces.empty())
+  faces = ShareFaces(ranks, this->OwnFaces, this->BlocksOfFaces);
+  if (faces.empty())
   {
     error = "The trimming surface is empty: see the error of its source, or connect a CAD Surface "
             "Reader, Trim Line Source or NURBS Surface Source.";
     return false;
   }
-  this->SizeOfFaces = SizeOf(this->Faces);
+  this->SizeOfFaces = SizeOf(faces);
   return true;
 }
 
-void TrimInputs::MakeSurface(const Ranks& ranks)
+void TrimInputs::MakeSurface(const Ranks& ranks, std::vector<nurbs::NurbsSurface> faces)
 {
   const double grid = this->TheBlocks.Bounds.diagonal().norm();
   const double size = nurbs::SizeForGaps(this->SizeOfFaces, grid);
@@ -335,12 +336,11 @@ void TrimInputs::MakeSurface(const Ranks& ranks)
   }
   for (int face = 0; this->TheSurface && face < this->TheSurface->NumberOfFaces(); ++face)
   {
-    this->Faces.push_back(this->TheSurface->Face(face)); // the grid is another one
+    faces.push_back(this->TheSurface->Face(face)); // the grid is another one
   }
-  const double widest = nurbs::FindWidestGap(this->Faces, size);
-  this->TheSurface = std::make_unique<nurbs::TrimmingSurface>(
-    std::move(this->Faces), nurbs::GapShare * size, widest);
-  this->Faces.clear();
+  const double widest = nurbs::FindWidestGap(faces, size);
+  this->TheSurface =
+    std::make_unique<nurbs::TrimmingSurface>(std::move(faces), nurbs::GapShare * size, widest);
   this->SizeOfGaps = size;
   this->SurfaceRemark = ranks.FirstText(FindShift(this->Shown, *this->TheSurface));
 }
@@ -372,11 +372,12 @@ bool TrimInputs::Take(
   {
     return false;
   }
-  if (!this->JoinFaces(ranks, error) || !this->JoinPieces(ranks, error))
+  std::vector<nurbs::NurbsSurface> faces;
+  if (!this->JoinFaces(ranks, faces, error) || !this->JoinPieces(ranks, error))
   {
     return false;
   }
-  this->MakeSurface(ranks);
+  this->MakeSurface(ranks, std::move(faces));
   const nurbs::Box3& bounds = this->TheBlocks.Bounds;
   error = FindGridScaleDefect(bounds);
   error = error.empty() ? FindSurfaceScaleDefect(bounds, this->TheSurface->Bounds()) : error;

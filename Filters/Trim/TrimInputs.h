@@ -57,9 +57,11 @@ private:
   /// Collective: what the pieces have in common.
   bool JoinPieces(const Ranks& ranks, std::string& error);
   /// Collective: all faces on each rank, unless their surface is made.
-  bool JoinFaces(const Ranks& ranks, std::string& error);
+  /// @param[out] faces none if it is.
+  bool JoinFaces(const Ranks& ranks, std::vector<nurbs::NurbsSurface>& faces, std::string& error);
   /// Collective: the whole surface on each rank, with gaps for this grid.
-  void MakeSurface(const Ranks& ranks);
+  /// @param faces none if it is made already, for another grid maybe.
+  void MakeSurface(const Ranks& ranks, std::vector<nurbs::NurbsSurface> faces);
 
   const vtkNew<vtkUnstructuredGrid> NoGrid; ///< stands for that of a composite without one
   vtkWeakPointer<vtkUnstructuredGrid> Grid;
@@ -80,9 +82,8 @@ private:
   std::vector<Id> BlocksOfFaces;
   std::vector<Vec3> Shown; ///< see SamplePolygons
   std::string SurfaceRemark;
-  std::vector<nurbs::NurbsSurface> Faces; ///< of all ranks, until the surface is made
-  double SizeOfFaces = 0.0;               ///< of the box of their control points
-  double SizeOfGaps = 0.0;                ///< the size that the gaps of the surface go by
+  double SizeOfFaces = 0.0; ///< of the box of all ranks' control points
+  double SizeOfGaps = 0.0;  ///< the size that the gaps of the surface go by
   std::unique_ptr<nurbs::TrimmingSurface> TheSurface; ///< of all ranks' faces; null: not made yet
 };
 
