@@ -107,7 +107,6 @@ add_library(NURBSTrimStages STATIC
   Trim/ElementProbe.cxx
   Trim/ElementsAstray.cxx
   Trim/FeasibilityCheck.cxx
-  Trim/GridState.cxx
   Trim/InputScale.cxx
   Trim/InputTimes.cxx
   Trim/LayerRoom.cxx

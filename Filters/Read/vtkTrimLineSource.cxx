@@ -2,9 +2,9 @@
 
 #include "CADChildProcess.h"
 #include "CADFormat.h"
-#include "ChangeTime.h"
 #include "CurveChain.h"
 #include "FirstRank.h"
+#include "GridState.h"
 #include "NURBSTessellation.h"
 #include "PlaceText.h"
 #include "PropertyLimits.h"
@@ -113,14 +113,14 @@ struct vtkTrimLineSource::Cache
   std::vector<nurbs::FileCurve> Curves;
 
   vtkWeakPointer<vtkDataObject> Sheet;
-  vtkMTimeType SheetTime = 0;
+  std::vector<nurbs::GridState> SheetStates;
   nurbs::SheetSkin Skin;
   std::string SheetError; ///< not empty: there is no skin
 
   void TakeSheet(vtkDataObject* sheet, vtkMultiProcessController* ranks)
   {
-    const vtkMTimeType time = sheet ? nurbs::ChangeTime(sheet) : 0;
-    if (this->Sheet != sheet || this->SheetTime != time || !sheet)
+    auto states = sheet ? nurbs::StatesOf(sheet) : std::vector<nurbs::GridState>();
+    if (this->Sheet != sheet || !(this->SheetStates == states) || !sheet)
     {
       this->Skin = nurbs::SheetSkin();
       this->SheetError.clear();
@@ -129,7 +129,7 @@ struct vtkTrimLineSource::Cache
         nurbs::BuildSheetSkin(sheet, this->Skin, this->SheetError);
       }
       this->Sheet = sheet;
-      this->SheetTime = time;
+      this->SheetStates = std::move(states);
     }
     this->Skin.Ranks = sheet ? ranks : nullptr;
   }

@@ -215,7 +215,7 @@ bool TrimInputs::TakeChecked(vtkUnstructuredGrid* grid, std::string& error)
 
 bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
 {
-  if (this->Grid == grid && this->StateOfGrid == StateOf(grid))
+  if (this->Grid == grid && this->StateOfGrid == nurbs::StateOf(grid))
   {
     return true;
   }
@@ -235,7 +235,7 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   }
   this->OwnInsideOut = this->TheBlocks.SomeInsideOut ? this->TheMesh.CountInsideOut() : 0;
   this->Grid = grid;
-  this->StateOfGrid = StateOf(grid);
+  this->StateOfGrid = nurbs::StateOf(grid);
   return true;
 }
 

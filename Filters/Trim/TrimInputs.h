@@ -65,7 +65,7 @@ private:
 
   const vtkNew<vtkUnstructuredGrid> NoGrid; ///< stands for that of a composite without one
   vtkWeakPointer<vtkUnstructuredGrid> Grid;
-  GridState StateOfGrid;
+  nurbs::GridState StateOfGrid;
   OwnCells TheOwn;
   HexMesh TheMesh;
   MeshBlocks TheBlocks;

@@ -370,6 +370,25 @@ void TestAutomaticBySheet()
   CHECK(FieldValue(source, "Length") > 4.0, "the block has changed");
 }
 
+/// A grid that gets other cells, which VTK counts as no change of it.
+void TestOtherCells()
+{
+  const auto angle = MakeSheet(
+    [](const Vec3& p) { return p.x() <= 10.0 ? p : Vec3(10.0 + p.z(), p.y(), -(p.x() - 10.0)); });
+  const vtkSmartPointer<vtkCellArray> all = angle->GetCells();
+  const vtkSmartPointer<vtkUnsignedCharArray> types = angle->GetCellTypesArray();
+  vtkNew<vtkCellArray> one;
+  one->InsertNextCell(angle->GetCell(0));
+  angle->SetCells(angle->GetCellType(0), one);
+  vtkNew<vtkTrimLineSource> source;
+  Give(source, { { 1, 3, 0.8 }, { 4, 5, 0.8 }, { 3, 8, 0.8 }, { 1, 7, 0.8 } }, true);
+  source->SetInputData(angle);
+  CHECK(FieldValue(source, "Length") < 1.0, "through an element of the lying leg");
+  angle->SetCells(types, all);
+  source->Modified();
+  CHECK(FieldValue(source, "Length") > 10.0, "through the standing leg that came since");
+}
+
 /// Cells with nodes that are not there: one error.
 void TestCorruptSheet()
 {
@@ -709,6 +728,7 @@ int main()
   TestPolyline();
   TestAutomaticByLine();
   TestAutomaticBySheet();
+  TestOtherCells();
   TestCorruptSheet();
   TestFewFlags();
   TestUselessSheet();

@@ -1,14 +1,16 @@
 #include "GridState.h"
 
-#include <vtkCellArray.h>
-#include <vtkDataArray.h>
-#include <vtkPoints.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnstructuredGrid.h>
+#include "vtkCellArray.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataSetRange.h"
+#include "vtkDataArray.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <tuple>
 
-namespace trim
+namespace nurbs
 {
 namespace
 {
@@ -49,6 +51,25 @@ GridState StateOf(vtkUnstructuredGrid* grid)
     StateOf(cells ? cells->GetOffsetsArray() : nullptr),
     StateOf(cells ? cells->GetConnectivityArray() : nullptr), StateOf(grid->GetCellTypesArray()) };
   return state;
+}
+
+std::vector<GridState> StatesOf(vtkDataObject* data)
+{
+  std::vector<GridState> states;
+  const auto add = [&states](vtkDataObject* own)
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(own);
+    states.push_back(grid ? StateOf(grid) : GridState{ own->GetMTime(), {} });
+  };
+  add(data);
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
+    {
+      add(leaf);
+    }
+  }
+  return states;
 }
 
 }

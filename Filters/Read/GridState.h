@@ -1,17 +1,21 @@
 /**
  * @file GridState.h
- * @brief Whether a grid is still what it was.
+ * @brief Whether a grid, or the blocks of a composite, are still what they were.
  */
 #ifndef GridState_h
 #define GridState_h
 
-#include <vtkType.h>
+#include "NURBSTrimReadModule.h"
+
+#include "vtkType.h"
 
 #include <array>
+#include <vector>
 
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
-namespace trim
+namespace nurbs
 {
 
 /// VTK does not count it as a change of a grid when it gets other cells, or more points or cells in
@@ -30,10 +34,14 @@ struct GridState
   vtkMTimeType Time = 0;
   std::array<Array, 4> Arrays; ///< of points, cells and types
 
-  bool operator==(const GridState& other) const;
+  NURBSTRIMREAD_EXPORT bool operator==(const GridState& other) const;
 };
 
-GridState StateOf(vtkUnstructuredGrid* grid);
+NURBSTRIMREAD_EXPORT GridState StateOf(vtkUnstructuredGrid* grid);
+
+/// Of the object or, if it is a composite, of its blocks, too. Of what is no unstructured grid the
+/// time alone, which tells.
+std::vector<GridState> StatesOf(vtkDataObject* data);
 
 }
 
