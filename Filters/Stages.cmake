@@ -72,6 +72,7 @@ add_library(NURBSTrimStages STATIC
   Treat/Relaxation.cxx
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
+  Treat/Returner.cxx
   Treat/StepDirections.cxx
   Treat/CornerShape.cxx
   Treat/ShapeDescent.cxx

@@ -39,6 +39,13 @@ NodeMover::NodeMover(const Band& band, const Columns& columns,
 {
 }
 
+NodeMover NodeMover::Quiet() const
+{
+  NodeMover quiet = *this;
+  quiet.TellsAsked = false;
+  return quiet;
+}
+
 bool NodeMover::MayBeAt(int node, const Vec3& place) const
 {
   return !this->StaysInside || !LiesOutside(this->TheBand, node, place);
@@ -81,7 +88,7 @@ double NodeMover::Reach(int node) const
 const NodeHold& NodeMover::HoldOf(int node, bool onCut) const
 {
   const bool byStatus = onCut || this->AllKept.empty();
-  if (!onCut)
+  if (!onCut && this->TellsAsked)
   {
     this->Memory->AskedOffCut[node].store(1, std::memory_order_relaxed);
   }

@@ -46,6 +46,9 @@ public:
     double precision, bool slidesBehind = false, std::shared_ptr<MoverMemory> memory = nullptr,
     bool staysInside = false);
 
+  /// The same that does not tell the memory what it was asked: for trials that may never be made.
+  NodeMover Quiet() const;
+
   /// Type II: P1 on the surface, P2 on the skin facet, P3 = line(N, P2) with S (eqs. 16, 17).
   /// Nodes on a ridge slide along it, by type III.
   const NodeMove& Project(int node) const;
@@ -178,6 +181,7 @@ private:
   std::vector<unsigned char> AllKept;
   std::shared_ptr<MoverMemory> Memory;
   bool StaysInside;
+  bool TellsAsked = true;
 };
 
 }

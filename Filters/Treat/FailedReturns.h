@@ -12,6 +12,7 @@
 
 #include "RelaxedMesh.h"
 
+#include <mutex>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -19,17 +20,26 @@
 namespace trim
 {
 
-/// Of one band and surface.
+/// Of one band and surface; for any number of threads.
 class FailedReturns
 {
 public:
   /// All that a trial depends on, as bytes.
   using Key = std::string;
 
-  bool Contain(const Key& key) const { return this->Failures.count(key) > 0; }
-  void Add(const Key& key) { this->Failures.insert(key); }
+  bool Contain(const Key& key) const
+  {
+    const std::lock_guard<std::mutex> locked(this->Lock);
+    return this->Failures.count(key) > 0;
+  }
+  void Add(const Key& key)
+  {
+    const std::lock_guard<std::mutex> locked(this->Lock);
+    this->Failures.insert(key);
+  }
 
 private:
+  mutable std::mutex Lock;
   std::unordered_set<Key> Failures;
 };
 

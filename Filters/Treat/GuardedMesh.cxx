@@ -21,6 +21,13 @@ GuardedMesh::GuardedMesh(const GuardedCase& given)
   }
 }
 
+GuardedMesh::GuardedMesh(const GuardedCase& given, const GuardedMesh& same)
+  : RelaxedMesh(given.ToRelax, given.NodeMoves)
+  , Given(given)
+  , Used(same.Used)
+{
+}
+
 std::vector<GuardedMesh::Standard> GuardedMesh::StandardsOf(
   const std::vector<int>& elements, double limit) const
 {

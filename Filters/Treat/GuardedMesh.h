@@ -38,6 +38,8 @@ class GuardedMesh : public RelaxedMesh
 public:
   /// @param given must outlive it.
   explicit GuardedMesh(const GuardedCase& given);
+  /// @param same another one, of which the nodes are where they are in this case.
+  GuardedMesh(const GuardedCase& given, const GuardedMesh& same);
 
   /// What an element is not to fall below.
   struct Standard

@@ -1,426 +1,154 @@
 #include "ReturnedNodes.h"
 
-#include "AddUnique.h"
-#include "JointRelaxation.h"
+#include "Returner.h"
+#include "Runs.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <limits>
+#include <atomic>
+#include <memory>
+#include <utility>
 
 namespace trim
 {
 namespace
 {
 
-/// Scaled Jacobians that elements have to keep when a node returns: first those that cost little.
-constexpr std::array<double, 2> Limits{ 0.5, 0.0 };
-/// Scaled Jacobian of a corner whose edges lie in one plane.
-constexpr double Flat = 1e-6;
-/// What relaxing nodes one by one leaves below this share of the limit, and this far below it, all
-/// together find no room for: 3 of 5 000 did, and took two fifths of the time of all that tried.
-constexpr double HopelessShare = 0.125;
-constexpr double HopelessGap = 0.17;
 /// Places that room is made for, at most.
 constexpr int MostRelaxations = 300;
-/// Halvings of a node's way to the surface, and sweeps over all nodes: one makes room for the next.
-/// What brings a node nearer by less than this share of its distance is no step.
-constexpr int WayHalvings = 6;
-constexpr int ApproachSweeps = 4;
-constexpr double LeastStep = 0.02;
 
-class Returner : private GuardedMesh
+/// A returner with moves of its own, for a thread to foresee what becomes of nodes.
+class ReturnerAside
 {
 public:
-  using GuardedMesh::GuardedMesh;
-
-  bool Run(const std::vector<int>& left)
+  /// @param same another one of the case.
+  ReturnerAside(const GuardedCase& given, const Returner& same)
+    : Mover(given.ToRelax.Mover.Quiet())
+    , Fixed(given.Fixed)
+    , OnCut(given.OnCut)
+    , NodeMoves(given.NodeMoves)
+    , Case{ { given.ToRelax.TheBand, this->Mover, given.ToRelax.Elements, this->Fixed,
+              this->OnCut },
+      given.Quality, given.Least, given.Aborted, this->Fixed, this->OnCut, this->NodeMoves }
+    , Own(this->Case, same)
   {
-    std::vector<int> rest = left;
-    for (const double limit : Limits)
-    {
-      this->Limit = std::max(limit, this->Given.Least);
-      while (this->Sweep(rest, &Returner::Return))
-      {
-      }
-    }
-    return rest.size() < left.size();
+  }
+  ReturnerAside(const ReturnerAside&) = delete;
+  void operator=(const ReturnerAside&) = delete;
+
+  Returner* operator->() { return &this->Own; }
+
+private:
+  NodeMover Mover;
+  std::vector<char> Fixed, OnCut;
+  Moves NodeMoves;
+  GuardedCase Case;
+  Returner Own;
+};
+
+/**
+ * Nodes return one after the other while the nodes round them make room. Most find none, which
+ * leaves everything as it was: so all threads foresee what becomes of the next few, each with moves
+ * of its own. That holds up to the first one that returns.
+ */
+class ReturnsInTurn
+{
+public:
+  ReturnsInTurn(const GuardedCase& given, const std::vector<int>& left, FailedReturns& failures)
+    : Given(given)
+    , Left(left)
+    , Aside(left.size() < FewLeft ? 1 : ThreadsForLoops())
+    , InTurn(given, this->Aside.size() > 1 ? &failures : given.Failures)
+  {
   }
 
-  bool RunWithRelaxation(const std::vector<int>& left)
+  bool Run()
   {
-    std::vector<int> rest = left;
-    this->Limit = this->Given.Least;
-    return this->Sweep(rest, &Returner::ReturnRelaxed);
-  }
-
-  /// Takes nodes as near to the surface as they can come.
-  bool Approach(const std::vector<int>& left)
-  {
-    this->Limit = GoalMargin * this->Given.Least;
     bool any = false;
-    bool changed = true;
-    for (int sweep = 0; changed && sweep < ApproachSweeps; ++sweep)
+    for (std::size_t i = 0;
+         i < this->Left.size() && this->Relaxations < MostRelaxations && !this->Given.Aborted();
+         ++i)
     {
-      changed = false;
-      for (const int node : left)
+      const Returner::Outcome outcome = this->OutcomeOf(i);
+      this->Relaxations += outcome.Relaxations;
+      if (outcome.Moved)
       {
-        changed |= !this->Given.Aborted() && this->ComeNearer(node, left);
+        any = true;
+        this->Take(*outcome.Moved);
       }
-      any |= changed;
     }
     return any;
   }
 
 private:
-  struct Place
+  Returner::Outcome OutcomeOf(std::size_t i)
   {
-    Vec3 At = Vec3::Zero();
-    Correction By = Correction::None;
-  };
-
-  /// Tries each of the nodes and forgets those that returned; false if there were none.
-  bool Sweep(std::vector<int>& nodes, bool (Returner::*attempt)(int))
-  {
-    std::vector<int> rest;
-    for (const int node : nodes)
+    const int most = MostRelaxations - this->Relaxations;
+    if (this->Aside.size() == 1)
     {
-      if (this->Given.Aborted() || !(this->*attempt)(node))
+      return this->InTurn.Foresee(this->Left[i], most);
+    }
+    if (i >= this->First + this->Foreseen.size())
+    {
+      this->Foresee(i, most);
+    }
+    const int node = this->Left[i];
+    Returner::Outcome& outcome = this->Foreseen[i - this->First];
+    if (outcome.Relaxations > most)
+    {
+      return this->InTurn.Foresee(node, most);
+    }
+    this->InTurn.Ask(node);
+    return std::move(outcome);
+  }
+
+  /// The next few from one on.
+  void Foresee(std::size_t first, int most)
+  {
+    this->First = first;
+    this->Foreseen.clear();
+    this->Foreseen.resize(std::min(this->Left.size() - first, AtOnce * this->Aside.size()));
+    std::atomic<std::size_t> next{ 0 };
+    ForAll(
+      static_cast<int>(this->Aside.size()),
+      [&](int thread)
       {
-        rest.push_back(node);
+        auto& aside = this->Aside[thread];
+        for (std::size_t i; (i = next.fetch_add(1)) < this->Foreseen.size();)
+        {
+          if (!aside)
+          {
+            aside = std::make_unique<ReturnerAside>(this->Given, this->InTurn);
+          }
+          this->Foreseen[i] = (*aside)->Foresee(this->Left[first + i], most);
+        }
+      },
+      1);
+  }
+
+  void Take(const Returner::State& moved)
+  {
+    this->InTurn.Take(moved);
+    for (const auto& aside : this->Aside)
+    {
+      if (aside)
+      {
+        (*aside)->Take(moved);
       }
     }
-    nodes.swap(rest);
-    return nodes.size() < rest.size();
+    this->Foreseen.clear();
   }
 
-  bool OthersStand(const std::vector<int>& nodes) const
-  {
-    return !this->Given.OthersStand ||
-      std::all_of(nodes.begin(), nodes.end(), this->Given.OthersStand);
-  }
+  /// Nodes for each thread: one may take longer than others.
+  static constexpr std::size_t AtOnce = 2;
+  /// So few are not worth moves of each thread's own.
+  static constexpr std::size_t FewLeft = 4;
 
-  /// Where a node may come to the surface.
-  std::vector<Place> PlacesFor(int node)
-  {
-    std::vector<Place> places;
-    const auto add = [&](const NodeMove& move)
-    {
-      if (move.Found)
-      {
-        places.push_back({ AsStored(this->TheBand, move.Target), move.By });
-      }
-    };
-    add(this->Mover.Project(node));
-    for (const int edge : this->Mover.SlidingEdges(node))
-    {
-      add(this->Mover.SlideAlong(node, edge));
-    }
-    if (places.empty() && !this->Mover.IsInSheet(node))
-    {
-      add(this->BetweenNeighbours(node));
-    }
-    return places;
-  }
-
-  /// Where the way to the surface leaves a block a node may still come to lie between those beside
-  /// it on the cut; for one on the skin, those on the skin.
-  NodeMove BetweenNeighbours(int node) const
-  {
-    std::vector<int> beside;
-    const auto offer = [&](int other)
-    {
-      if (this->OnCut[other] && !this->TheMoves.Left[other])
-      {
-        AddUnique(beside, other);
-      }
-    };
-    bool onSkin = false;
-    for (const int f : this->TheBand.FacesOfNode(node))
-    {
-      const BandFace& face = this->TheBand.Faces[f];
-      if (face.Exterior)
-      {
-        onSkin = true;
-        const auto ends = NeighboursOf(face, node);
-        std::for_each(ends.begin(), ends.end(), offer);
-      }
-    }
-    for (const int edge : onSkin ? Band::Range() : this->TheBand.EdgesOfNode(node))
-    {
-      offer(this->TheBand.OtherEnd(edge, node));
-    }
-    if (beside.size() < 2 || (onSkin && beside.size() > 2))
-    {
-      return {};
-    }
-    Vec3 middle = Vec3::Zero();
-    for (const int other : beside)
-    {
-      middle += this->TheMoves.Position[other] / static_cast<double>(beside.size());
-    }
-    const Vec3 along =
-      this->TheMoves.Position[beside.back()] - this->TheMoves.Position[beside.front()];
-    return this->Mover.Between(node, middle, along.normalized());
-  }
-
-  bool Return(int node)
-  {
-    const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<Standard> before = this->StandardsOf(elements, this->Limit);
-    const Vec3 from = this->TheMoves.Position[node];
-    double best = -1.0;
-    Place found;
-    for (const Place& place : this->PlacesFor(node))
-    {
-      this->TheMoves.Position[node] = place.At;
-      const double lowest = this->LowestOf(elements, before);
-      if (lowest > best && !this->IsCoincident(node) && this->OthersStand({ node }))
-      {
-        best = lowest;
-        found = place;
-      }
-    }
-    this->TheMoves.Position[node] = from;
-    if (best < 0.0)
-    {
-      return false;
-    }
-    this->Put(node, found);
-    return true;
-  }
-
-  /// Moves a node to the place nearest to the surface that the elements stand; false if that is
-  /// where it was.
-  bool ComeNearer(int node, const std::vector<int>& left)
-  {
-    const Vec3 from = this->TheMoves.Position[node];
-    std::vector<Place> places = this->PlacesFor(node);
-    if (places.empty() && this->ComeToCorner(node, left))
-    {
-      return true;
-    }
-    Vec3 nearest;
-    if (this->Mover.Constrained(node, this->FreedomOf(node), from, true, nearest))
-    {
-      places.push_back({ nearest, Correction::Relax });
-    }
-    double rest = std::numeric_limits<double>::infinity();
-    for (const Place& place : places)
-    {
-      rest = std::min(rest, (1.0 - LeastStep) * (place.At - from).norm());
-    }
-    const std::vector<int> elements = this->ElementsAt({ node });
-    const std::vector<Standard> before = this->StandardsOf(elements, this->Limit);
-    Vec3 best = from;
-    for (const Place& place : places)
-    {
-      const Vec3 reached = this->GoTowards(node, place.At, elements, before);
-      const double distance = (place.At - reached).norm();
-      if (distance < rest)
-      {
-        rest = distance;
-        best = reached;
-      }
-    }
-    this->TheMoves.Position[node] = best;
-    this->TheMoves.Applied[node] = best != from ? Correction::Relax : this->TheMoves.Applied[node];
-    this->TellPlaced({ node });
-    return best != from;
-  }
-
-  /// Moves a node whose border ends right before the surface to that end, together with the others
-  /// left in its pillar, as one alone would twist a thin element. False if it is there, or the
-  /// elements do not stand it.
-  bool ComeToCorner(int node, const std::vector<int>& left)
-  {
-    std::vector<int> pillar;
-    std::copy_if(left.begin(), left.end(), std::back_inserter(pillar),
-      [&](int n) { return this->Mover.PillarOf(n) == this->Mover.PillarOf(node); });
-    const State before = this->StateOf(pillar);
-    const std::vector<int> elements = this->ElementsAt(pillar);
-    const std::vector<Standard> standards = this->StandardsOf(elements, this->Limit);
-    bool any = false;
-    for (const int n : pillar)
-    {
-      const NodeMove corner = this->Mover.ComeToCorner(n, this->TheMoves.Position[n]);
-      if (corner.Found)
-      {
-        any = true;
-        this->TheMoves.Position[n] = AsStored(this->TheBand, corner.Target);
-        this->TheMoves.Applied[n] = Correction::Relax;
-      }
-    }
-    if (any && this->LowestOf(elements, standards) >= 0.0 && !this->HasCoincident(before) &&
-      this->OthersStand(pillar))
-    {
-      return true;
-    }
-    this->Restore(before);
-    return false;
-  }
-
-  /// Where a node comes to on the longest part of a way that the elements stand; it stays.
-  /// @param elements those at the node, with what they are to keep.
-  Vec3 GoTowards(int node, const Vec3& goal, const std::vector<int>& elements,
-    const std::vector<Standard>& before)
-  {
-    const Vec3 from = this->TheMoves.Position[node];
-    Vec3 reached = from;
-    double gone = 0.0, step = 0.5;
-    for (int halving = 0; halving < WayHalvings; ++halving, step *= 0.5)
-    {
-      Vec3 at;
-      if (!this->Mover.Constrained(
-            node, this->FreedomOf(node), from + (gone + step) * (goal - from), false, at))
-      {
-        continue;
-      }
-      this->TheMoves.Position[node] = AsStored(this->TheBand, at);
-      if (this->LowestOf(elements, before) >= 0.0 && !this->IsCoincident(node) &&
-        this->OthersStand({ node }))
-      {
-        gone += step;
-        reached = this->TheMoves.Position[node];
-      }
-    }
-    this->TheMoves.Position[node] = from;
-    return reached;
-  }
-
-  void Put(int node, const Place& place)
-  {
-    this->TheMoves.Position[node] = place.At;
-    this->TellPlaced({ node });
-    this->TheMoves.Applied[node] =
-      place.At != this->TheBand.Point[node] ? place.By : Correction::None;
-    this->TheMoves.Failed[node] = 0;
-    this->TheMoves.Left[node] = 0;
-    this->Given.Fixed[node] = 0;
-    this->SetOnCut(node, 1);
-  }
-
-  void SetOnCut(int node, char onCut)
-  {
-    if (this->Given.OnCut[node] != onCut)
-    {
-      this->Given.OnCut[node] = onCut;
-      this->ForgetFreedom(node);
-    }
-  }
-
-  /// The same with the nodes round it relaxed.
-  bool ReturnRelaxed(int node)
-  {
-    if (this->Relaxations == MostRelaxations)
-    {
-      return false;
-    }
-    const std::vector<int> at = this->ElementsAt({ node });
-    std::vector<int> nodes = this->NodesRound(at, RelaxedRings);
-    nodes.push_back(node);
-    const State before = this->StateOf(nodes);
-    const std::vector<int> elements = this->ElementsAt(nodes);
-    const std::vector<Standard> standards = this->StandardsOf(elements, this->Limit);
-    const char boundary = this->OnCut[node];
-    for (const Place& place : this->PlacesFor(node))
-    {
-      this->Put(node, place);
-      if (this->MakesRoom(node, at, before, standards))
-      {
-        return true;
-      }
-      this->Restore(before);
-      this->TheMoves.Left[node] = 1;
-      this->Given.Fixed[node] = 1;
-      this->SetOnCut(node, boundary);
-    }
-    return false;
-  }
-
-  /// Whether a node finds room where it was put.
-  /// @param at elements at it.
-  /// @param before the node, as the last one, and all that may make room, as they were.
-  /// @param standards of the elements at these.
-  bool MakesRoom(int node, const std::vector<int>& at, const State& before,
-    const std::vector<Standard>& standards)
-  {
-    if (this->Relaxations == MostRelaxations ||
-      std::any_of(at.begin(), at.end(), [&](int e) { return this->IsFlat(e); }))
-    {
-      return false;
-    }
-    ++this->Relaxations;
-    FailedReturns::Key key;
-    if (this->Given.Failures)
-    {
-      key = this->KeyOf(node, at, before);
-      if (this->Given.Failures->Contain(key))
-      {
-        return false;
-      }
-    }
-    const RelaxationGoal goal{ this->Limit, this->Limit, Decisive };
-    Relax(this->Given.ToRelax, at, goal, this->TheMoves);
-    const double least = std::min(HopelessShare * this->Limit, this->Limit - HopelessGap);
-    bool stood =
-      std::all_of(at.begin(), at.end(), [&](int e) { return this->Quality(e) >= least; });
-    if (stood)
-    {
-      RelaxJointly(this->Given.ToRelax, at, goal, this->TheMoves);
-      stood = this->LowestOf(this->ElementsAt(before.Nodes), standards) >= 0.0;
-    }
-    if (!stood && this->Given.Failures)
-    {
-      this->Given.Failures->Add(key);
-    }
-    // Coincident nodes may be anywhere, so that this is no matter of the neighbours alone.
-    return stood && !this->HasCoincident(before);
-  }
-
-  /// The standards are those of the places before.
-  FailedReturns::Key KeyOf(int node, const std::vector<int>& at, const State& before) const
-  {
-    FailedReturns::Key key = StateRound(*this, this->Given.Fixed, at, RelaxedRings);
-    AppendBytes(node, key);
-    AppendBytes(this->Limit, key);
-    const Vec3& from = before.Position.back();
-    for (int c = 0; c < 3; ++c)
-    {
-      AppendBytes(from[c], key);
-    }
-    return key;
-  }
-
-  /// Whether all edges at a corner of an element lie in one plane of the surface: there is no
-  /// corner then, wherever its nodes go along it.
-  bool IsFlat(int e) const
-  {
-    if (std::abs(this->Quality(e)) > Flat)
-    {
-      return false;
-    }
-    const auto& element = this->Elements[e];
-    const auto& topology = TopologyOf(element.Count);
-    std::array<char, 8> open{};
-    const auto isOn = [&](int n) { return this->OnCut[n] && !this->TheMoves.Left[n]; };
-    for (int i = 0; i < topology.NumberOfEdges; ++i)
-    {
-      const auto& edge = topology.Edges[i];
-      open[edge.First] |= !isOn(element.Node[edge.Second]);
-      open[edge.Second] |= !isOn(element.Node[edge.First]);
-    }
-    for (int i = 0; i < element.Count; ++i)
-    {
-      if (!open[i] && isOn(element.Node[i]))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  double Limit = 0; ///< elements that are above it do not fall below
+  const GuardedCase& Given;
+  const std::vector<int>& Left;
+  std::vector<std::unique_ptr<ReturnerAside>> Aside; ///< by thread, once it had something to do
+  Returner InTurn;
+  std::vector<Returner::Outcome> Foreseen; ///< from First on
+  std::size_t First = 0;
   int Relaxations = 0;
 };
 
@@ -428,13 +156,16 @@ private:
 
 bool ReturnNodes(const GuardedCase& given, const std::vector<int>& left, ReturnEffort effort)
 {
-  Returner returner(given);
+  if (effort == ReturnEffort::Relaxed)
+  {
+    FailedReturns own;
+    return ReturnsInTurn(given, left, given.Failures ? *given.Failures : own).Run();
+  }
+  Returner returner(given, given.Failures);
   switch (effort)
   {
     case ReturnEffort::Alone:
       return returner.Run(left);
-    case ReturnEffort::Relaxed:
-      return returner.RunWithRelaxation(left);
     default:
       return returner.Approach(left);
   }

@@ -233,6 +233,24 @@ void TestTrials()
   }
 }
 
+// Many nodes are left: which of them find room is foreseen by all threads, of several nodes at
+// once.
+void TestReturns()
+{
+  const Mesh mesh = Block(12, 12, 12);
+  Placement at;
+  at.Lean = 0.5;
+  const TrimOptions options;
+  const Surface surface = MakeSurface("plane", mesh.Box, at);
+  CompareThreads("nodes left", mesh, surface, options, { 2, 3 });
+  const int left = CountLeft(RunTrim(mesh, surface, options).Case.Trimmed);
+  if (left < 20)
+  {
+    std::printf("FAIL only %d nodes left\n", left);
+    ++Wrong;
+  }
+}
+
 void TestLarge()
 {
   for (const bool permuted : { false, true })
@@ -276,6 +294,7 @@ int main(int argc, char* argv[])
     TestChoiceOfBackend();
     TestSmall();
     TestTrials();
+    TestReturns();
     TestNumberingOfElements();
   }
   if (part != "small")
