@@ -33,6 +33,9 @@ constexpr std::size_t ManyAslant = 100;
 /// What one of them costs at least without a layer, as the square of a distance in edges: in blocks
 /// cut by planes and waves, and in an O-grid, it was 0.027 to 0.24.
 constexpr double SquaresAslant = 0.02;
+/// So many nodes left when all is valid are worth to look whether a layer leaves none before the
+/// long way from there on, which hardly ever brings all of them back.
+constexpr std::size_t ManyLeft = 50;
 
 /// @param memory see TrimCase.
 TrimCase CaseOf(
@@ -200,10 +203,13 @@ bool CutsCornersOff(const TrimBand& near, const BandTask& task)
 /// for a corner of the model may leave nodes farther off than the corner would be, and whole
 /// columns do where the cut wanders through a block or along a wall; then it is decided again
 /// without, every element for itself, and what comes nearest to the surface is taken.
-void DecideWithMesh(TrimBand& near, const BandTask& task, const Progress& progress)
+/// @param valid see ClimbPromises, of the first climb; where it says no, progress has to end the
+/// work.
+void DecideWithMesh(
+  TrimBand& near, const BandTask& task, const Progress& progress, const Promise& valid = {})
 {
   auto memory = std::make_shared<MoverMemory>(near.Mesh);
-  ClimbBand(near, task, Part(progress, 0.0, 0.3), memory);
+  ClimbBand(near, task, Part(progress, 0.0, 0.3), memory, { valid, {} });
   OtherTrims others(near, task);
   if (!progress(-1.0) && others.AreWorthwhile() && CutsCornersOff(near, task))
   {
@@ -327,6 +333,27 @@ void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progres
 namespace
 {
 
+/// Decides without a layer, or finds one on the way that leaves nothing where much would be left.
+/// @return that; null: there is none, and the one without is made.
+std::unique_ptr<TrimBand> DecideWithMeshOrLayer(
+  TrimBand& near, const BandTask& task, const Progress& progress)
+{
+  std::unique_ptr<TrimBand> layered;
+  const auto goesOn = [&](const TrimmedBand& trimmed)
+  {
+    near.Trimmed = trimmed;
+    if (FindNodesLeft(near, task.Surface, task.Precision).size() >= ManyLeft)
+    {
+      layered = BestLayer(near, task).FindWhole(Part(progress, 0.0, 0.3));
+    }
+    return !layered;
+  };
+  const auto ends = [&](double done) { return progress(done) || layered; };
+  DecideWithMesh(near, task, Part(ends, 0.3, 0.9), goesOn);
+  TakeCloser(near, task, Part(ends, 0.9, 1.0));
+  return layered;
+}
+
 /// @return a trim with a layer that is better; null: there is none, and the one without is made.
 std::unique_ptr<TrimBand> DecideOnce(
   TrimBand& near, const BandTask& task, BestLayer& layer, const Progress& progress)
@@ -349,9 +376,8 @@ std::unique_ptr<TrimBand> DecideOnce(
   }
   if (!layered)
   {
-    DecideWithMesh(near, task, Part(progress, 0.5, 0.75));
-    TakeCloser(near, task, Part(progress, 0.75, 0.8));
-    if (!progress(0.8) && !near.NodesLeft.empty())
+    layered = DecideWithMeshOrLayer(near, task, Part(progress, 0.5, 0.8));
+    if (!layered && !progress(0.8) && !near.NodesLeft.empty())
     {
       layered = layer.Find(MeasureLeft(near), true, Part(progress, 0.8, 1.0));
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <utility>
 
 namespace trim
@@ -75,6 +76,13 @@ std::unique_ptr<TrimBand> BestLayer::Find(
     return nullptr;
   }
   return best;
+}
+
+std::unique_ptr<TrimBand> BestLayer::FindWhole(const Progress& progress)
+{
+  Shortcomings least;
+  least.Squares = std::numeric_limits<double>::min();
+  return this->Find(least, false, progress);
 }
 
 std::unique_ptr<TrimBand> BestLayer::Make(std::size_t trim, const Progress& progress) const

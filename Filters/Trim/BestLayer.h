@@ -25,6 +25,9 @@ public:
   /// @param progress where it ends the work, the result is of no use.
   std::unique_ptr<TrimBand> Find(const Shortcomings& limit, bool known, const Progress& progress);
 
+  /// The first trim that leaves nothing; null: there is none.
+  std::unique_ptr<TrimBand> FindWhole(const Progress& progress);
+
 private:
   /// The less of the elements under the layer may lie beyond the surface, the more there is for it
   /// to fill, which the border of the model may not let it. Last, where none of these is of use, it
