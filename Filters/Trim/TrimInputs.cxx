@@ -25,24 +25,42 @@ namespace trim
 namespace
 {
 
-/// The grid itself, or that of a composite which has one alone; null with an error else.
+/// What to do with a data set of another kind than an unstructured grid.
+const char* AdviceFor(vtkDataObject* other)
+{
+  if (other->IsA("vtkPolyData"))
+  {
+    return "give an unstructured grid; the trimming surface is the other input.";
+  }
+  if (other->IsA("vtkStructuredGrid"))
+  {
+    return "Append Datasets makes it an unstructured grid.";
+  }
+  if (other->IsA("vtkImageData") || other->IsA("vtkRectilinearGrid"))
+  {
+    return "Transform and, of that, Append Datasets make it an unstructured grid.";
+  }
+  return "give an unstructured grid.";
+}
+
+/// The grid itself, or that of a composite which has one alone; null with an error else, without
+/// one where there is no input.
 /// @param none stands for that of a composite which has none: other ranks may have it.
 vtkUnstructuredGrid* TakeOnlyGrid(
   vtkDataObject* input, vtkUnstructuredGrid* none, std::string& error)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    return vtkUnstructuredGrid::SafeDownCast(input);
-  }
-  vtkDataObject* only = none;
+  vtkDataObject* only = composite ? none : input;
   int count = 0;
-  for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
+  if (composite)
   {
-    if (leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
+    for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
     {
-      ++count;
-      only = leaf;
+      if (leaf->GetNumberOfElements(vtkDataObject::CELL) > 0)
+      {
+        ++count;
+        only = leaf;
+      }
     }
   }
   if (count > 1)
@@ -52,10 +70,10 @@ vtkUnstructuredGrid* TakeOnlyGrid(
     return nullptr;
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(only);
-  if (!grid)
+  if (only && !grid)
   {
     error = "The input holds a " + std::string(only->GetClassName()) +
-      ", but a grid of hexahedra is needed: give an unstructured grid.";
+      ", but a grid of hexahedra is needed: " + AdviceFor(only);
   }
   return grid;
 }

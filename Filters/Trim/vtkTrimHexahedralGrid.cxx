@@ -197,6 +197,8 @@ int vtkTrimHexahedralGrid::FillInputPortInformation(int port, vtkInformation* in
   info->Set(
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  // Anything, as RequestData refuses it once, with the remedy, and the executive at each request.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 

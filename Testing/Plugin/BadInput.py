@@ -3,7 +3,7 @@ again after it."""
 import os
 
 from paraview.simple import (AppendDatasets, NURBSSurfaceSource, OutputPort, ProgrammableFilter,
-                             SaveData, Sphere, Wavelet)
+                             ProgrammableSource, SaveData, Sphere, Transform, Wavelet)
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from Checks import (OUTPUT_DIRECTORY, arrays_of, check, check_equal, fetch, plane_at, sheet,
@@ -58,6 +58,15 @@ points[-1, 3] = %s
 check_fails("plain poly data", sheet(), Sphere(), "NURBS")
 check_fails("tetrahedra and voxels", AppendDatasets(Input=Wavelet(WholeExtent=[0, 3, 0, 3, 0, 3])),
             plane_at(1.3), "cell")
+check_fails("mesh and surface swapped", plane_at(10.3), sheet(), "vtkPolyData", "other input")
+image = Wavelet(WholeExtent=[0, 20, 0, 12, 0, 2])
+check_fails("an image", image, plane_at(1.3), "vtkImageData", "Transform", "Append Datasets")
+check_fails("a structured grid", Transform(Input=image), plane_at(1.3), "vtkStructuredGrid",
+            "Append Datasets")
+check_fails("a table", ProgrammableSource(OutputDataSetType="vtkTable", Script=""), plane_at(1.3),
+            "vtkTable")
+check_fails("a table to trim with", sheet(), ProgrammableSource(OutputDataSetType="vtkTable", Script=""),
+            "NURBS")
 check_fails("a zero weight", sheet(), without_weights(plane_at(10.3), "0"), "weight")
 check_fails("a weight that is no number", sheet(), without_weights(plane_at(10.3), "numpy.nan"))
 corners = [(10.3, -3, -2), (10.3, 6, -2), (10.3, -3, 2), (10.3, 6, 2)]
@@ -73,6 +82,12 @@ check_equal(len(messages("ERROR:")), 0, "errors for a surface that misses the gr
 check_equal(len([text for text in messages("Warning:") if "vtkTrimHexahedralGrid" in text]), 1,
             "warnings for a surface that misses the grid")
 check_equal(missed["Eliminated"], 0, "Eliminated by a surface that misses the grid")
+
+# What the messages advise helps.
+mark()
+check_equal(summary(trim(AppendDatasets(Input=Transform(Input=image)), plane_at(8.3)))["Kept"], 192,
+            "Kept of an image made a grid of hexahedra")
+check_equal(len(messages("ERROR:")), 0, "errors for an image made a grid of hexahedra")
 
 mark()
 check(summary(trim(sheet(), plane_at(10.3)))["Kept"] > 0, "no trim after the errors")
