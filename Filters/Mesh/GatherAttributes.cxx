@@ -7,6 +7,7 @@
 #include <vtkAbstractArray.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkLookupTable.h>
 
 #include <cstring>
 #include <numeric>
@@ -46,6 +47,10 @@ vtkSmartPointer<vtkAbstractArray> GatherTuples(
   target->CopyComponentNames(source);
   target->CopyInformation(source->GetInformation());
   auto* data = vtkDataArray::SafeDownCast(source);
+  if (data && data->GetLookupTable())
+  {
+    vtkDataArray::SafeDownCast(target)->SetLookupTable(data->GetLookupTable());
+  }
   if (count > 0 && data && data->HasStandardMemoryLayout() && data->GetDataType() != VTK_BIT)
   {
     GatherRaw(data, ids, count, vtkDataArray::SafeDownCast(target));

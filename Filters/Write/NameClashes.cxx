@@ -7,6 +7,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -83,7 +84,10 @@ vtkSmartPointer<vtkAbstractArray> Renamed(vtkAbstractArray* array, const std::st
   auto* from = vtkDataArray::SafeDownCast(array);
   if (from)
   {
-    vtkDataArray::SafeDownCast(renamed)->ShallowCopy(from);
+    auto* const to = vtkDataArray::SafeDownCast(renamed);
+    to->ShallowCopy(from);
+    to->CopyInformation(from->GetInformation());
+    to->SetLookupTable(from->GetLookupTable());
   }
   else
   {

@@ -14,6 +14,7 @@
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
@@ -105,6 +106,8 @@ void TestNameClashes(Mesh mesh, const Surface& surface)
   AddFilled<vtkIdTypeArray>(
     grid->GetCellData(), "vtkOriginalCellIds", grid->GetNumberOfCells(), 630);
   grid->GetPointData()->SetActiveScalars("Displacement");
+  const auto unit = vtkDataArray::UNITS_LABEL();
+  grid->GetPointData()->GetScalars()->GetInformation()->Set(unit, "mm");
   TrimOptions options;
   options.MapValues = true;
   options.ProduceOffcut = true;
@@ -130,6 +133,7 @@ void TestNameClashes(Mesh mesh, const Surface& surface)
     vtkDataArray* scalars = output->GetPointData()->GetScalars();
     Expect(scalars && std::string(scalars->GetName()) == "InputDisplacement",
       "names: other scalars are active");
+    Expect(scalars && scalars->GetInformation()->Has(unit), "names: the unit is lost");
     Expect(output->GetPointData()->GetArray("Displacement")->GetNumberOfComponents() == 3,
       "names: no displacement of the trim's own");
   }

@@ -4,6 +4,9 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkLookupTable.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
@@ -65,6 +68,13 @@ bool SameTuple(vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdType 
   return std::memcmp(a->GetVoidPointer(i * n), b->GetVoidPointer(j * n), bytes) == 0;
 }
 
+std::string UnitOf(vtkAbstractArray* array)
+{
+  const auto key = vtkDataArray::UNITS_LABEL();
+  const bool has = array->HasInformation() && array->GetInformation()->Has(key);
+  return has ? array->GetInformation()->Get(key) : "";
+}
+
 // The array `name` of the output is that of the input, tuple ids[i] at i (ids null: i).
 void Compare(vtkAbstractArray* in, vtkAbstractArray* out, const std::vector<Id>* ids,
   const std::string& what, Report& report)
@@ -90,6 +100,15 @@ void Compare(vtkAbstractArray* in, vtkAbstractArray* out, const std::vector<Id>*
     {
       report.Fail("carried arrays", what + " lost a component's name");
     }
+  }
+  if (UnitOf(in) != UnitOf(out))
+  {
+    report.Fail("carried arrays", what + " lost its unit");
+  }
+  auto* const numbers = vtkDataArray::SafeDownCast(in);
+  if (numbers && numbers->GetLookupTable() != vtkDataArray::SafeDownCast(out)->GetLookupTable())
+  {
+    report.Fail("carried arrays", what + " lost its colours");
   }
   for (vtkIdType i = 0; i < expected; ++i)
   {

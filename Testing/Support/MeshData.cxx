@@ -6,8 +6,11 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkIntArray.h>
 #include <vtkLongLongArray.h>
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -59,6 +62,13 @@ vtkSmartPointer<vtkStringArray> Strings(const char* name, vtkIdType tuples)
   }
   return array;
 }
+
+/// What an array is drawn and read with.
+void AddUnitAndColours(vtkDataArray* array, const char* unit)
+{
+  array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit);
+  array->SetLookupTable(vtkNew<vtkLookupTable>());
+}
 }
 
 void MovePoints(vtkPointSet* data, const std::function<Vec3(const Vec3&)>& to)
@@ -88,7 +98,9 @@ void AddData(vtkUnstructuredGrid* grid, unsigned seed)
   auto colour = Random<vtkUnsignedCharArray>("Colour", 4, points, seed + 1);
   colour->SetComponentName(0, "red");
   colour->SetComponentName(3, "opacity");
-  pd->SetScalars(Random<vtkFloatArray>("Temperature", 1, points, seed + 2));
+  auto temperature = Random<vtkFloatArray>("Temperature", 1, points, seed + 2);
+  AddUnitAndColours(temperature, "K");
+  pd->SetScalars(temperature);
   pd->SetVectors(Random<vtkDoubleArray>("Velocity", 3, points, seed + 3));
   pd->SetNormals(Random<vtkFloatArray>("Normals", 3, points, seed + 4));
   pd->SetTensors(Random<vtkDoubleArray>("Stretch", 9, points, seed + 5));
@@ -102,6 +114,7 @@ void AddData(vtkUnstructuredGrid* grid, unsigned seed)
   auto stress = Random<vtkDoubleArray>("Stress", 6, cells, seed + 9);
   stress->SetComponentName(0, "XX");
   stress->SetComponentName(5, "XZ");
+  AddUnitAndColours(stress, "MPa");
   cd->SetScalars(Random<vtkShortArray>("Part", 1, cells, seed + 10));
   cd->SetVectors(Random<vtkFloatArray>("Fibre", 3, cells, seed + 11));
   cd->SetGlobalIds(Ids("ElementNumbers", cells, 7));
