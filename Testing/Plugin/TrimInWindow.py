@@ -4,7 +4,7 @@ Of the sheet's 20 rows of 24 elements the plane x = 8.3 leaves 8 on its near sid
 with the rest as only 30 % of it are there, and 12 beyond, where the keep point is. At the end the
 state is saved for CheckWindow.py.
 """
-from Window import MAIN, Window
+from Window import MAIN, PANEL, Window
 
 NOT_APPLIED = "Click Apply first: there are values that were not applied yet."
 NO_ELEMENTS = ("There are no elements: none was left, or the filter failed, or it was not shown yet "
@@ -38,12 +38,18 @@ window.python("found = summary(active())\n"
 window.picture("window-trimmed.png")
 
 # What does not matter is not shown: the optimization and the layer with type I, the keep point unless
-# used.
+# used. Or it is greyed out: the layer with an offcut, mapped values with type I.
 for widget in ("Optimization/ComboBox", "InsertLayer/CheckBox"):
     window.expect_visible(widget, True)
+window.set_check("ProduceOffcut", True)
+window.expect(PANEL + "InsertLayer/CheckBox", "enabled", "false")
+window.set_check("ProduceOffcut", False)
+window.expect(PANEL + "InsertLayer/CheckBox", "enabled", "true")
+window.expect(PANEL + "MapValues/CheckBox", "enabled", "true")
 window.set_choice("CorrectionType", "Type I: eliminate elements")
 for widget in ("Optimization/ComboBox", "InsertLayer/CheckBox"):
     window.expect_visible(widget, False)
+window.expect(PANEL + "MapValues/CheckBox", "enabled", "false")
 window.expect_visible("InteractiveHandle/worldPositionX", False)
 window.set_check("UseKeepPoint", True)
 window.expect_visible("InteractiveHandle/worldPositionX", True)
@@ -214,7 +220,9 @@ for selected, elements, sheet in (("mesh", 20, "mesh"), ("(first, 2)", 12, "firs
 window.python("check_equal(active().Sheet.Port, 2, 'the output that the line is drawn on')")
 
 # With a file the widgets of the line that is drawn are gone, as it is not used; Closed is still there.
-for widget, with_file in (("InteractiveSpline/PointsTable", False), ("Closed/CheckBox", True)):
+# So it is with the unit of the file, the other way round.
+for widget, with_file in (("InteractiveSpline/PointsTable", False), ("Closed/CheckBox", True),
+                          ("LengthUnit/ComboBox", True)):
     for name, visible in (("", not with_file), ("points.csv", with_file)):
         window.python("active().FileName = %r" % name)
         window.expect_visible(widget, visible)
