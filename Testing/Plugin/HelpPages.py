@@ -1,5 +1,6 @@
 """The help file that the plugin carries: a page for every proxy, with its pictures, its properties
-and the reference to the paper; and every picture and every page that one refers to is there."""
+and the reference to the paper; and every picture and every page that one refers to is there. The
+filter's page tells of the values of its arrays by the names that they have in the legends."""
 import os
 import re
 import sqlite3
@@ -7,7 +8,7 @@ import sys
 import xml.etree.ElementTree as ET
 import zlib
 
-help_file, image_directory, xml_files = sys.argv[1], sys.argv[2], sys.argv[3:]
+help_file, image_directory, colors_file, xml_files = *sys.argv[1:4], sys.argv[4:]
 
 
 def check(condition, text):
@@ -32,6 +33,17 @@ def proxies():
                 yield "%s.%s.html" % (group.get("name"), proxy.get("name")), labels
 
 
+def named_values():
+    """Array and "value name" of all that the legends name."""
+    with open(colors_file) as file:
+        maps = re.findall(r'"(\w+)" : \{ "PVLookupTable" : \{(.*?)\}', file.read(), re.DOTALL)
+    for array, properties in maps:
+        for annotations in re.findall(r'"Annotations" : \[(.*?)\]', properties, re.DOTALL):
+            words = re.findall(r'"([^"]*)"', annotations)
+            for value, name in zip(words[::2], words[1::2]):
+                yield array, value + " " + name
+
+
 files = files_in(help_file)
 count = 0
 for name, labels in proxies():
@@ -53,3 +65,14 @@ for name, content in files.items():
         if target.endswith(".png"):
             with open(os.path.join(image_directory, target), "rb") as file:
                 check(files[target] == file.read(), target + " is not the picture of that name")
+
+rows = {}
+page = files["filters.TrimHexahedralGrid.html"].decode()
+for row in re.findall("<tr>(.*?)</tr>", page, re.DOTALL):
+    cells = [" ".join(cell.split()) for cell in re.findall("<td>(.*?)</td>", row, re.DOTALL)]
+    rows[cells[0] if cells else ""] = cells[-1:]
+named = list(named_values())
+check(len(named) > 30, "%d values with a name" % len(named))
+for array, value in named:
+    check(array in rows, "the filter's page does not tell of " + array)
+    check(value in rows[array][0], "the filter's page does not tell of %s %s" % (array, value))

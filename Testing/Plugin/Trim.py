@@ -46,7 +46,8 @@ def check_plane(correction):
 
 
 def check_told():
-    """Each entry of the summary has a line in the window's table and in the manual."""
+    """Each entry of the summary has a line in the window's table and in the manual, each array one in
+    the manual and on the help page."""
     project = os.path.dirname(DATA_DIRECTORY)
     with open(os.path.join(project, "Plugin", "Window", "TrimSummary.cxx")) as file:
         rows = re.findall(r'\{ "(\w+)", "', file.read())
@@ -56,6 +57,15 @@ def check_told():
     check_equal(set(rows), entries, "rows of the window's table")
     for name in entries:
         check("`%s`" % name in manual, "the manual does not tell of " + name)
+    with open(os.path.join(project, "Plugin", "Documentation",
+                           "filters.TrimHexahedralGrid.html")) as file:
+        page = file.read()
+    grid = fetch(trim(sheet(), plane_at(10.3), InsertLayer=1))
+    arrays = set(arrays_of(grid.GetPointData())) | set(arrays_of(grid.GetCellData()))
+    check(arrays >= {name for name, *_ in POINT_ARRAYS + CELL_ARRAYS}, "arrays are missing")
+    for name in arrays - {"DistanceToCenter", "Polynomial"}:
+        check("`%s`" % name in manual, "the manual does not tell of " + name)
+        check(name in page, "the help page does not tell of " + name)
 
 
 def check_arrays():
