@@ -1,5 +1,6 @@
 #include "TrimToolBar.h"
 
+#include "FilesOfGroup.h"
 #include "FirstKeepPoint.h"
 #include "TrimAbort.h"
 #include "TrimActions.h"
@@ -17,8 +18,11 @@ TrimToolBar::TrimToolBar(QWidget* parent)
   this->setObjectName("NURBSTrimToolbar");
   // There is one toolbar, while the actions are in the menu too.
   new TrimAbort(this);
-  QObject::connect(pqApplicationCore::instance()->getObjectBuilder(),
-    &pqObjectBuilder::filterCreated, this, &SetFirstKeepPoint);
+  const auto* builder = pqApplicationCore::instance()->getObjectBuilder();
+  QObject::connect(builder, &pqObjectBuilder::filterCreated, this, &SetFirstKeepPoint);
+  QObject::connect(builder,
+    QOverload<pqPipelineSource*, const QStringList&>::of(&pqObjectBuilder::readerCreated), this,
+    &WarnOfOtherFiles);
   this->addActions((new TrimActions(this))->actions());
   QTimer::singleShot(0, this, &TrimToolBar::FindRoom);
 }

@@ -4,6 +4,8 @@ Of the sheet's 20 rows of 24 elements the plane x = 8.3 leaves 8 on its near sid
 with the rest as only 30 % of it are there, and 12 beyond, where the keep point is. At the end the
 state is saved for CheckWindow.py.
 """
+import sys
+
 from Window import MAIN, PANEL, Window
 
 NOT_APPLIED = "Click Apply first: there are values that were not applied yet."
@@ -226,4 +228,9 @@ for widget, with_file in (("InteractiveSpline/PointsTable", False), ("Closed/Che
     for name, visible in (("", not with_file), ("points.csv", with_file)):
         window.python("active().FileName = %r" % name)
         window.expect_visible(widget, visible)
-window.run("trims-in-sequence")
+
+# Of files that ParaView's dialog shows as one it opens the first, which is told of.
+window.open("numbered_..igs")
+window.python("check_equal(active().FileName[-15:], '/numbered_1.igs', 'the file that is opened')")
+if "Only numbered_1.igs is opened, the first of 2 files" not in window.run("trims-in-sequence"):
+    sys.exit("ERROR: nothing is told of a file that is not opened")

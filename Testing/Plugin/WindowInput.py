@@ -1,6 +1,6 @@
 """Writes what the tests of the window open: a sheet of 20 x 12 x 2 elements, and the plane x = 8.3 as
-an IGES file. A block of 36 x 36 x 36 elements, and a plane aslant to them: with Insert Layer that takes
-some seconds."""
+an IGES file; two whose names differ in a number. A block of 36 x 36 x 36 elements, and a plane aslant to
+them: with Insert Layer that takes some seconds."""
 import os
 import sys
 
@@ -25,6 +25,8 @@ def write_plane(name, corners):
 
 
 write_plane("plane.igs", [[(8.3, y, z) for y in (-3.0, 15.0)] for z in (-2.0, 2.0)])
+for number in (1, 2):
+    write_plane("numbered_%d.igs" % number, [[(number, y, z) for y in (-3.0, 15.0)] for z in (-2.0, 2.0)])
 # Through the block's middle, at right angles to (1, 0.6, 0.4).
 write_plane("aslant.igs", [[(18.1 - 0.6 * (y - 18.0) - 0.4 * (z - 18.0), y, z) for y in (-90.0, 150.0)]
                            for z in (-90.0, 150.0)])
