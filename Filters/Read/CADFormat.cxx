@@ -1,5 +1,7 @@
 #include "CADFormat.h"
 
+#include "vtksys/SystemTools.hxx"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -156,14 +158,19 @@ bool EndsLikeStep(std::istream& stream)
   stream.read(&tail[0], length);
   return tail.find("END-ISO-10303-21") != std::string::npos;
 }
+
+bool IsOrdinaryFile(const std::string& path)
+{
+  struct stat status;
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
 }
 
 //------------------------------------------------------------------------------
 CADFormat RecognizeCADFile(const std::string& path)
 {
-  struct stat status;
   // Before it is opened: to open a pipe means to wait until somebody writes.
-  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+  if (!IsOrdinaryFile(path))
   {
     return CADFormat::None;
   }
@@ -180,6 +187,15 @@ CADFormat RecognizeCADFile(const std::string& path)
   stream.clear();
   stream.seekg(0);
   return BeginsLikeStep(stream) ? CADFormat::STEP : CADFormat::None;
+}
+
+//------------------------------------------------------------------------------
+bool IsCalledCADFile(const std::string& path)
+{
+  using Tools = vtksys::SystemTools;
+  const std::string extension = Tools::LowerCase(Tools::GetFilenameLastExtension(path));
+  const std::array<const char*, 4> known{ ".igs", ".iges", ".stp", ".step" }; // as in Read.xml
+  return std::find(known.begin(), known.end(), extension) != known.end() && IsOrdinaryFile(path);
 }
 
 //------------------------------------------------------------------------------

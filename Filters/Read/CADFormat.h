@@ -21,6 +21,9 @@ enum class CADFormat
 /// The format by the file's first lines only; None if it is neither or cannot be opened.
 CADFormat RecognizeCADFile(const std::string& path);
 
+/// Whether a file is there whose name ends like that of an IGES or STEP file, whatever it holds.
+bool IsCalledCADFile(const std::string& path);
+
 /**
  * Looks through the whole file.
  * @return its format; None with one line in `error` if the file is missing, a directory, empty,

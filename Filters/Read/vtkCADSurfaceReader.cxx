@@ -60,7 +60,13 @@ double vtkCADSurfaceReader::InMillimetres(int lengthUnit)
 //------------------------------------------------------------------------------
 int vtkCADSurfaceReader::CanReadFile(const char* fileName)
 {
-  return fileName && nurbs::RecognizeCADFile(fileName) != nurbs::CADFormat::None ? 1 : 0;
+  // By its name alone, too: else ParaView would ask for a reader, and nobody told what is wrong
+  // with the file.
+  return fileName &&
+      (nurbs::IsCalledCADFile(fileName) ||
+        nurbs::RecognizeCADFile(fileName) != nurbs::CADFormat::None)
+    ? 1
+    : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -95,7 +95,8 @@ public:
   ///@}
 
   /**
-   * 1 if the file begins like IGES or STEP, else 0; by its content, not by its name.
+   * 1 if the file begins like IGES or STEP, whatever it is called, or is called .igs, .iges, .stp
+   * or .step, whatever it holds: to read it is to be told what is wrong with it. Else 0.
    */
   static int CanReadFile(VTK_FILEPATH const char* fileName);
 

@@ -2,8 +2,9 @@
 again after it."""
 import os
 
-from paraview.simple import (AppendDatasets, NURBSSurfaceSource, OutputPort, ProgrammableFilter,
-                             ProgrammableSource, SaveData, Sphere, Transform, Wavelet)
+from paraview.simple import (AppendDatasets, NURBSSurfaceSource, OpenDataFile, OutputPort,
+                             ProgrammableFilter, ProgrammableSource, SaveData, Sphere, Transform,
+                             Wavelet)
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from Checks import (OUTPUT_DIRECTORY, arrays_of, check, check_equal, fetch, plane_at, sheet,
@@ -82,6 +83,15 @@ check_equal(len(messages("ERROR:")), 0, "errors for a surface that misses the gr
 check_equal(len([text for text in messages("Warning:") if "vtkTrimHexahedralGrid" in text]), 1,
             "warnings for a surface that misses the grid")
 check_equal(missed["Eliminated"], 0, "Eliminated by a surface that misses the grid")
+
+# What ParaView opens by its name alone, the reader says what is wrong with it.
+mark()
+page = os.path.join(OUTPUT_DIRECTORY, "page.stp")
+with open(page, "w") as file:
+    file.write("<html>not found</html>")
+OpenDataFile(page).UpdatePipeline()
+check_equal(["neither IGES nor STEP" in text for text in messages("ERROR:")], [True],
+            "errors for a page called .stp")
 
 # What the messages advise helps.
 mark()

@@ -335,7 +335,13 @@ void TestCanReadFile()
   CHECK(canRead(std::string(READ_TEST_FILES) + "/solvespace-plate.step") == 1, "STEP");
   // By content, not by name.
   CHECK(canRead(File("misnamed.txt", Curves().Text())) == 1, "misnamed");
-  CHECK(canRead(File("text.igs", "solid\n")) == 0, "text");
+  CHECK(canRead(File("text.txt", "solid\n")) == 0, "text");
+  // By name, too, so that the reader tells what is wrong with a file.
+  for (const char* name : { "text.igs", "text.IGES", "text.a.stp", "text.Step" })
+  {
+    CHECK(canRead(File(name, "solid\n")) == 1, "text called " << name);
+  }
+  CHECK(canRead(File("igs", "solid\n")) == 0, "text without an extension");
   const std::string step = "ISO-10303-21;\nHEADER;\n";
   CHECK(canRead(File("mark.txt", "\xEF\xBB\xBF" + step)) == 1, "STEP behind a byte order mark");
   CHECK(canRead(File("comment.txt", "/* by hand */\n/**/ " + step)) == 1, "STEP behind comments");
