@@ -100,6 +100,13 @@ def check_statuses():
     cut = (x == 10)
     check(abs(moved[cut] - [0.3, 0, 0]).max() < 1e-6, "Displacement of the cut row")
     check((moved[~cut] == 0).all(), "Displacement of nodes that stay")
+    # On the border of the model nodes slide along it, with type II too.
+    y = vtk_to_numpy(grid.GetPoints().GetData())[:, 1]
+    border = (y == 0) | (y == LENGTHS[1])
+    correction = vtk_to_numpy(grid.GetPointData().GetArray("CorrectionApplied"))
+    for place, value, what in ((cut & border, 3, "on the border"), (cut & ~border, 2, "within"),
+                               (~cut, 0, "elsewhere")):
+        check((correction[place] == value).all(), "CorrectionApplied " + what)
 
 
 def check_empty_field_data():
