@@ -102,10 +102,15 @@ private:
   std::priority_queue<Link> Links;
 };
 
-/// Votes of all places where two faces share an edge, by the length of border that each stands for:
+/// Of all places where two faces share an edge, by the length of border that each stands for:
 /// > 0 if they are oriented alike. A straight border has one place, a curved one may have many:
 /// counted alike, those of a sliver of a face would outvote all that is around it.
-using Votes = std::map<std::pair<int, int>, double>;
+struct Vote
+{
+  double Sum = 0;
+  double Back = 0; ///< of this, where one runs back along the other one
+};
+using Votes = std::map<std::pair<int, int>, Vote>;
 
 /// Whether two rays are one edge of two faces, and do not run on along one free border: beside a
 /// narrow face the next one may be nearer than the gap.
@@ -144,12 +149,49 @@ struct Partner
   double Angle; ///< round the edge, from the first face to this one, 0 to 2 pi
 };
 
+/// Two faces of which one runs back from the other one's edge under a smaller angle may be one
+/// lying on the other, as in a file that has a face twice, or the two sides of a sharp edge.
+constexpr double CertainAngle = 0.02;
+
+/// Whether a face lies on another one all over, up to the gap.
+bool LiesOn(const SurfaceModel& model, int face, int other)
+{
+  constexpr int most = 16; // patches to look at
+  constexpr double places[] = { 0.2, 0.5, 0.8 };
+  int seen = 0, there = 0;
+  for (const BezierPatch& patch : model.Patches)
+  {
+    if (patch.Face != face || patch.Curve || seen++ >= most)
+    {
+      continue;
+    }
+    for (const double s : places)
+    {
+      for (const double t : places)
+      {
+        const Vec3 x = BezierPoint(patch, model.Net(patch), s, t);
+        const std::vector<Sector> sectors = FindSectors(model, x, model.Gap);
+        const auto has = [&sectors](int wanted)
+        {
+          return std::any_of(sectors.begin(), sectors.end(),
+            [wanted](const Sector& sector) { return sector.Face == wanted; });
+        };
+        if (has(face) && !has(other)) // else what is trimmed off
+        {
+          return false;
+        }
+        there += has(face);
+      }
+    }
+  }
+  return there > 0;
+}
+
 /// Of several faces at an edge, as where bodies touch each other along it, those next to the first
 /// one to either side: what lies between is on one side of both. Where faces touch under no angle
 /// it is not known which these are.
 std::vector<Partner> KeepNeighbours(std::vector<Partner> partners)
 {
-  constexpr double certain = 0.02;
   if (partners.size() < 2)
   {
     return partners;
@@ -158,12 +200,12 @@ std::vector<Partner> KeepNeighbours(std::vector<Partner> partners)
     [](const Partner& a, const Partner& b) { return a.Angle < b.Angle; });
   const std::size_t last = partners.size() - 1;
   std::vector<Partner> neighbours;
-  if (partners[0].Angle > certain && partners[1].Angle - partners[0].Angle > certain)
+  if (partners[0].Angle > CertainAngle && partners[1].Angle - partners[0].Angle > CertainAngle)
   {
     neighbours.push_back(partners[0]);
   }
-  if (2 * M_PI - partners[last].Angle > certain &&
-    partners[last].Angle - partners[last - 1].Angle > certain)
+  if (2 * M_PI - partners[last].Angle > CertainAngle &&
+    partners[last].Angle - partners[last - 1].Angle > CertainAngle)
   {
     neighbours.push_back(partners[last]);
   }
@@ -213,8 +255,11 @@ bool VoteAlong(const SurfaceModel& model, const std::vector<Sector>& sectors, co
     // Along one direction the inside is left of one face and right of the other.
     if (partner.Face != sector.Face)
     {
-      votes[std::minmax(sector.Face, partner.Face)] +=
-        ray.InsideIsLeft != partner.InsideIsLeft ? weight : -weight;
+      Vote& vote = votes[std::minmax(sector.Face, partner.Face)];
+      const bool turnsBack = std::min(partner.Angle, 2 * M_PI - partner.Angle) < CertainAngle;
+      const double own = ray.InsideIsLeft != partner.InsideIsLeft ? weight : -weight;
+      vote.Sum += own;
+      vote.Back += turnsBack ? own : 0.0;
     }
   }
   return nearest < std::numeric_limits<double>::infinity();
@@ -350,20 +395,26 @@ void OrientShells(SurfaceModel& model)
   {
     return;
   }
-  const Votes votes = CollectVotes(model);
+  Votes votes = CollectVotes(model);
   std::vector<double> most(count, 0.0); // of the votes with one other face
-  for (const auto& vote : votes)
+  for (auto& [faces, vote] : votes)
   {
-    most[vote.first.first] = std::max(most[vote.first.first], std::abs(vote.second));
-    most[vote.first.second] = std::max(most[vote.first.second], std::abs(vote.second));
+    const auto [a, b] = faces;
+    // The same twice: the edge of the one is that of the other, and no turn.
+    if (vote.Back != 0 && (LiesOn(model, a, b) || LiesOn(model, b, a)))
+    {
+      vote.Sum -= 2 * vote.Back;
+    }
+    most[a] = std::max(most[a], std::abs(vote.Sum));
+    most[b] = std::max(most[b], std::abs(vote.Sum));
   }
   OrientedSets sets(count);
-  for (const auto& vote : votes)
+  for (const auto& [faces, vote] : votes)
   {
-    const double least = std::min(most[vote.first.first], most[vote.first.second]);
-    if (std::abs(vote.second) > ChanceVotes * least)
+    const auto [a, b] = faces;
+    if (std::abs(vote.Sum) > ChanceVotes * std::min(most[a], most[b]))
     {
-      sets.Set(vote.first.first, vote.first.second, vote.second);
+      sets.Set(a, b, vote.Sum);
     }
   }
   sets.JoinAll();
