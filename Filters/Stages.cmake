@@ -118,6 +118,7 @@ add_library(NURBSTrimStages STATIC
   Trim/OffcutHinges.cxx
   Trim/OpenSeams.cxx
   Trim/PartedStrips.cxx
+  Trim/PlacesAstray.cxx
   Trim/Shortcomings.cxx
   Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx

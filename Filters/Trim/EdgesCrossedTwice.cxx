@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace trim
 {
@@ -96,13 +97,16 @@ std::vector<nurbs::LineHit> Crossings(
   return hits;
 }
 
+bool TurnsBetween(const nurbs::LineHit& one, const nurbs::LineHit& next)
+{
+  return next.Normal.dot(one.Normal) < CrossingCosine;
+}
+
 bool IsCrossedTwice(
   const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& edge)
 {
   const auto hits = Crossings(mesh, surface, edge);
-  return std::adjacent_find(hits.begin(), hits.end(),
-           [](const nurbs::LineHit& one, const nurbs::LineHit& next)
-           { return next.Normal.dot(one.Normal) < CrossingCosine; }) != hits.end();
+  return std::adjacent_find(hits.begin(), hits.end(), TurnsBetween) != hits.end();
 }
 
 }
@@ -123,6 +127,21 @@ std::vector<MeshEdge> FindEdgesCrossedTwice(
     }
   }
   return found;
+}
+
+std::vector<Vec3> PlacesBetweenCrossings(
+  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& edge)
+{
+  const auto hits = Crossings(mesh, surface, edge);
+  std::vector<Vec3> places;
+  for (std::size_t i = 1; i < hits.size(); ++i)
+  {
+    if (TurnsBetween(hits[i - 1], hits[i]))
+    {
+      places.emplace_back(0.5 * (hits[i - 1].Point + hits[i].Point));
+    }
+  }
+  return places;
 }
 
 }

@@ -28,6 +28,10 @@ using MeshEdge = std::array<Id, 2>;
 std::vector<MeshEdge> FindEdgesCrossedTwice(
   const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NodeClassification& nodes);
 
+/// Half-way between each two crossings of such an edge that follow each other.
+std::vector<Vec3> PlacesBetweenCrossings(
+  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& edge);
+
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "ElementTopology.h"
 #include "OpenSeams.h"
 #include "PartedStrips.h"
+#include "PlacesAstray.h"
 #include "Runs.h"
 #include "SortUnique.h"
 #include "Status.h"
@@ -148,8 +149,7 @@ private:
     {
       return Feasibility::NotOpened;
     }
-    // A tip that a node went to is not lost.
-    if (twice && !this->IsAtFollowedEdge(probe))
+    if (twice && !this->IsAtFollowedTip(probe))
     {
       return Feasibility::CrossedTwice;
     }
@@ -160,6 +160,11 @@ private:
     if (cut && this->IsInclined(probe))
     {
       return Feasibility::Inclined;
+    }
+    // Under a surface that leans columns carry their elements to where others went.
+    if (cut && this->IsLostTip(probe))
+    {
+      return Feasibility::CrossedTwice;
     }
     return cut && this->IsCurved(probe) ? Feasibility::Curved : Feasibility::Fine;
   }
@@ -209,7 +214,51 @@ private:
     return this->HasFollowedEdge(probe, [](int) { return true; });
   }
 
-  /// The same for the edge between two feet, and no other: a notch has several side by side.
+  /// What lies between two walls of the surface is not lost where they meet in an edge that a node
+  /// went to. The one that went to an edge may have gone to another.
+  bool IsAtFollowedTip(const ElementProbe& probe) const
+  {
+    return this->IsAtFollowedEdge(probe) && !this->IsAstrayBetween(probe);
+  }
+
+  bool IsLostTip(const ElementProbe& probe) const
+  {
+    return probe.Element >= 0 && trim::IsLostTip(*this->Result.Near, probe.Element);
+  }
+
+  /// Whether what the surface has between two crossings is not as it has it, in the middle of all
+  /// edges of the element that go the same way: a skin that bends is another one after the trim.
+  bool IsAstrayBetween(const ElementProbe& probe) const
+  {
+    std::array<Vec3, 3> sum;
+    sum.fill(Vec3::Zero());
+    std::array<int, 3> count{};
+    const auto& topology = TopologyOf(probe.Count);
+    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    {
+      const auto& edge = topology.Edges[i];
+      const Id a = probe.Node[edge.First];
+      const Id b = probe.Node[edge.Second];
+      for (const Vec3& place :
+        PlacesBetweenCrossings(this->Mesh, this->Surface, { std::min(a, b), std::max(a, b) }))
+      {
+        sum[edge.Axis] += place;
+        ++count[edge.Axis];
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (count[axis] > 0 &&
+        IsAstray(*this->Result.Near, this->Surface, probe.Element, sum[axis] / count[axis]))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Like IsAtFollowedEdge for the edge between two feet, and no other: a notch has several side by
+  /// side.
   bool IsFollowedBetween(const ElementProbe& probe, const Foot& a, const Foot& b) const
   {
     return this->HasFollowedEdge(probe,

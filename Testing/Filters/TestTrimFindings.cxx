@@ -331,6 +331,43 @@ void TestNotches()
       " whole");
 }
 
+// A tongue of what is kept, narrower than an element, that reaches into a square hole: of one that
+// is lost its tip is told of, also where nodes went to the sharp edges at its root, and where it
+// holds nodes of the mesh; of one that is there nothing is.
+void TestTongues()
+{
+  int lost = 0, there = 0;
+  for (const int layers : { 2, 8 })
+  {
+    const Mesh mesh = Sheet(14, 14, layers, Vec3(1, 1, layers == 2 ? 0.4 : 1.0));
+    const double height = layers == 2 ? 0.8 : 8.0;
+    for (int k = 0; k < 24; ++k)
+    {
+      const double width = 0.3 + 0.2 * (k % 4), length = k % 8 < 4 ? 2.0 : 4.0;
+      const Vec2 at = k < 8 ? Vec2(7, 7) : k < 16 ? Vec2(7.5, 7.5) : Vec2(7.25, 7.1);
+      const double w = 0.5 * width;
+      std::vector<Vec2> line{ Vec2(-4, -4), Vec2(4, -4), Vec2(4, 4), Vec2(w, 4),
+        Vec2(w, 4 - length), Vec2(-w, 4 - length), Vec2(-w, 4), Vec2(-4, 4) };
+      std::for_each(line.begin(), line.end(), [&at](Vec2& corner) { corner += at; });
+      TrimOptions options;
+      options.InvertSide = true;
+      const Outcome outcome = RunTrim(mesh, Polyline(line), options);
+      const std::string name = "tongue " + std::to_string(k) + " of " + std::to_string(layers);
+      auto found = ExpectWarned(name, outcome);
+      const double tongue = width * length;
+      const double is = Number(outcome.Case.Trimmed, "Volume") / height - (14 * 14 - 8 * 8);
+      const bool isLost = is < 0.5 * tongue;
+      ++(isLost ? lost : there);
+      Expect(isLost == (found[CrossedTwice] > 0),
+        name + (isLost ? ": nothing is told of it" : ": told of as lost"));
+      Expect(!isLost || IsToldAt(outcome.Case.Whole, at + Vec2(0, 5.0 - length)),
+        name + ": nothing is told of its tip");
+    }
+  }
+  Expect(lost > 20 && there > 5,
+    "tongues: " + std::to_string(lost) + " lost, " + std::to_string(there) + " there");
+}
+
 // Two sides of a window lie on lines of the mesh, and run along edges that end at its corners.
 void TestAligned()
 {
@@ -966,6 +1003,7 @@ int main()
   TestSmallHoles();
   TestAligned();
   TestNotches();
+  TestTongues();
   TestSlots();
   TestStripLost();
   TestStripLostAmongOthers();
