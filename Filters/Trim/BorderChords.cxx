@@ -21,6 +21,10 @@ constexpr double LargestSag = 0.2;
 /// goes from wall to wall of it, or cuts off a corner that no node went to.
 constexpr double LargestShortSag = 0.4;
 constexpr double ShortTurnCosine = 0.5;
+/// From layer to layer of a sheet, where no node can go in between: an edge of the surface along
+/// the skin, or a bend, by which it turns by more than 20 degrees.
+constexpr double LargestSagThrough = 0.1;
+constexpr double TurnThroughCosine = 0.940;
 
 /// Of the surface at the foot of a node of the band.
 struct FootNormal
@@ -85,10 +89,9 @@ private:
     {
       const Vec3 &a = moves.Position[last], &b = moves.Position[node];
       const double length = (b - a).norm();
-      const double sag = length > Stretched * before ? LargestSag : LargestShortSag;
+      const double sag = this->SagAllowed(last, node, length > Stretched * before);
       // No edge is farther off the surface than half its length.
-      const bool mayBe = length > 2.0 * sag * before &&
-        (length > Stretched * before || this->TurnsBetween(last, node));
+      const bool mayBe = length > 2.0 * sag * before;
       last = node;
       if (mayBe && this->Surface.ClosestPoint(0.5 * (a + b)).Distance > sag * before)
       {
@@ -96,6 +99,22 @@ private:
       }
     }
     return false;
+  }
+
+  /// In the longest edge that the element came with.
+  double SagAllowed(int a, int b, bool stretched) const
+  {
+    const bool isThrough = this->Structure.Pillar[a] == this->Structure.Pillar[b];
+    if (isThrough && this->TurnsBetween(a, b, TurnThroughCosine))
+    {
+      return LargestSagThrough;
+    }
+    if (stretched)
+    {
+      return LargestSag;
+    }
+    return this->TurnsBetween(a, b, ShortTurnCosine) ? LargestShortSag
+                                                     : std::numeric_limits<double>::infinity();
   }
 
   /// The feet of an element's nodes may be known to another rank alone: that of the elements which
@@ -119,9 +138,9 @@ private:
   }
 
   /// Whether the normals at the places of the surface nearest to where the nodes came from differ.
-  bool TurnsBetween(int a, int b) const
+  bool TurnsBetween(int a, int b, double cosine) const
   {
-    return this->Normals[a].dot(this->Normals[b]) < ShortTurnCosine; // false if one is unknown
+    return this->Normals[a].dot(this->Normals[b]) < cosine; // false if one is unknown
   }
 
   bool IsOnSurface(int node) const

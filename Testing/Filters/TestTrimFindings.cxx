@@ -331,6 +331,33 @@ void TestNotches()
       " whole");
 }
 
+// A groove along the border, whose edge lies within the thickness: where no layer has nodes at it
+// the border cuts it off, and that is told of from a tenth of an element on.
+void TestGroove()
+{
+  const Mesh one = Sheet(14, 8, 1, Vec3(1, 1, 1)), two = Sheet(14, 8, 2, Vec3(1, 1, 0.5)),
+             five = Sheet(14, 8, 5, Vec3(1, 1, 0.2));
+  const auto groove = [](const Mesh& mesh, double lean)
+  {
+    const Vec3 edge = mesh.Box.Centre + Vec3(0.3, 0, 0);
+    const double side = 20 * std::tan(lean * Degree);
+    SplineSurface wall = Wall({ Vec2(side, 20), Vec2(0, 0), Vec2(side, -20) });
+    for (Eigen::Vector4d& corner : wall.Control)
+    {
+      const Vec3 place = edge + Vec3(corner[0], -2 * corner[2], corner[1]);
+      corner.head<3>() = place;
+    }
+    Surface surface;
+    surface.Data = ToPolyData(wall);
+    return surface;
+  };
+  ExpectOnly("groove of 30 degrees", one, groove(one, 15), Curved, 8);
+  ExpectOnly("groove of 80 degrees", one, groove(one, 40), Curved, 8);
+  ExpectNothing("groove of 10 degrees", one, groove(one, 5), {});
+  ExpectNothing("groove with nodes at its edge", two, groove(two, 40), {});
+  ExpectNothing("groove in thin layers", five, groove(five, 40), {});
+}
+
 // A tongue of what is kept, narrower than an element, that reaches into a square hole: of one that
 // is lost its tip is told of, also where nodes went to the sharp edges at its root, and where it
 // holds nodes of the mesh; of one that is there nothing is.
@@ -1004,6 +1031,7 @@ int main()
   TestAligned();
   TestNotches();
   TestTongues();
+  TestGroove();
   TestSlots();
   TestStripLost();
   TestStripLostAmongOthers();
