@@ -15,11 +15,24 @@ namespace
 /// How far from the border of an element a place has to be for it to be astray, in its parameters:
 /// skins that bend have other facets after the trim.
 constexpr double Slack = 0.1;
+/// As far as columns carry their elements under a surface that leans, and over flat layers.
+constexpr int Rings = 4;
 
 /// @param slack how far outside of the element the place may be.
 bool Holds(const TrimBand& near, int element, const Vec3& place, double slack)
 {
   const FinalElement shape = FinalShape(near.Mesh, near.Trimmed, element);
+  nurbs::Box3 box;
+  for (int i = 0; i < shape.Count; ++i)
+  {
+    box.extend(shape.Points[i]);
+  }
+  const Vec3 margin = 2.0 * Slack * box.sizes();
+  if (((place - box.min() + margin).array() < 0.0).any() ||
+    ((box.max() + margin - place).array() < 0.0).any())
+  {
+    return false;
+  }
   Vec3 parameters = Vec3::Zero();
   if (!FindParameters(shape.Points, shape.Count, place, parameters))
   {
@@ -46,18 +59,21 @@ bool AnyMoves(const TrimBand& near, const std::vector<int>& elements)
     nodes.begin(), nodes.end(), [&near](int n) { return near.Trimmed.Moving[n] != 0; });
 }
 
-/// An element and those that share a node with it or with one that does: nodes that go farther than
-/// that leave little of their elements.
-std::vector<int> TwoRings(const Band& band, int element)
+/// The elements within some rings round one.
+std::vector<int> RingsRound(const Band& band, int element)
 {
-  const std::vector<int> ring = ElementsAt(band, NodesOf(band, { element }));
-  return ElementsAt(band, NodesOf(band, ring));
+  std::vector<int> around{ element };
+  for (int ring = 0; ring < Rings; ++ring)
+  {
+    around = ElementsAt(band, NodesOf(band, around));
+  }
+  return around;
 }
 
 /// Whether a place near an element lies in one that is kept, as it is after the trim.
 bool IsHeld(const TrimBand& near, int element, const Vec3& place, double slack)
 {
-  const std::vector<int> around = TwoRings(near.Mesh, element);
+  const std::vector<int> around = RingsRound(near.Mesh, element);
   return std::any_of(around.begin(), around.end(),
     [&](int e) { return near.Trimmed.Kept[e] && Holds(near, e, place, slack); });
 }
@@ -87,7 +103,7 @@ bool IsLostTip(const TrimBand& near, int element)
       ++lost;
     }
   }
-  return lost > 0 && AnyMoves(near, TwoRings(near.Mesh, element)) &&
+  return lost > 0 && AnyMoves(near, RingsRound(near.Mesh, element)) &&
     !IsHeld(near, element, place / lost, Slack);
 }
 
