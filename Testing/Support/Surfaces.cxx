@@ -507,6 +507,15 @@ Surface SphereAt(const Vec3& centre, double radius)
   return surface;
 }
 
+Surface Polyline(const std::vector<Vec2>& corners)
+{
+  std::vector<Vec2> line = corners;
+  line.push_back(corners.front());
+  Surface surface;
+  surface.Data = ToPolyData(Wall(line));
+  return surface;
+}
+
 Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double lean)
 {
   Placement at;

@@ -67,6 +67,10 @@ Surface PlaneThrough(const Vec3& point, const Vec3& normal, double halfSize);
 /// A sphere in model coordinates, its poles along z; what is outside goes.
 Surface SphereAt(const Vec3& centre, double radius);
 
+/// A closed polyline through a sheet, as a drawn contour is: one surface of degree 1; what it holds
+/// goes.
+Surface Polyline(const std::vector<Vec2>& corners);
+
 /// A round hole about (x, y), in elements of size 1 of a sheet from (0, 0) on; what is inside goes.
 Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double lean = 0);
 
