@@ -294,13 +294,13 @@ int main(int argc, char* argv[])
     TestChoiceOfBackend();
     TestSmall();
     TestTrials();
-    TestReturns();
     TestNumberingOfElements();
   }
   if (part != "small")
   {
     TestLarge();
     TestAslant();
+    TestReturns();
   }
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
