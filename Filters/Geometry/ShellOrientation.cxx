@@ -153,12 +153,19 @@ struct Partner
 /// lying on the other, as in a file that has a face twice, or the two sides of a sharp edge.
 constexpr double CertainAngle = 0.02;
 
+bool IsAmong(const std::vector<Sector>& sectors, int face)
+{
+  return std::any_of(
+    sectors.begin(), sectors.end(), [face](const Sector& sector) { return sector.Face == face; });
+}
+
 /// Whether a face lies on another one all over, up to the gap.
 bool LiesOn(const SurfaceModel& model, int face, int other)
 {
   constexpr int most = 16; // patches to look at
   constexpr double places[] = { 0.2, 0.5, 0.8 };
-  int seen = 0, there = 0;
+  int seen = 0;
+  bool any = false;
   for (const BezierPatch& patch : model.Patches)
   {
     if (patch.Face != face || patch.Curve || seen++ >= most)
@@ -171,20 +178,19 @@ bool LiesOn(const SurfaceModel& model, int face, int other)
       {
         const Vec3 x = BezierPoint(patch, model.Net(patch), s, t);
         const std::vector<Sector> sectors = FindSectors(model, x, model.Gap);
-        const auto has = [&sectors](int wanted)
+        if (!IsAmong(sectors, face)) // trimmed off
         {
-          return std::any_of(sectors.begin(), sectors.end(),
-            [wanted](const Sector& sector) { return sector.Face == wanted; });
-        };
-        if (has(face) && !has(other)) // else what is trimmed off
+          continue;
+        }
+        if (!IsAmong(sectors, other))
         {
           return false;
         }
-        there += has(face);
+        any = true;
       }
     }
   }
-  return there > 0;
+  return any;
 }
 
 /// Of several faces at an edge, as where bodies touch each other along it, those next to the first

@@ -37,6 +37,16 @@ inline std::vector<int> NodesOf(const Band& band, const std::vector<int>& elemen
   return nodes;
 }
 
+/// The elements and those in rings round them, kept or not.
+inline std::vector<int> RingsRound(const Band& band, std::vector<int> elements, int rings)
+{
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    elements = ElementsAt(band, NodesOf(band, elements));
+  }
+  return elements;
+}
+
 }
 
 #endif

@@ -41,7 +41,7 @@ NURBSTRIMREAD_EXPORT GridState StateOf(vtkUnstructuredGrid* grid);
 
 /// Of the object or, if it is a composite, of its blocks, too. Of what is no unstructured grid the
 /// time alone, which tells.
-std::vector<GridState> StatesOf(vtkDataObject* data);
+NURBSTRIMREAD_EXPORT std::vector<GridState> StatesOf(vtkDataObject* data);
 
 }
 

@@ -25,11 +25,7 @@ FailedReturns::Key StateRound(const RelaxedMesh& mesh, const std::vector<char>& 
   const std::vector<int>& elements, int rings)
 {
   const Band& band = mesh.TheBand;
-  std::vector<int> round = elements;
-  for (int ring = 0; ring < rings; ++ring)
-  {
-    round = ElementsAt(band, NodesOf(band, round));
-  }
+  const std::vector<int> round = RingsRound(band, elements, rings);
   FailedReturns::Key key;
   for (const int e : round)
   {

@@ -59,21 +59,9 @@ bool AnyMoves(const TrimBand& near, const std::vector<int>& elements)
     nodes.begin(), nodes.end(), [&near](int n) { return near.Trimmed.Moving[n] != 0; });
 }
 
-/// The elements within some rings round one.
-std::vector<int> RingsRound(const Band& band, int element)
+/// Whether a place lies in one of the elements that is kept, as it is after the trim.
+bool IsHeld(const TrimBand& near, const std::vector<int>& around, const Vec3& place, double slack)
 {
-  std::vector<int> around{ element };
-  for (int ring = 0; ring < Rings; ++ring)
-  {
-    around = ElementsAt(band, NodesOf(band, around));
-  }
-  return around;
-}
-
-/// Whether a place near an element lies in one that is kept, as it is after the trim.
-bool IsHeld(const TrimBand& near, int element, const Vec3& place, double slack)
-{
-  const std::vector<int> around = RingsRound(near.Mesh, element);
   return std::any_of(around.begin(), around.end(),
     [&](int e) { return near.Trimmed.Kept[e] && Holds(near, e, place, slack); });
 }
@@ -84,7 +72,8 @@ bool IsAstray(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, int element, const Vec3& place)
 {
   const bool due = surface.ClosestPoint(place).SignedDistance < 0.0;
-  return due ? !IsHeld(near, element, place, Slack) : IsHeld(near, element, place, -Slack);
+  const std::vector<int> around = RingsRound(near.Mesh, { element }, Rings);
+  return due ? !IsHeld(near, around, place, Slack) : IsHeld(near, around, place, -Slack);
 }
 
 bool IsLostTip(const TrimBand& near, int element)
@@ -103,8 +92,12 @@ bool IsLostTip(const TrimBand& near, int element)
       ++lost;
     }
   }
-  return lost > 0 && AnyMoves(near, RingsRound(near.Mesh, element)) &&
-    !IsHeld(near, element, place / lost, Slack);
+  if (lost == 0)
+  {
+    return false;
+  }
+  const std::vector<int> around = RingsRound(near.Mesh, { element }, Rings);
+  return AnyMoves(near, around) && !IsHeld(near, around, place / lost, Slack);
 }
 
 }

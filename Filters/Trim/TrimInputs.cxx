@@ -1,6 +1,5 @@
 #include "TrimInputs.h"
 
-#include "ChangeTime.h"
 #include "DegenerateHexahedra.h"
 #include "InputScale.h"
 #include "NURBSFieldData.h"
@@ -299,7 +298,8 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
 
 bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
 {
-  if (this->SurfaceData == data && this->SurfaceTime == nurbs::ChangeTime(data))
+  auto states = nurbs::StatesOf(data);
+  if (this->SurfaceData == data && this->SurfaceStates == states)
   {
     return true;
   }
@@ -321,7 +321,7 @@ bool TrimInputs::TakeSurface(vtkDataObject* data, std::string& error)
   }
   this->Shown = SamplePolygons(data);
   this->SurfaceData = data;
-  this->SurfaceTime = nurbs::ChangeTime(data);
+  this->SurfaceStates = std::move(states);
   return true;
 }
 

@@ -77,7 +77,7 @@ private:
   std::vector<std::string> GridRemarks; ///< empty ones: nothing is to be said
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
-  vtkMTimeType SurfaceTime = 0;
+  std::vector<nurbs::GridState> SurfaceStates;
   std::vector<nurbs::NurbsSurface> OwnFaces; ///< those that this rank was given
   std::vector<Id> BlocksOfFaces;
   std::vector<Vec3> Shown; ///< see SamplePolygons

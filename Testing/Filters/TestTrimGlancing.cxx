@@ -4,7 +4,7 @@
  * what is told where that does not keep its volume.
  */
 #include "Expect.h"
-#include "RunTrim.h"
+#include "WarnedFindings.h"
 
 #include <Eigen/Geometry>
 
@@ -29,8 +29,6 @@ using namespace judge;
 
 namespace
 {
-const char* const CornerPhrase = "moved for the trimmed grid alone";
-
 /// A generator of its own for each trial.
 class Draws
 {

@@ -10,7 +10,6 @@
 #include <vector>
 
 using namespace nurbs;
-using samples::Random;
 using samples::RandomVector;
 
 namespace
