@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -95,22 +96,39 @@ ReadResult ReadFaces(const std::string& path, size_t faces, int lengthUnit)
 }
 
 //------------------------------------------------------------------------------
-bool IsInside(const NurbsSurface& surface, double u, double v)
+namespace
 {
-  bool inside = surface.TrimLoops.empty();
+/// The parameters u at which the trim loops cross the row v, in order.
+std::vector<double> CrossingsOfRow(const NurbsSurface& surface, double v)
+{
+  std::vector<double> crossings;
   for (const std::vector<Vec2>& loop : surface.TrimLoops)
   {
     for (size_t i = 0; i < loop.size(); ++i)
     {
       const Vec2& a = loop[i];
       const Vec2& b = loop[(i + 1) % loop.size()];
-      if ((a.y() > v) != (b.y() > v) && u < a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      if ((a.y() > v) != (b.y() > v))
       {
-        inside = !inside;
+        crossings.push_back(a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
       }
     }
   }
-  return inside;
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+bool IsInside(const NurbsSurface& surface, const std::vector<double>& crossings, double u)
+{
+  const auto beyond = crossings.end() - std::upper_bound(crossings.begin(), crossings.end(), u);
+  return surface.TrimLoops.empty() || beyond % 2 == 1;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsInside(const NurbsSurface& surface, double u, double v)
+{
+  return IsInside(surface, CrossingsOfRow(surface, v), u);
 }
 
 //------------------------------------------------------------------------------
@@ -126,13 +144,14 @@ double Area(const NurbsSurface& surface, int n)
   const double du = (surface.LastU() - surface.FirstU()) / n;
   const double dv = (surface.LastV() - surface.FirstV()) / n;
   double area = 0.0;
-  for (int i = 0; i < n; ++i)
+  for (int j = 0; j < n; ++j)
   {
-    for (int j = 0; j < n; ++j)
+    const double v = surface.FirstV() + (j + 0.5) * dv;
+    const std::vector<double> crossings = CrossingsOfRow(surface, v);
+    for (int i = 0; i < n; ++i)
     {
       const double u = surface.FirstU() + (i + 0.5) * du;
-      const double v = surface.FirstV() + (j + 0.5) * dv;
-      if (IsInside(surface, u, v))
+      if (IsInside(surface, crossings, u))
       {
         const nurbs::SurfaceJet jet = nurbs::EvaluateJet(surface, u, v);
         area += jet.Su.cross(jet.Sv).norm() * du * dv;

@@ -20,50 +20,61 @@ double Cross(const Vec2& a, const Vec2& b)
 }
 
 SplineProfile::SplineProfile(std::vector<double> knots, int degree, std::vector<Vec2> control)
-  : Knots(std::move(knots))
-  , Degree(degree)
-  , Control(std::move(control))
+  : Splines{ { std::move(knots), degree, std::move(control) } }
 {
-  this->First = this->Knots[degree];
-  this->Last = this->Knots[this->Control.size()];
+  while (this->Splines.size() < 3 && this->Splines.back().Degree > 0)
+  {
+    this->Splines.push_back(this->Splines.back().Derivative());
+  }
+  const Spline& curve = this->Splines.front();
+  this->First = curve.Knots[degree];
+  this->Last = curve.Knots[curve.Control.size()];
   for (int i = 0; i <= SampleCount; ++i)
   {
-    this->Samples.push_back(this->At(this->First + (this->Last - this->First) * i / SampleCount).C);
+    this->Samples.push_back(curve.At(this->First + (this->Last - this->First) * i / SampleCount));
   }
   this->Boxes.resize(4 * (SampleCount / LeafSize + 2));
   this->BuildBoxes(0, SampleCount + 1, 1);
 }
 
+Vec2 SplineProfile::Spline::At(double t) const
+{
+  const auto basis = Basis(this->Knots, this->Degree, static_cast<int>(this->Control.size()), t);
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t i = 0; i < this->Control.size(); ++i)
+  {
+    sum += basis[i] * this->Control[i];
+  }
+  return sum;
+}
+
+/// A spline of one degree less (NURBS Book, eq. 3.4).
+SplineProfile::Spline SplineProfile::Spline::Derivative() const
+{
+  Spline next{ { this->Knots.begin() + 1, this->Knots.end() - 1 }, this->Degree - 1, {} };
+  for (std::size_t i = 0; i + 1 < this->Control.size(); ++i)
+  {
+    const double span = this->Knots[i + this->Degree + 1] - this->Knots[i + 1];
+    next.Control.push_back(span > 0
+        ? Vec2(this->Degree / span * (this->Control[i + 1] - this->Control[i]))
+        : Vec2(Vec2::Zero()));
+  }
+  return next;
+}
+
 SplineProfile::Jet SplineProfile::At(double t) const
 {
-  Jet jet{ Vec2::Zero(), Vec2::Zero(), Vec2::Zero() };
-  std::vector<double> knots = this->Knots;
-  std::vector<Vec2> control = this->Control;
-  Vec2* out[3] = { &jet.C, &jet.D1, &jet.D2 };
-  for (int order = 0; order < 3 && order <= this->Degree; ++order)
+  Vec2 jet[3] = { Vec2::Zero(), Vec2::Zero(), Vec2::Zero() };
+  for (std::size_t order = 0; order < this->Splines.size(); ++order)
   {
-    const int degree = this->Degree - order;
-    const auto basis = Basis(knots, degree, static_cast<int>(control.size()), t);
-    for (std::size_t i = 0; i < control.size(); ++i)
-    {
-      *out[order] += basis[i] * control[i];
-    }
-    if (degree == 0)
-    {
-      break;
-    }
-    // The derivative is a spline of one degree less (NURBS Book, eq. 3.4).
-    std::vector<Vec2> next;
-    for (std::size_t i = 0; i + 1 < control.size(); ++i)
-    {
-      const double span = knots[i + degree + 1] - knots[i + 1];
-      next.push_back(
-        span > 0 ? Vec2(degree / span * (control[i + 1] - control[i])) : Vec2(Vec2::Zero()));
-    }
-    control = next;
-    knots = std::vector<double>(knots.begin() + 1, knots.end() - 1);
+    jet[order] = this->Splines[order].At(t);
   }
-  return jet;
+  return { jet[0], jet[1], jet[2] };
+}
+
+double SplineProfile::Box::SquaredDistance(const Vec2& p) const
+{
+  return (this->Low - p).cwiseMax(p - this->High).cwiseMax(Vec2::Zero()).squaredNorm();
 }
 
 void SplineProfile::BuildBoxes(int first, int last, int node)
@@ -86,12 +97,6 @@ void SplineProfile::BuildBoxes(int first, int last, int node)
 void SplineProfile::Nearest(
   const Vec2& p, int first, int last, int node, double& best, int& where) const
 {
-  const Box& box = this->Boxes[node];
-  const Vec2 gap = (box.Low - p).cwiseMax(p - box.High).cwiseMax(Vec2::Zero());
-  if (gap.squaredNorm() >= best)
-  {
-    return;
-  }
   if (last - first <= LeafSize)
   {
     for (int i = first; i < last; ++i)
@@ -106,8 +111,16 @@ void SplineProfile::Nearest(
     return;
   }
   const int middle = (first + last) / 2;
-  this->Nearest(p, first, middle, 2 * node, best, where);
-  this->Nearest(p, middle, last, 2 * node + 1, best, where);
+  const double to[2] = { this->Boxes[2 * node].SquaredDistance(p),
+    this->Boxes[2 * node + 1].SquaredDistance(p) };
+  // The nearer half first: as a rule the other one then need not be looked into.
+  for (int half : { to[1] < to[0], to[1] >= to[0] })
+  {
+    if (to[half] < best)
+    {
+      this->Nearest(p, half ? middle : first, half ? last : middle, 2 * node + half, best, where);
+    }
+  }
 }
 
 double SplineProfile::Roughly(const Vec2& p) const

@@ -83,13 +83,20 @@ private:
   void Nearest(const Vec2& p, int first, int last, int node, double& best, int& where) const;
   void BuildBoxes(int first, int last, int node);
 
-  std::vector<double> Knots;
-  int Degree;
-  std::vector<Vec2> Control;
+  struct Spline
+  {
+    std::vector<double> Knots;
+    int Degree;
+    std::vector<Vec2> Control;
+    Vec2 At(double t) const;
+    Spline Derivative() const;
+  };
+  std::vector<Spline> Splines; ///< the curve and as many derivatives as At tells, or as there are
   std::vector<Vec2> Samples;
   struct Box
   {
     Vec2 Low, High;
+    double SquaredDistance(const Vec2& p) const;
   };
   std::vector<Box> Boxes; ///< of halves of halves of the samples
   double First, Last;
