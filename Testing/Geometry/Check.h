@@ -7,6 +7,7 @@
 
 #include <iostream>
 #include <string>
+#include <type_traits>
 
 namespace check
 {
@@ -17,22 +18,44 @@ inline int& Failures()
 }
 
 /// Prints the first failures of a test only: a thousand alike say no more.
-inline bool That(bool holds, const std::string& what)
+/// @param what a text, or what makes one where it is needed: of thousands of places that are right
+/// none has to be written out.
+template <typename What>
+bool That(bool holds, const What& what)
 {
   if (!holds && ++Failures() <= 40)
   {
-    std::cerr << "FAILED: " << what << "\n";
+    if constexpr (std::is_invocable_v<What>)
+    {
+      std::cerr << "FAILED: " << what() << "\n";
+    }
+    else
+    {
+      std::cerr << "FAILED: " << what << "\n";
+    }
   }
   return holds;
 }
 
 /// |a - b| <= tolerance, with the numbers in the message.
-inline bool Near(double a, double b, double tolerance, const std::string& what)
+template <typename What>
+bool Near(double a, double b, double tolerance, const What& what)
 {
   const double difference = a > b ? a - b : b - a;
   return That(difference <= tolerance,
-    what + ": " + std::to_string(a) + " and " + std::to_string(b) + " differ by " +
-      std::to_string(difference / tolerance) + " tolerances");
+    [&]
+    {
+      const auto numbers = ": " + std::to_string(a) + " and " + std::to_string(b) + " differ by " +
+        std::to_string(difference / tolerance) + " tolerances";
+      if constexpr (std::is_invocable_v<What>)
+      {
+        return what() + numbers;
+      }
+      else
+      {
+        return what + numbers;
+      }
+    });
 }
 
 /// Of so many random trials a twentieth under a sanitizer, which makes each that much slower.
