@@ -13,7 +13,7 @@ namespace trim
 namespace
 {
 
-/// A node nearest to some point.
+/// A node of an element nearest to some point.
 struct NearestNode
 {
   double Distance = std::numeric_limits<double>::infinity(); ///< squared
@@ -26,12 +26,18 @@ struct NearestNode
   }
 };
 
-NearestNode FindNearestNode(
-  const HexMesh& mesh, const Piece& piece, const NodeClassification& nodes, const Vec3& point)
+NearestNode FindNearestNode(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piece,
+  const NodeClassification& nodes, const Vec3& point)
 {
   NearestNode nearest;
+  auto unused = blocks.UnusedNodes.begin();
   for (Id i = 0; i < mesh.NumberOfPoints; ++i)
   {
+    if (unused != blocks.UnusedNodes.end() && *unused == i)
+    {
+      ++unused;
+      continue;
+    }
     const Vec3 p = mesh.Point(i);
     const double distance = (p - point).squaredNorm();
     if (distance <= nearest.Distance)
@@ -65,7 +71,7 @@ bool LiesBeyond(const HexMesh& mesh, const MeshBlocks& blocks, const Piece& piec
   const nurbs::TrimmingSurface& surface, const NodeClassification& nodes, const Vec3& point)
 {
   const auto foot = surface.ClosestPoint(point);
-  const NearestNode node = FindNearestNode(mesh, piece, nodes, point);
+  const NearestNode node = FindNearestNode(mesh, blocks, piece, nodes, point);
   const bool near = foot.Distance < blocks.LargestDiagonal;
   if ((near && foot.Kind == nurbs::FootKind::Interior) || node.Status == NodeOnSurface)
   {

@@ -82,7 +82,6 @@ public:
     this->Good = this->Good && count <= (this->Bytes.size() - this->At) / size;
     return this->Good ? static_cast<size_t>(count) : 0;
   }
-  bool AtEnd() const { return !this->Good || this->At == this->Bytes.size(); }
   bool Good = true;
 
 private:

@@ -4,6 +4,7 @@
 
 #ifdef __linux__
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 #include <algorithm>
@@ -64,7 +65,7 @@ void* MapLarge(std::size_t size)
 /// With the last large page if small ones would take longer.
 std::size_t SizeOfMapping(std::size_t bytes)
 {
-  constexpr std::size_t smallPage = 4096;
+  static const auto smallPage = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t rest = bytes % LargePage;
   return bytes - rest +
     (rest >= SmallForLarge * smallPage ? LargePage

@@ -246,6 +246,10 @@ std::string FindDefect(const std::vector<Entry>& entries, std::size_t begin, std
   {
     const auto& a = entries[i - 1];
     const auto& b = entries[i];
+    if (a.Node.At == b.Node.At && a.Rank != b.Rank)
+    {
+      continue;
+    }
     const std::string place = nurbs::PlaceText(ToVec3(b.Node.At));
     if (a.Node.At != b.Node.At)
     {
@@ -253,13 +257,10 @@ std::string FindDefect(const std::vector<Entry>& entries, std::size_t begin, std
         " stands for two places, one of them at " + place +
         ": make the ids anew, or take them away.";
     }
-    if (a.Rank == b.Rank)
-    {
-      return "Several nodes of one rank's piece lie at " + place +
-        ", where the piece borders on another: if every rank holds the whole grid, distribute it, "
-        "e.g. with Redistribute DataSet; else give the points global ids, which tell the nodes "
-        "apart, or merge them with Clean to Grid.";
-    }
+    return "Several nodes of one rank's piece lie at " + place +
+      ", where the piece borders on another: if every rank holds the whole grid, distribute it, "
+      "e.g. with Redistribute DataSet; else give the points global ids, which tell the nodes "
+      "apart, or merge them with Clean to Grid.";
   }
   return {};
 }

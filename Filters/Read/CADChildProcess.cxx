@@ -9,9 +9,11 @@
 #include <cmath>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <new>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -163,6 +165,9 @@ void LimitMemory(double megabytes)
   }
 }
 
+/// Status of a child that could not have the memory for its result.
+constexpr int OutOfMemory = 3;
+
 /// What the child does, given the readers and whom to tell of its progress: reads the file and
 /// packs the result.
 using ChildWork = std::function<std::string(const CADReaders&, const ReadProgress&)>;
@@ -194,9 +199,21 @@ using ChildWork = std::function<std::string(const CADReaders&, const ReadProgres
     packer.Put(share);
     return Send(file, MessageKind::Progress, packer.Bytes);
   };
-  Send(file, MessageKind::Result, work(readers, progress));
-  // Not exit(): the parent's destructors are not the child's to run.
-  _exit(0);
+  // Not exit(), and no exception to whatever is above: the parent's destructors are not the child's
+  // to run.
+  try
+  {
+    Send(file, MessageKind::Result, work(readers, progress));
+    _exit(0);
+  }
+  catch (const std::bad_alloc&)
+  {
+    _exit(OutOfMemory);
+  }
+  catch (...)
+  {
+    std::abort();
+  }
 }
 
 using Clock = std::chrono::steady_clock;
@@ -264,6 +281,10 @@ public:
   {
     const std::string advice = "; export it again from the CAD program";
     this->Wait(0);
+    if (WIFEXITED(this->Status) && WEXITSTATUS(this->Status) == OutOfMemory)
+    {
+      return "takes more memory to read than it may: export less of the model, or coarser surfaces";
+    }
     if (!WIFSIGNALED(this->Status))
     {
       return "could not be read: the reading process ended early" + advice;

@@ -188,6 +188,29 @@ bool SheetSkin::AllAgree(bool mine) const
 }
 
 //------------------------------------------------------------------------------
+std::string SheetSkin::FirstText(const std::string& mine) const
+{
+  const int none = this->Ranks ? this->Ranks->GetNumberOfProcesses() : 1;
+  if (none == 1)
+  {
+    return mine;
+  }
+  std::vector<double> teller(1, mine.empty() ? none : this->Ranks->GetLocalProcessId());
+  this->Reduce(teller, vtkCommunicator::MIN_OP);
+  const int rank = static_cast<int>(teller[0]);
+  if (rank == none)
+  {
+    return {};
+  }
+  std::string text = rank > 0 ? mine + " (on rank " + std::to_string(rank) + ")" : mine;
+  auto length = static_cast<vtkIdType>(text.size());
+  this->Ranks->Broadcast(&length, 1, rank);
+  text.resize(length);
+  this->Ranks->Broadcast(text.data(), length, rank);
+  return text;
+}
+
+//------------------------------------------------------------------------------
 Eigen::AlignedBox3d SheetSkin::WholeBox() const
 {
   std::vector<double> ends;

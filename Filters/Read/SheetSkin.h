@@ -38,6 +38,9 @@ struct SheetSkin
   /// Is it so on all ranks?
   bool AllAgree(bool mine) const;
 
+  /// The text of the first rank that has one, with its number if that is not the first of all.
+  std::string FirstText(const std::string& mine) const;
+
   /**
    * The axis that the skin's normals near these places have on the whole: the principal one,
    * weighted by area, of all nodes that are at most `reach` farther from a place than the node

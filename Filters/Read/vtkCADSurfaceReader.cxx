@@ -4,6 +4,7 @@
 #include "CADFormat.h"
 #include "FirstRank.h"
 #include "NURBSTessellation.h"
+#include "OutOfMemory.h"
 #include "PropertyLimits.h"
 
 #include "vtkCommand.h"
@@ -72,6 +73,13 @@ int vtkCADSurfaceReader::CanReadFile(const char* fileName)
 //------------------------------------------------------------------------------
 int vtkCADSurfaceReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  return nurbs::WithinMemory(this, outputVector, "The CAD file takes",
+    "choose a smaller Resolution", [&] { return this->Read(outputVector); });
+}
+
+//------------------------------------------------------------------------------
+int vtkCADSurfaceReader::Read(vtkInformationVector* outputVector)
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   auto goOn = [this](double share)

@@ -3,6 +3,7 @@
 #include "FirstRank.h"
 #include "NURBSTessellation.h"
 #include "NurbsSurface.h"
+#include "OutOfMemory.h"
 #include "PropertyLimits.h"
 
 #include "vtkInformation.h"
@@ -185,8 +186,13 @@ int vtkNURBSSurfaceSource::RequestData(
     // Not 0: the executive would add an error of its own, at every update again.
     return 1;
   }
-  nurbs::TessellateNURBS(surface, this->Resolution, vtkPolyData::GetData(outputVector));
-  return 1;
+  return nurbs::WithinMemory(this, outputVector, "The NURBS surface takes",
+    "choose a smaller Resolution",
+    [&]
+    {
+      nurbs::TessellateNURBS(surface, this->Resolution, vtkPolyData::GetData(outputVector));
+      return 1;
+    });
 }
 
 //------------------------------------------------------------------------------

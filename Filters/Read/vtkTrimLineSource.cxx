@@ -6,6 +6,7 @@
 #include "FirstRank.h"
 #include "GridState.h"
 #include "NURBSTessellation.h"
+#include "OutOfMemory.h"
 #include "PlaceText.h"
 #include "PropertyLimits.h"
 #include "SheetSkin.h"
@@ -13,6 +14,7 @@
 #include "TrimLineSweep.h"
 #include "vtkCADSurfaceReader.h"
 
+#include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -317,6 +319,7 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
     auto goOn = [this](double share)
     {
       this->UpdateProgress(share);
+      this->InvokeEvent(vtkCommand::AbortCheckEvent);
       return !this->CheckAbort();
     };
     kept.TakeCurves(path, this->LengthUnit, goOn);
@@ -375,17 +378,17 @@ int vtkTrimLineSource::RequestData(
   vtkDataObject* sheet = vtkDataObject::GetData(inputVector[0]);
   this->Kept->TakeSheet(sheet, this->Controller);
   // What follows asks all ranks for their pieces of the sheet, if there is one.
+  const std::string error = kept.Skin.FirstText(kept.Error);
+  const std::string sheetError = kept.Skin.FirstText(kept.SheetError);
   const bool complete =
-    kept.Skin.AllAgree(kept.Error.empty() && !kept.Lines.empty() && kept.SheetError.empty());
-  if (!kept.SheetError.empty())
+    kept.Skin.AllAgree(!kept.Lines.empty()) && error.empty() && sheetError.empty();
+  const bool first = nurbs::IsFirstRank(this->Controller); // one tells for all
+  for (const std::string& text : { sheetError, error })
   {
-    vtkErrorMacro(<< kept.SheetError << ".");
-  }
-  // All ranks have the same line, and one tells of it.
-  const bool first = nurbs::IsFirstRank(this->Controller);
-  if (!kept.Error.empty() && first)
-  {
-    vtkErrorMacro(<< kept.Error << ".");
+    if (!text.empty() && first)
+    {
+      vtkErrorMacro(<< text << ".");
+    }
   }
   if (!complete)
   {
@@ -414,8 +417,13 @@ int vtkTrimLineSource::RequestData(
     }
     return 1;
   }
-  WriteSurfaces(kept.Lines, sweep, this->Resolution, outputVector);
-  return 1;
+  return nurbs::WithinMemory(this, outputVector, "The surface of the trim line takes",
+    "choose a smaller Resolution",
+    [&]
+    {
+      WriteSurfaces(kept.Lines, sweep, this->Resolution, outputVector);
+      return 1;
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -29,7 +29,8 @@ namespace
 
 /// Rings of elements round the cut: those that may change, and one halo.
 constexpr int BandRings = 4;
-/// Rings where columns reach farther, in a sheet of many layers under an inclined surface.
+/// Rings where columns reach farther, in a sheet of many layers under an inclined surface, or there
+/// are none; of all places alike if it is so at one.
 constexpr int DeepBandRings = 12;
 /// Nodes are placed on the surface to this share of the diagonal of the grid's box, or where the
 /// grid is far from the origin to this share of the largest coordinate.

@@ -307,15 +307,15 @@ int vtkTrimHexahedralGrid::Trim(
   vtkDataObject* const grid = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* const surface = vtkDataObject::GetData(inputVector[1]);
   const Outputs outputs = OutputsOf(outputVector);
-  if (ranks.Any(this->CheckAbort())) // of the trim before this one, say
-  {
-    return 1;
-  }
   for (vtkUnstructuredGrid* output : outputs)
   {
     // VTK has passed on the field data of the input already.
     trim::Summary::RemoveFrom(output->GetFieldData());
     AddEmptyArrays(output);
+  }
+  if (ranks.Any(this->CheckAbort())) // of the trim before this one, say
+  {
+    return 1;
   }
   const trim::TrimOptions options = this->Options();
   std::string error = FindOptionDefect(this->CorrectionType, this->Optimization, options);
@@ -361,12 +361,13 @@ int vtkTrimHexahedralGrid::Trim(
 void vtkTrimHexahedralGrid::LookForAbort()
 {
   this->InvokeEvent(vtkCommand::AbortCheckEvent);
-  this->CheckAbort();
+  this->SawAbort = this->CheckAbort();
 }
 
 //------------------------------------------------------------------------------
 trim::Progress vtkTrimHexahedralGrid::TellProgress()
 {
+  this->SawAbort = false;
   // Asked from every thread, but only the caller's looks; negative: no news of the progress.
   return [this, caller = std::this_thread::get_id()](double done)
   {
@@ -378,7 +379,7 @@ trim::Progress vtkTrimHexahedralGrid::TellProgress()
       }
       this->LookForAbort();
     }
-    return this->GetAbortOutput() || this->GetAbortExecute();
+    return this->SawAbort || this->GetAbortExecute();
   };
 }
 

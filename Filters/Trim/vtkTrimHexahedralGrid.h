@@ -37,7 +37,8 @@
  *   a node left its border or a fold of its skin or slid past a bend of the border, so that the
  *   parts do not add up to the whole; 0 elsewhere.
  *
- * Each value of the last four comes with one warning: how many, where, and what to do.
+ * Each value of Feasibility, Shortfall, DistanceLeft and CornerLost comes with one warning: how
+ * many, where, and what to do.
  *
  * Output port 2, empty unless ProduceOffcut is on: the part that is cut away, fitted to port 0 node
  * by node, with the arrays of port 0 but Rescue. Parts of one input element share its
@@ -69,6 +70,7 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <array>      // For std::array
+#include <atomic>     // For std::atomic
 #include <functional> // For std::function
 #include <memory>     // For std::unique_ptr
 #include <string>     // For std::string
@@ -283,6 +285,8 @@ private:
 
   std::unique_ptr<trim::TrimInputs> Inputs;
   std::unique_ptr<nurbs::PageUser> Pages; ///< memory from one run to the next
+  /// What the caller's thread last saw of VTK's own flag, which others may not look at meanwhile.
+  std::atomic<bool> SawAbort{ false };
 
   /// All of RequestData but threads and memory.
   int Trim(vtkInformationVector** inputVector, vtkInformationVector* outputVector,

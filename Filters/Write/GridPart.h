@@ -4,7 +4,8 @@
  * order, and where the points are.
  *
  * All of it is counted first and then filled in place by all threads, so that the memory is that
- * of the output and the result does not depend on the threads.
+ * of the output and the result does not depend on the threads; but for the cells of an offcut, which
+ * one thread lists.
  */
 #ifndef GridPart_h
 #define GridPart_h

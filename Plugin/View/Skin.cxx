@@ -4,8 +4,6 @@
 #include "Runs.h"
 #include "SortFour.h"
 
-#include <vtkSMPTools.h>
-
 #include <algorithm>
 #include <array>
 
@@ -153,7 +151,7 @@ void FindSingles(const HexMesh& mesh, const std::vector<NodeRange>& runs, const 
 std::vector<NodeRange> DivideNodes(const HexMesh& mesh)
 {
   constexpr Id CellsAtATime = 1000000;
-  const Id threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  const Id threads = ThreadsForLoops();
   const Id count = std::max(threads, (mesh.NumberOfCells + CellsAtATime - 1) / CellsAtATime);
   std::vector<NodeRange> ranges;
   for (Id i = 0; i < count; ++i)
@@ -170,10 +168,10 @@ std::vector<SkinFacet> FindSkin(const HexMesh& mesh)
   const std::vector<NodeRange> ranges = DivideNodes(mesh);
   const std::vector<NodeRange> runs = FindNodesOfRuns(mesh);
   std::vector<std::vector<SkinFacet>> found(ranges.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelFor(0, static_cast<Id>(ranges.size()), 1,
+    [&](Id begin, Id end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (Id i = begin; i < end; ++i)
       {
         FindSingles(mesh, runs, ranges[i], found[i]);
       }

@@ -44,7 +44,9 @@ pqProgressManager* Progress()
 vtkAlgorithm* AlgorithmOf(pqPipelineSource* source)
 {
   vtkSMProxy* proxy = source->getProxy();
-  const bool canAbort = IsTrim(proxy) || std::strcmp(proxy->GetXMLName(), "CADSurfaceReader") == 0;
+  const char* const kind = proxy->GetXMLName();
+  const bool canAbort = IsTrim(proxy) || std::strcmp(kind, "CADSurfaceReader") == 0 ||
+    std::strcmp(kind, "TrimLineSource") == 0;
   return canAbort ? vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
 }
 

@@ -291,6 +291,27 @@ void TestKeepPoint()
 // Far from the surface the last crossing on the way there tells the side of a keep point, not the
 // first: within a second sphere, above the one through the sheet, is where the first one's inside
 // is.
+// The side of a far keep point is that of the nearest node of an element, not of some point
+// without.
+void TestKeepPointBesideUnused()
+{
+  const Mesh mesh = Sheet(20, 16, 2, Vec3(1, 1, 0.4));
+  const Surface plane = PlaneThrough(Vec3(10, 0, 0), Vec3(1, 0.3, 0), 40);
+  TrimOptions options;
+  options.UseKeepPoint = true;
+  options.KeepPoint = Vec3(13, 8, 60);
+  const Outcome without = RunTrim(mesh, plane, options);
+  Mesh unused = mesh;
+  unused.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  unused.Grid->DeepCopy(mesh.Grid);
+  unused.Grid->GetPointData()->Initialize();
+  unused.Grid->GetPoints()->InsertNextPoint(5, 8, 60);
+  const Outcome with = RunTrim(unused, plane, options);
+  Expect(without.Clean() && with.Clean() &&
+      with.Case.Trimmed->GetNumberOfCells() == without.Case.Trimmed->GetNumberOfCells(),
+    "a keep point beside a point without elements");
+}
+
 void TestKeepPointBehindSeveral()
 {
   const Mesh mesh = MakeMesh("sheet2");
@@ -496,6 +517,7 @@ int main()
   TestPatch();
   TestCrossingAtKnot();
   TestKeepPoint();
+  TestKeepPointBesideUnused();
   TestKeepPointBehindSeveral();
   TestRepeatedFaces();
   TestToldGaps();

@@ -4,6 +4,7 @@
  */
 #include "NURBSFieldData.h"
 #include "ReadTesting.h"
+#include "Shortage.h"
 #include "vtkNURBSSurfaceSource.h"
 
 #include "vtkPolyData.h"
@@ -157,10 +158,40 @@ void TestAbsurdNumbers()
   CHECK(capture->Errors.size() == 4, capture->Errors.size() << " errors");
   CHECK(source->GetMTime() == before, "an absurd number modifies the source");
 }
+
+// Whichever piece of memory is refused: one error, and nothing comes out.
+void TestShortage()
+{
+  vtkNew<vtkNURBSSurfaceSource> source;
+  source->SetResolution(30);
+  const judge::Shortage shortage;
+  constexpr std::size_t smallest = 2000;
+  judge::Shortage::Plan({ -1, false, smallest });
+  source->Update();
+  const long pieces = judge::Shortage::Seen();
+  CHECK(pieces > 2, pieces << " pieces of memory");
+  for (long piece = 0; piece < pieces; ++piece)
+  {
+    vtkNew<ErrorCapture> messages;
+    messages->Watch(source);
+    source->Modified();
+    judge::Shortage::Plan({ piece, true, smallest });
+    source->Update();
+    judge::Shortage::Plan({});
+    const bool one = messages->Errors.size() == 1 &&
+      messages->Errors[0].find("more memory than there is") != std::string::npos;
+    CHECK(one, messages->Errors.size() << " errors without piece " << piece);
+    CHECK(source->GetOutput()->GetNumberOfPoints() == 0, "something comes out");
+  }
+  source->Modified();
+  source->Update();
+  CHECK(source->GetOutput()->GetNumberOfPoints() > 0, "nothing comes out afterwards");
+}
 }
 
 int main()
 {
+  TestShortage();
   TestDefault();
   TestSphere();
   TestModified();
