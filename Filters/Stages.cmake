@@ -51,6 +51,7 @@ add_library(NURBSTrimStages STATIC
   Treat/BothParts.cxx
   Treat/CoincidentNodes.cxx
   Treat/ColumnChoices.cxx
+  Treat/CornerShape.cxx
   Treat/CreaseNodes.cxx
   Treat/DirectionBehind.cxx
   Treat/ElementWorth.cxx
@@ -73,15 +74,29 @@ add_library(NURBSTrimStages STATIC
   Treat/RelaxedMesh.cxx
   Treat/ReturnedNodes.cxx
   Treat/Returner.cxx
-  Treat/StepDirections.cxx
-  Treat/CornerShape.cxx
   Treat/ShapeDescent.cxx
+  Treat/StepDirections.cxx
   Treat/StraightPillars.cxx
   Treat/TrialCreases.cxx
   Treat/TrialReturns.cxx
   Treat/TrialTrim.cxx
   Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx
+  Check/BorderChords.cxx
+  Check/EdgesCrossedTwice.cxx
+  Check/ElementProbe.cxx
+  Check/ElementsAstray.cxx
+  Check/FeasibilityCheck.cxx
+  Check/LooseParts.cxx
+  Check/LostVolume.cxx
+  Check/OffcutHinges.cxx
+  Check/OpenSeams.cxx
+  Check/PartedStrips.cxx
+  Check/PlacesAstray.cxx
+  Check/Shortcomings.cxx
+  Check/Shortfalls.cxx
+  Check/StickingNodes.cxx
+  Check/TrimWarnings.cxx
   Renumber/NodeOrdering.cxx
   Renumber/PillarGraph.cxx
   Renumber/PillarOrdering.cxx
@@ -101,33 +116,18 @@ add_library(NURBSTrimStages STATIC
   Write/WritePart.cxx
   Trim/BandDecision.cxx
   Trim/BestLayer.cxx
-  Trim/BorderChords.cxx
   Trim/CutColumns.cxx
   Trim/DegenerateHexahedra.cxx
-  Trim/EdgesCrossedTwice.cxx
-  Trim/ElementProbe.cxx
-  Trim/ElementsAstray.cxx
-  Trim/FeasibilityCheck.cxx
   Trim/InputScale.cxx
   Trim/InputTimes.cxx
   Trim/LayerRoom.cxx
   Trim/LayerSearch.cxx
   Trim/LayerTrim.cxx
-  Trim/LooseParts.cxx
-  Trim/LostVolume.cxx
-  Trim/OffcutHinges.cxx
-  Trim/OpenSeams.cxx
-  Trim/PartedStrips.cxx
-  Trim/PlacesAstray.cxx
-  Trim/Shortcomings.cxx
-  Trim/Shortfalls.cxx
   Trim/ShownSurface.cxx
-  Trim/StickingNodes.cxx
   Trim/StretchTrims.cxx
   Trim/SurplusTuples.cxx
-  Trim/TrimPipeline.cxx
-  Trim/TrimWarnings.cxx)
-foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Result Renumber Write Trim)
+  Trim/TrimPipeline.cxx)
+foreach (stage IN ITEMS Mesh Ranks Classify Decide Correct Treat Result Check Renumber Write Trim)
   target_include_directories(NURBSTrimStages PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${stage}")
 endforeach ()
 target_link_libraries(NURBSTrimStages
