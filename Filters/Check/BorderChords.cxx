@@ -1,6 +1,7 @@
 #include "BorderChords.h"
 
 #include "MovingNodes.h"
+#include "NodeMover.h"
 #include "Place.h"
 #include "Status.h"
 
@@ -22,9 +23,8 @@ constexpr double LargestSag = 0.2;
 constexpr double LargestShortSag = 0.4;
 constexpr double ShortTurnCosine = 0.5;
 /// From layer to layer of a sheet, where no node can go in between: an edge of the surface along
-/// the skin, or a bend, by which it turns by more than 20 degrees.
+/// the skin, or a bend, by which it turns by more than at a sharp edge.
 constexpr double LargestSagThrough = 0.1;
-constexpr double TurnThroughCosine = 0.940;
 
 /// Of the surface at the foot of a node of the band.
 struct FootNormal
@@ -105,7 +105,7 @@ private:
   double SagAllowed(int a, int b, bool stretched) const
   {
     const bool isThrough = this->Structure.Pillar[a] == this->Structure.Pillar[b];
-    if (isThrough && this->TurnsBetween(a, b, TurnThroughCosine))
+    if (isThrough && this->TurnsBetween(a, b, CreaseCosine))
     {
       return LargestSagThrough;
     }

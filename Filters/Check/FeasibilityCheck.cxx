@@ -6,6 +6,7 @@
 #include "EdgesCrossedTwice.h"
 #include "ElementProbe.h"
 #include "ElementTopology.h"
+#include "NodeMover.h"
 #include "OpenSeams.h"
 #include "PartedStrips.h"
 #include "PlacesAstray.h"
@@ -34,9 +35,8 @@ constexpr double SmallestWidth = 3.0;
 constexpr double SteepestCosine = 0.7071;
 /// Sine of the angle between surface and skin below which there is no direction within the skin.
 constexpr double SmallestSine = 0.05;
-/// Between two nodes' feet the normal turns by at least 20 degrees where a bend is read off it;
-/// beyond 120 degrees the feet lie on two opposite walls.
-constexpr double SmallestTurnCosine = 0.940;
+/// Between two nodes' feet the normal turns by at least as much as at a sharp edge where a bend is
+/// read off it; beyond 120 degrees the feet lie on two opposite walls.
 constexpr double LargestTurnCosine = -0.5;
 constexpr double RightAngle = 0.5 * M_PI;
 /// A node that went to a sharp edge is that near, in elements, to the planes on either side of it:
@@ -318,7 +318,7 @@ private:
     const Vec3 nb = probe.Within(b.Normal);
     const double lengths = na.norm() * nb.norm();
     const double cosine = na.dot(nb);
-    if (lengths < SmallestSine || cosine > SmallestTurnCosine * lengths ||
+    if (lengths < SmallestSine || cosine > CreaseCosine * lengths ||
       cosine < LargestTurnCosine * lengths)
     {
       return SmallestRadius;

@@ -5,6 +5,7 @@
 #include "BorderSearch.h"
 #include "Jacobian.h"
 #include "NodeConstraint.h"
+#include "NodeMover.h"
 #include "OffcutHinges.h"
 #include "Status.h"
 
@@ -28,8 +29,6 @@ constexpr double PassedShare = 0.05;
 constexpr double LeastPassedShare = PassedShare / 64.0;
 /// Of the volume of an element: what both parts may miss, or have too much, in all.
 constexpr double LargestMissing = 0.5;
-/// How far along the border a node slides at most, in edges.
-constexpr int LongestSlide = 4;
 
 /// Distance up to which a node lies on the surface as exactly as the mesh can store it.
 double StoredPrecision(const Band& band, int node, double precision)
@@ -126,8 +125,10 @@ bool LeftBorder(const Band& band, int node, const Vec3& place)
     BorderTolerance * LongestEdgeAt(band, node) + 2.0 * SpacingAt(band, node);
   const auto faces = band.FacesOfNode(node);
   return std::any_of(faces.begin(), faces.end(),
-    [&](int f) {
-      return band.Faces[f].Exterior && !BorderSearch(band, f, LongestSlide).Has(place, tolerance);
+    [&](int f)
+    {
+      return band.Faces[f].Exterior &&
+        !BorderSearch(band, f, LongestRidgeWalk).Has(place, tolerance);
     });
 }
 

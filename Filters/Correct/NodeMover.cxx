@@ -19,8 +19,6 @@ namespace
 /// No node moves farther than this many of its longest edges, if the cut has not chosen the
 /// columns.
 constexpr double LongestMove = 3.0;
-/// How many ridge edges a node may slide along to either side.
-constexpr int LongestRidgeWalk = 4;
 /// A corner nearer to the surface than this many of its shortest edges is right beside it.
 constexpr double BesideCut = 0.5;
 

@@ -19,6 +19,9 @@ namespace trim
 /// No node moves farther than this many of its longest edges: columns that the cut has chosen lean.
 constexpr double LongestMoveByCut = 5.0;
 
+/// How many ridge edges a node may slide along to either side.
+constexpr int LongestRidgeWalk = 4;
+
 /// Cosine of the angle between normals from which an edge of the surface counts as sharp: 20
 /// degrees.
 constexpr double CreaseCosine = 0.94;

@@ -8,10 +8,8 @@
 #ifndef HexMesh_h
 #define HexMesh_h
 
-#include "NurbsSurface.h"
 #include "PageVector.h"
-
-#include <vtkType.h>
+#include "Types.h"
 
 #include <array>
 #include <cstring>
@@ -23,8 +21,6 @@ namespace trim
 {
 using nurbs::PageVector;
 using nurbs::UnsetVector;
-using nurbs::Vec3;
-using Id = vtkIdType;
 
 struct HexMesh
 {

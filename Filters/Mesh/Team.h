@@ -9,7 +9,7 @@
 #ifndef Team_h
 #define Team_h
 
-#include "HexMesh.h"
+#include "Types.h"
 
 #include <vtkSMPTools.h>
 

@@ -5,7 +5,7 @@
 #ifndef DirectionBehind_h
 #define DirectionBehind_h
 
-#include "HexMesh.h"
+#include "Types.h"
 
 #include <vector>
 

@@ -4,11 +4,13 @@
 #include "Jacobian.h"
 #include "Moves.h"
 #include "MovingNodes.h"
+#include "NodeConstraint.h"
 #include "Status.h"
 
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 
 namespace trim
 {
@@ -23,8 +25,8 @@ constexpr int MostHalvings = 3;
 constexpr double SkinWeight = 30.0;
 /// Faces that turn by less than this, about, count as one direction.
 constexpr double LeastTurn = 0.2;
-/// From here on the skin has a ridge, which holds its nodes: 45 degrees.
-constexpr double RidgeTurn = 0.785;
+/// From here on the skin has a ridge, which holds its nodes.
+const double RidgeTurn = std::acos(SameSideCosine);
 /// A node has room behind the faces of the cut where its way is under no smaller angle to them.
 constexpr double LeastSine = 0.15;
 /// What a step leads behind each face, of the depth that it is to have there, at least.
