@@ -102,6 +102,25 @@ void CopyCells(
   grid->SetCells(ownTypes, cells);
 }
 
+void RemoveFlags(vtkUnstructuredGrid* grid)
+{
+  grid->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  grid->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+}
+
+/// The grid itself, or one that is the same but for arrays which flag nothing.
+vtkSmartPointer<vtkUnstructuredGrid> WithoutFlags(vtkUnstructuredGrid* grid)
+{
+  if (!grid->GetCellGhostArray() && !grid->GetPointGhostArray())
+  {
+    return grid;
+  }
+  auto plain = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  plain->ShallowCopy(grid);
+  RemoveFlags(plain);
+  return plain;
+}
+
 }
 
 bool IsLeftOut(unsigned char flags)
@@ -118,9 +137,9 @@ bool HasGhosts(vtkUnstructuredGrid* grid)
 OwnCells TakeOwnCells(vtkUnstructuredGrid* input, const HexMesh& mesh)
 {
   OwnCells own;
-  own.Grid = input;
   if (!HasGhosts(input))
   {
+    own.Grid = WithoutFlags(input);
     return own;
   }
   own.Selected = true;
@@ -139,8 +158,7 @@ OwnCells TakeOwnCells(vtkUnstructuredGrid* input, const HexMesh& mesh)
     grid->GetPointData());
   GatherAttributes(
     input->GetCellData(), own.Cells.data(), static_cast<Id>(own.Cells.size()), grid->GetCellData());
-  grid->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  grid->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  RemoveFlags(grid);
   grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   own.Grid = grid;
   return own;

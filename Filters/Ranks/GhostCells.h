@@ -18,7 +18,7 @@ namespace trim
 
 struct OwnCells
 {
-  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< the input itself if it has no ghosts
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< the input itself if it has no ghost arrays
   bool Selected = false;                     ///< some cells or ghost arrays were left out
   std::vector<Id> Points, Cells;             ///< ids in the input, where Selected
   Id Copies = 0;                             ///< cells left out as copies of other ranks' cells
@@ -33,7 +33,8 @@ bool HasGhosts(vtkUnstructuredGrid* grid);
 
 /**
  * The cells of `input` that are no ghosts (copies of other ranks' cells, hidden or refined ones),
- * with their points and arrays; the ghost arrays are left out, as a trim would make them wrong.
+ * with their points and arrays; the ghost arrays are left out, as a trim would make them wrong, and
+ * where they flag nothing other ranks may have none.
  *
  * @param mesh the view of the input; it was found free of defects.
  */

@@ -1,6 +1,7 @@
 #include "TrimInputs.h"
 
 #include "DegenerateHexahedra.h"
+#include "GatherAttributes.h"
 #include "InputScale.h"
 #include "NURBSFieldData.h"
 #include "SharedBounds.h"
@@ -9,8 +10,10 @@
 #include "SurfaceGaps.h"
 #include "SurplusTuples.h"
 
+#include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkCompositeDataSetRange.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -132,6 +135,21 @@ vtkSmartPointer<vtkUnstructuredGrid> WithPointsInOneArray(vtkUnstructuredGrid* g
   return copy;
 }
 
+/// The grid itself, or, where no cell has its points, as on ranks that got no cells of a mesh, one
+/// with nothing but the names of its arrays.
+vtkSmartPointer<vtkUnstructuredGrid> WithoutLonePoints(vtkUnstructuredGrid* grid)
+{
+  if (grid->GetNumberOfCells() > 0 || grid->GetNumberOfPoints() == 0)
+  {
+    return grid;
+  }
+  auto empty = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  GatherAttributes(grid->GetPointData(), nullptr, 0, empty->GetPointData());
+  GatherAttributes(grid->GetCellData(), nullptr, 0, empty->GetCellData());
+  empty->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  return empty;
+}
+
 /// The global ids as VTK's own type of ids; null if there are none that are whole numbers.
 vtkSmartPointer<vtkIdTypeArray> GlobalIdsOf(vtkPointData* data)
 {
@@ -239,7 +257,8 @@ bool TrimInputs::TakeGrid(vtkUnstructuredGrid* grid, std::string& error)
   this->Grid = nullptr;
   this->Joined = false;
   this->OwnWedges = 0;
-  const auto plain = WithoutSurplus(WithPointsInOneArray(grid), this->OwnSurplus);
+  const auto plain =
+    WithoutSurplus(WithPointsInOneArray(WithoutLonePoints(grid)), this->OwnSurplus);
   // Most grids have no defect: only others are looked at for which is the first.
   if (!HasGhosts(plain) && ViewUnchecked(plain, this->TheMesh) &&
     ScanMesh(this->TheMesh, this->TheBlocks))

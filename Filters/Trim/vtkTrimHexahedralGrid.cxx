@@ -68,8 +68,9 @@ void Clear(const Outputs& outputs)
   }
 }
 
-/// What is wrong with the options; empty: nothing.
-std::string FindOptionDefect(int correctionType, int optimization, const trim::TrimOptions& options)
+/// What is wrong with the options of this rank; empty: nothing.
+std::string FindOwnOptionDefect(
+  int correctionType, int optimization, const trim::TrimOptions& options)
 {
   struct Number
   {
@@ -100,6 +101,35 @@ std::string FindOptionDefect(int correctionType, int optimization, const trim::T
     ? "KeepPoint has a coordinate that is not finite or too large: give a point in the part of the "
       "grid that is to stay."
     : "";
+}
+
+/// An option's value, as a number.
+struct OptionValue
+{
+  const char* Name;
+  double Value;
+};
+
+/// Scripts may give each rank its own: with several values each would trim in another way, or wait
+/// for the others for ever.
+/// @return what is wrong; empty: nothing. Collective.
+std::string FindOptionsApart(const std::vector<OptionValue>& own, const trim::Ranks& ranks)
+{
+  std::vector<double> values;
+  for (const OptionValue& option : own)
+  {
+    values.push_back(option.Value);
+  }
+  const std::vector<double> all = ranks.Gather(values);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (all[i] != all[i % own.size()])
+    {
+      return std::string("The ranks have different values of ") + own[i % own.size()].Name +
+        ": give all of them the same options.";
+    }
+  }
+  return "";
 }
 
 /// The result of work(), which takes time. In its loops the caller looks what others want; not when
@@ -230,6 +260,32 @@ trim::TrimOptions vtkTrimHexahedralGrid::Options() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTrimHexahedralGrid::FindOptionDefect(
+  const trim::TrimOptions& options, const trim::Ranks& ranks) const
+{
+  const std::string defect =
+    ranks.FirstText(FindOwnOptionDefect(this->CorrectionType, this->Optimization, options));
+  if (!defect.empty() || ranks.Alone())
+  {
+    return defect;
+  }
+  const auto flag = [](bool value) { return value ? 1.0 : 0.0; };
+  const auto keepPoint = [this](int k) { return this->UseKeepPoint ? this->KeepPoint[k] : 0.0; };
+  return FindOptionsApart(
+    { { "CorrectionType", static_cast<double>(this->CorrectionType) },
+      { "Optimization", static_cast<double>(this->Optimization) },
+      { "InvertSide", flag(this->InvertSide) }, { "UseKeepPoint", flag(this->UseKeepPoint) },
+      { "KeepPoint", keepPoint(0) }, { "KeepPoint", keepPoint(1) }, { "KeepPoint", keepPoint(2) },
+      { "EliminationFraction", this->EliminationFraction },
+      { "MinimumScaledJacobian", this->MinimumScaledJacobian }, { "Tolerance", this->Tolerance },
+      { "RenumberNodes", flag(this->RenumberNodes) },
+      { "QualityOfAllElements", flag(this->QualityOfAllElements) },
+      { "MapValues", flag(this->MapValues) }, { "ProduceOffcut", flag(this->ProduceOffcut) },
+      { "InsertLayer", flag(this->InsertLayer) } },
+    ranks);
+}
+
+//------------------------------------------------------------------------------
 int vtkTrimHexahedralGrid::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -318,7 +374,7 @@ int vtkTrimHexahedralGrid::Trim(
     return 1;
   }
   const trim::TrimOptions options = this->Options();
-  std::string error = FindOptionDefect(this->CorrectionType, this->Optimization, options);
+  std::string error = this->FindOptionDefect(options, ranks);
   if (!error.empty() || !this->Inputs->Take(grid, surface, ranks, error))
   {
     return this->Refuse(ranks, error);

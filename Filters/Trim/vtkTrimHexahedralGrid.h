@@ -45,10 +45,10 @@
  * vtkOriginalCellIds.
  *
  * Port 0 also carries vtkOriginalPointIds, vtkOriginalCellIds, ScaledJacobian (float, cells; NaN
- * where it was not computed), every array of the input (see MapValues), and a summary in its field
- * data; with InsertLayer also Inserted (unsigned char, points and cells): 1 for what the input does
- * not have. Such a point or cell has the original id and the values of the point in whose place it
- * is, of the cell on whose face it stands.
+ * where it was not computed), every array of the input but vtkGhostType (see MapValues), and a
+ * summary in its field data; with InsertLayer also Inserted (unsigned char, points and cells): 1
+ * for what the input does not have. Such a point or cell has the original id and the values of the
+ * point in whose place it is, of the cell on whose face it stands.
  *
  * On several ranks each gives its piece of the grid, and what it has of the surface. The result, as
  * a mesh, is that of the whole grid on one rank; only the numbering differs. Nodes that pieces
@@ -306,6 +306,8 @@ private:
   int GiveUp(
     vtkInformationVector* outputVector, const trim::Ranks& ranks, const std::string& error);
   trim::TrimOptions Options() const;
+  /// What is wrong with the options of some rank; empty: nothing. Collective.
+  std::string FindOptionDefect(const trim::TrimOptions& options, const trim::Ranks& ranks) const;
 };
 
 #endif

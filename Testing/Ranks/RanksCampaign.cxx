@@ -4,9 +4,11 @@
  * partition.
  *
  * RanksCampaign [count [seed [only [meshes]]]]: `only` repeats one trim of the series alone, and
- * shows what the filter says of it, -1: all.
+ * shows what the filter says of it, -1: all. "narrow" before the meshes, or alone: other cuts, see
+ * NarrowCuts.h.
  */
 #include "Draws.h"
+#include "NarrowCuts.h"
 #include "Partitions.h"
 #include "Pieces.h"
 
@@ -411,15 +413,27 @@ struct Draw
   bool Parted; ///< the surface
 };
 
-Draw DrawTrim(Dice& dice, const std::vector<std::string>& names)
+/// What trims are drawn of.
+struct Range
+{
+  std::vector<std::string> Meshes;
+  bool Narrow = false;
+
+  Cut DrawCut(Dice& dice, const Frame& box) const
+  {
+    return this->Narrow ? DrawNarrow(dice, box) : judge::DrawCut(dice, box);
+  }
+};
+
+Draw DrawTrim(Dice& dice, const Range& range)
 {
   Draw draw;
   bool needsIds = false;
-  draw.Given = DrawMesh(dice, names, draw.MeshWords, needsIds);
+  draw.Given = DrawMesh(dice, range.Meshes, draw.MeshWords, needsIds);
   const Frame& box = draw.Given.Box;
-  draw.First = DrawCut(dice, box);
+  draw.First = range.DrawCut(dice, box);
   draw.FirstOptions = DrawOptions(dice, box);
-  if (!draw.Given.Sheet && dice.Chance(0.4))
+  if (!range.Narrow && !draw.Given.Sheet && dice.Chance(0.4))
   {
     Extra& extra = draw.FirstOptions;
     draw.First = DrawAslant(dice, box);
@@ -514,10 +528,10 @@ void Print(const std::string& words, const Differences& differences)
   std::fflush(stdout);
 }
 
-void RunDraw(unsigned seed, int number, const std::vector<std::string>& names, bool tells)
+void RunDraw(unsigned seed, int number, const Range& range, bool tells)
 {
   Dice dice(seed, number);
-  const Draw draw = DrawTrim(dice, names);
+  const Draw draw = DrawTrim(dice, range);
   Cut cut = draw.First;
   Extra extra = draw.FirstOptions;
   Grid whole = MakeWhole(draw);
@@ -526,7 +540,7 @@ void RunDraw(unsigned seed, int number, const std::vector<std::string>& names, b
   {
     if (trim > 0)
     {
-      cut = DrawCut(dice, draw.Given.Box);
+      cut = range.DrawCut(dice, draw.Given.Box);
       extra = DrawOptions(dice, draw.Given.Box);
     }
     const PiecesOutcome alone = Run({ whole }, { cut.What.Data }, extra, nullptr, dice);
@@ -585,14 +599,20 @@ int main(int argc, char* argv[])
   const int count = argc > 1 ? std::atoi(argv[1]) : 60;
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
-  const std::vector<std::string> given(argv + std::min(argc, 4), argv + argc);
-  std::vector<std::string> names = AllMeshNames();
-  names.insert(names.end(), { "zigzag", "fading-ridge", "section" });
+  std::vector<std::string> given(argv + std::min(argc, 4), argv + argc);
+  Range range;
+  range.Narrow = !given.empty() && given.front() == "narrow";
+  given.erase(given.begin(), given.begin() + (range.Narrow ? 1 : 0));
+  range.Meshes = given.empty() ? AllMeshNames() : given;
+  if (given.empty())
+  {
+    range.Meshes.insert(range.Meshes.end(), { "zigzag", "fading-ridge", "section" });
+  }
   for (int i = 0; i < count; ++i)
   {
     if (only < 0 || i == only)
     {
-      RunDraw(seed, i, given.empty() ? names : given, only >= 0);
+      RunDraw(seed, i, range, only >= 0);
     }
   }
   return PrintTable() > 0;

@@ -364,6 +364,83 @@ void TestCopiesOfWedges()
   Check(difference.empty(), "copies of wedges as hexahedra: " + difference);
 }
 
+/// Options that differ from rank to rank, as a script may set them, are an error of all: nobody
+/// waits, and no rank trims in its own way.
+void TestOptionsApart()
+{
+  using Setter = void (*)(vtkTrimHexahedralGrid*);
+  const std::pair<const char*, Setter> cases[] = {
+    { "values of CorrectionType", [](vtkTrimHexahedralGrid* f) { f->SetCorrectionType(3); } },
+    { "CorrectionType is 7", [](vtkTrimHexahedralGrid* f) { f->SetCorrectionType(7); } },
+    { "values of InvertSide", [](vtkTrimHexahedralGrid* f) { f->SetInvertSide(true); } },
+    { "values of KeepPoint", [](vtkTrimHexahedralGrid* f) { f->SetKeepPoint(1, 2, 3); } },
+    { "values of ProduceOffcut", [](vtkTrimHexahedralGrid* f) { f->SetProduceOffcut(true); } },
+    { "values of MapValues", [](vtkTrimHexahedralGrid* f) { f->SetMapValues(true); } },
+    { "values of Tolerance", [](vtkTrimHexahedralGrid* f) { f->SetTolerance(1e-4); } },
+  };
+  for (const auto& [words, set] : cases)
+  {
+    const PiecesOutcome outcome = TrimPieces(Pieces(), Planes(), TrimOptions(),
+      [set = set](int rank, vtkTrimHexahedralGrid* filter)
+      {
+        filter->SetUseKeepPoint(true);
+        if (rank == 1)
+        {
+          set(filter);
+        }
+      });
+    Check(outcome.Errors.size() == 1 && outcome.Errors[0].find(words) != std::string::npos &&
+        IsEmpty(outcome.Trimmed) && IsEmpty(outcome.Statuses),
+      std::string("options of ranks: not one error with \"") + words + '"');
+  }
+}
+
+/// Points on a rank that has no cells, as some programs write them, are no matter: neither what
+/// they are stored as, nor that they have no ids.
+void TestLonePoints()
+{
+  const Mesh slit = TwoSheets(8, 10, 2, 0.4, Vec3(8, 0, 0));
+  const auto whole = WithWholeIds(slit.Grid);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->DeepCopy(whole->GetPointData()->GetArray("WholePoint"));
+  ids->SetName("Ids");
+  whole->GetPointData()->SetGlobalIds(ids);
+  Placement at;
+  at.Angle = 1.2;
+  const auto plane = MakeSurface("plane", slit.Box, at).Data;
+  const PiecesOutcome alone = TrimPieces({ whole }, { plane }, TrimOptions());
+  Grids pieces = Divide(slit, whole, "ids", 2);
+  auto points = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> places; // of single precision
+  places->InsertNextPoint(100, 2, 0);
+  points->SetPoints(places);
+  pieces.push_back(points);
+  const PiecesOutcome parts = TrimPieces(pieces, { plane, plane, plane }, TrimOptions());
+  Check(alone.Errors.empty() && parts.Errors.empty(), "points alone on rank 2: an error");
+  const std::string difference = DifferenceFromWhole(alone.Trimmed[0], parts.Trimmed) +
+    DifferenceFromWhole(alone.Statuses[0], parts.Statuses) +
+    DifferenceOfTexts(alone.Warnings, parts.Warnings);
+  Check(difference.empty(), "points alone on rank 2: " + difference);
+}
+
+/// Arrays that flag no ghosts, as one of several pieces may have them, are in no output: those of
+/// the other pieces are not either.
+void TestFlagsOfNothing()
+{
+  auto pieces = Pieces();
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetNumberOfValues(pieces[1]->GetNumberOfCells());
+  flags->FillValue(0);
+  pieces[1]->GetCellData()->AddArray(flags);
+  const PiecesOutcome outcome = TrimPieces(pieces, Planes(), TrimOptions());
+  Check(outcome.Errors.empty() && !IsEmpty(outcome.Trimmed), "flags of nothing: an error");
+  for (const auto& output : { outcome.Trimmed[1], outcome.Statuses[1] })
+  {
+    Check(!output->GetCellData()->HasArray(flags->GetName()), "flags of nothing are in an output");
+  }
+}
+
 void TestMissingSurface()
 {
   Placement outside;
@@ -513,6 +590,9 @@ int main()
   TestCoincidentNodes();
   TestBadSurfaces();
   TestScatteredSurfaces();
+  TestOptionsApart();
+  TestLonePoints();
+  TestFlagsOfNothing();
   TestMissingSurface();
   TestAborts();
   TestRerun(0);

@@ -120,6 +120,11 @@ void Compare(vtkAbstractArray* in, vtkAbstractArray* out, const std::vector<Id>*
   }
 }
 
+bool IsFlags(const std::string& name)
+{
+  return name == vtkDataSetAttributes::GhostArrayName();
+}
+
 /// True if points or cells of the output have one origin: inserted ones, parts of an element.
 bool SharesOrigins(vtkDataSetAttributes* data)
 {
@@ -144,7 +149,14 @@ void CompareAttributes(vtkDataSetAttributes* in, vtkDataSetAttributes* out,
   for (int i = 0; i < in->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = in->GetAbstractArray(i);
-    if (array->GetName() && !IsOwn(array->GetName()))
+    if (array->GetName() && IsFlags(array->GetName()))
+    {
+      if (out->HasArray(array->GetName()))
+      {
+        report.Fail("carried arrays", where + " has flags of ghosts");
+      }
+    }
+    else if (array->GetName() && !IsOwn(array->GetName()))
     {
       Compare(array, out->GetAbstractArray(array->GetName()), ids, where + " " + array->GetName(),
         report);
