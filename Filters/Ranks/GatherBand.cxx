@@ -5,6 +5,7 @@
 #include "PlaceText.h"
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_map>
 
 namespace trim
@@ -14,7 +15,8 @@ namespace
 
 struct SentNode
 {
-  Id Number; ///< over all ranks
+  Id Number;   ///< over all ranks
+  Id GlobalId; ///< the same, if there are none
   Place At;
   unsigned char Status;
 };
@@ -28,26 +30,63 @@ struct SentCell
   std::array<Id, 8> Node; ///< numbers over all ranks
 };
 
-/// An error text if two cells lie at one place; else empty. Nodes inside a piece are known to that
-/// piece alone, so the places are compared and not the numbers.
-std::string FindRepeatedCell(const BandCells& band)
+/// A cell by what tells it apart.
+struct CellName
 {
-  std::vector<std::vector<Place>> keys;
-  for (const auto& cell : band.Cells)
+  std::vector<Place> At; ///< of its nodes, ascending
+  std::vector<Id> Node;  ///< their global ids, or else their numbers over all ranks, ascending
+  int Owner;             ///< the rank that these numbers mean something to; -1: to all
+
+  bool operator<(const CellName& other) const
   {
-    std::vector<Place> key;
-    for (int i = 0; i < cell.Count; ++i)
-    {
-      key.push_back(ToPlace(band.Nodes[cell.Node[i]].Point));
-    }
-    std::sort(key.begin(), key.end());
-    keys.push_back(std::move(key));
+    return std::tie(this->At, this->Owner, this->Node) <
+      std::tie(other.At, other.Owner, other.Node);
   }
-  std::sort(keys.begin(), keys.end());
-  const auto repeated = std::adjacent_find(keys.begin(), keys.end());
-  return repeated == keys.end() ? std::string()
-                                : "Several ranks have the same cell, or one has it twice, at " +
-      nurbs::PlaceText(ToVec3(repeated->front())) +
+  /// Nodes within a piece are known to that piece alone: those of another one at the same places
+  /// are others only if global ids say so.
+  bool IsSame(const CellName& other) const
+  {
+    return this->At == other.At && (this->Owner != other.Owner || this->Node == other.Node);
+  }
+};
+
+/// The rank that each of the cells comes from.
+/// @param ends one past the last cell of each rank.
+std::vector<int> OwnersOf(const std::vector<std::size_t>& ends)
+{
+  std::vector<int> owners;
+  for (std::size_t rank = 0; rank < ends.size(); ++rank)
+  {
+    owners.resize(ends[rank], static_cast<int>(rank));
+  }
+  return owners;
+}
+
+/// An error text if two cells are the same; else empty.
+/// @param ids of the band's nodes: global ids, or numbers over all ranks.
+/// @param owners of each cell, see CellName.
+std::string FindRepeatedCell(
+  const BandCells& band, const std::vector<Id>& ids, const std::vector<int>& owners)
+{
+  std::vector<CellName> names;
+  for (std::size_t c = 0; c < band.Cells.size(); ++c)
+  {
+    CellName name{ {}, {}, owners[c] };
+    for (const int node : band.Cells[c])
+    {
+      name.At.push_back(ToPlace(band.Nodes[node].Point));
+      name.Node.push_back(ids[node]);
+    }
+    std::sort(name.At.begin(), name.At.end());
+    std::sort(name.Node.begin(), name.Node.end());
+    names.push_back(std::move(name));
+  }
+  std::sort(names.begin(), names.end());
+  const auto repeated = std::adjacent_find(
+    names.begin(), names.end(), [](const CellName& a, const CellName& b) { return a.IsSame(b); });
+  return repeated == names.end() ? std::string()
+                                 : "Several ranks have the same cell, or one has it twice, at " +
+      nurbs::PlaceText(ToVec3(repeated->At.front())) +
       ": distribute the grid, e.g. with Redistribute DataSet, and mark copies of other ranks' "
       "cells as ghosts, or remove one of two cells that are the same.";
 }
@@ -91,7 +130,9 @@ bool GatherBandCells(const HexMesh& mesh, const Piece& piece, BandCells& band, s
   std::vector<SentNode> nodes;
   for (const auto& node : band.Nodes)
   {
-    nodes.push_back({ numbers.NumberOf(node.Global), ToPlace(node.Point), node.Status });
+    const Id number = numbers.NumberOf(node.Global);
+    const Id id = piece.GlobalIds ? piece.GlobalIds[node.Global] : number;
+    nodes.push_back({ number, id, ToPlace(node.Point), node.Status });
   }
   std::vector<SentCell> cells;
   for (const auto& cell : band.Cells)
@@ -105,11 +146,13 @@ bool GatherBandCells(const HexMesh& mesh, const Piece& piece, BandCells& band, s
   }
   band = BandCells{};
   std::unordered_map<Id, int> at;
+  std::vector<Id> ids;
   for (const auto& node : piece.All.Gather(nodes))
   {
     if (at.emplace(node.Number, static_cast<int>(band.Nodes.size())).second)
     {
       band.Nodes.push_back({ numbers.LocalOf(node.Number), ToVec3(node.At), node.Status });
+      ids.push_back(node.GlobalId);
     }
   }
   std::vector<std::size_t> ends;
@@ -127,7 +170,8 @@ bool GatherBandCells(const HexMesh& mesh, const Piece& piece, BandCells& band, s
     }
     band.Cells.push_back(cell);
   }
-  error = FindRepeatedCell(band);
+  const bool useIds = piece.All.Any(piece.GlobalIds != nullptr);
+  error = FindRepeatedCell(band, ids, useIds ? std::vector<int>(all.size(), -1) : OwnersOf(ends));
   return error.empty();
 }
 

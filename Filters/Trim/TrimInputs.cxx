@@ -14,10 +14,8 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkCompositeDataSetRange.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <utility>
@@ -227,6 +225,11 @@ double SizeOf(const std::vector<nurbs::NurbsSurface>& faces)
 
 }
 
+const Id* TrimInputs::GlobalIds() const
+{
+  return this->TheGlobalIds ? this->TheGlobalIds->GetPointer(0) : nullptr;
+}
+
 void TrimInputs::ForgetOtherRanks()
 {
   this->Grid = nullptr; // what is known of it is to be found anew
@@ -294,7 +297,7 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
   }
   const auto ids = ranks.Alone() ? nullptr : GlobalIdsOf(this->TheOwn.Grid->GetPointData());
   const bool lacksIds = ranks.Any(this->TheMesh.NumberOfPoints > 0 && !ids);
-  const bool useIds = !lacksIds && ids;
+  this->TheGlobalIds = lacksIds ? nullptr : ids;
   const Id insideOut = ranks.Sum(this->OwnInsideOut);
   this->TheMesh.TurnsInsideOut = insideOut > LeastInsideOut * cells;
   this->GridRemarks = { DescribeLeftOut(this->TheOwn, ranks),
@@ -305,8 +308,8 @@ bool TrimInputs::JoinPieces(const Ranks& ranks, std::string& error)
     DescribeSurplus(this->OwnSurplus, ranks),
     this->TheMesh.TurnsInsideOut ? DescribeInsideOut(insideOut) : "",
     DescribeWedges(this->OwnWedges, ranks) };
-  if (!FindSharedNodes(this->TheMesh, this->TheBlocks, useIds ? ids->GetPointer(0) : nullptr, ranks,
-        this->TheShared, error))
+  if (!FindSharedNodes(
+        this->TheMesh, this->TheBlocks, this->GlobalIds(), ranks, this->TheShared, error))
   {
     return false;
   }

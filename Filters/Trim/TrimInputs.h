@@ -14,7 +14,9 @@
 #include "TrimmingSurface.h"
 
 #include <vtkDataObject.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkWeakPointer.h>
 
@@ -46,6 +48,8 @@ public:
   const HexMesh& Mesh() const { return this->TheMesh; }
   const MeshBlocks& Blocks() const { return this->TheBlocks; }
   const SharedNodes& Shared() const { return this->TheShared; }
+  /// Of the nodes, where they tell those of several ranks apart; else null.
+  const Id* GlobalIds() const;
   nurbs::TrimmingSurface& Surface() const { return *this->TheSurface; }
   /// What is to be said of the grid, its pieces and the surface. The same on all ranks.
   std::vector<std::string> Remarks() const;
@@ -71,10 +75,11 @@ private:
   MeshBlocks TheBlocks;
   bool Joined = false; ///< TheBlocks and TheShared know of the other ranks' pieces
   SharedNodes TheShared;
-  std::string OwnSurplus;               ///< arrays of this rank's piece that are too long
-  Id OwnInsideOut = 0;                  ///< hexahedra of this rank's piece
-  Id OwnWedges = 0;                     ///< hexahedra of this rank's piece, see WithWedges
-  std::vector<std::string> GridRemarks; ///< empty ones: nothing is to be said
+  vtkSmartPointer<vtkIdTypeArray> TheGlobalIds; ///< of this piece; null: they are not used
+  std::string OwnSurplus;                       ///< arrays of this rank's piece that are too long
+  Id OwnInsideOut = 0;                          ///< hexahedra of this rank's piece
+  Id OwnWedges = 0;                             ///< hexahedra of this rank's piece, see WithWedges
+  std::vector<std::string> GridRemarks;         ///< empty ones: nothing is to be said
 
   vtkWeakPointer<vtkDataObject> SurfaceData;
   std::vector<nurbs::GridState> SurfaceStates;

@@ -390,7 +390,8 @@ int vtkTrimHexahedralGrid::Trim(
     [&]
     {
       return trim::Trim(inputs.Mesh(), inputs.Blocks(),
-        { ranks, inputs.Shared(), inputs.Own().Cells }, inputs.Surface(), options, progress);
+        { ranks, inputs.Shared(), inputs.Own().Cells, inputs.GlobalIds() }, inputs.Surface(),
+        options, progress);
     });
   if (!result.Error.empty())
   {

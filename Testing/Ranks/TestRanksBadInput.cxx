@@ -423,6 +423,42 @@ void TestLonePoints()
   Check(difference.empty(), "points alone on rank 2: " + difference);
 }
 
+/// Sheets that lie in one another, with elements at the same places: with global ids of their nodes
+/// they are trimmed on several ranks, as on one. Without, a rank may have another's elements once
+/// more.
+void TestOverlap()
+{
+  const Mesh sheets = TwoSheets(10, 10, 2, 0.4, Vec3(4, 0, 0));
+  const auto whole = WithWholeIds(sheets.Grid);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->DeepCopy(whole->GetPointData()->GetArray("WholePoint"));
+  ids->SetName("Ids");
+  whole->GetPointData()->SetGlobalIds(ids);
+  const auto plane = PlaneThrough(Vec3(7.2, 5, 0), Vec3(1, 0.2, 0), 800).Data;
+  const PiecesOutcome alone = TrimPieces({ whole }, { plane }, TrimOptions());
+  const auto rankOf = [&whole](bool bySheet)
+  {
+    std::vector<int> ranks;
+    const vtkIdType count = whole->GetNumberOfCells();
+    for (vtkIdType c = 0; c < count; ++c)
+    {
+      ranks.push_back(bySheet ? (2 * c < count ? 0 : 1) : static_cast<int>(c % 2));
+    }
+    return ranks;
+  };
+  for (const bool bySheet : { true, false })
+  {
+    const Grids pieces = DivideBy(whole, rankOf(bySheet), { 2, false, true });
+    const PiecesOutcome parts = TrimPieces(pieces, { plane, plane }, TrimOptions());
+    const std::string difference = DifferenceOfTexts(alone.Errors, parts.Errors) +
+      DifferenceOfTexts(alone.Warnings, parts.Warnings) +
+      DifferenceFromWhole(alone.Trimmed[0], parts.Trimmed);
+    Check(difference.empty() && !IsEmpty(alone.Trimmed), "overlap: " + difference);
+  }
+  ExpectError("overlap without ids", DivideBy(whole, rankOf(true), { 2, false, false }),
+    { plane, plane }, "Several ranks have the same cell");
+}
+
 /// Arrays that flag no ghosts, as one of several pieces may have them, are in no output: those of
 /// the other pieces are not either.
 void TestFlagsOfNothing()
@@ -593,6 +629,7 @@ int main()
   TestOptionsApart();
   TestLonePoints();
   TestFlagsOfNothing();
+  TestOverlap();
   TestMissingSurface();
   TestAborts();
   TestRerun(0);
