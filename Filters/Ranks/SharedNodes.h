@@ -49,7 +49,7 @@ struct Piece
   const Ranks& All;
   const SharedNodes& Shared;
   const std::vector<Id>& InputCells; ///< ids in the input of the mesh's cells; empty: the same
-  const Id* GlobalIds; ///< what tells the mesh's nodes apart; null: their places do, if not alone
+  const Id* GlobalIds = nullptr; ///< what tells nodes of several pieces apart; null: their places
 
   Id InputCell(Id cell) const { return this->InputCells.empty() ? cell : this->InputCells[cell]; }
 };
