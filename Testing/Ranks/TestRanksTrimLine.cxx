@@ -92,10 +92,15 @@ int main()
     }
   }
   const auto pieces = Divide(mesh, whole, "slabs", 3);
-  vtkObject::GlobalWarningDisplayOff();
+  const Listener listener;
   for (const Used& found : SweepPieces(pieces, { nullptr, "/nowhere/line.csv", nullptr }))
   {
     Check(found[3] == 0.0, "a line that not all ranks have");
   }
+  Check(listener.Errors().size() == 1 &&
+      listener.Errors()[0].find("/nowhere/line.csv") != std::string::npos &&
+      listener.Errors()[0].find("on rank 1") != std::string::npos,
+    "a line that not all ranks have: " + std::to_string(listener.Errors().size()) +
+      " errors, not one that names the file and the rank");
   return Failures != 0;
 }
