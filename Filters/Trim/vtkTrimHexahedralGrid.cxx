@@ -369,7 +369,7 @@ int vtkTrimHexahedralGrid::Trim(
     trim::Summary::RemoveFrom(output->GetFieldData());
     AddEmptyArrays(output);
   }
-  if (ranks.Any(this->CheckAbort())) // of the trim before this one, say
+  if (this->IsStopped(ranks, this->CheckAbort())) // of the trim before this one, say
   {
     return 1;
   }
@@ -381,7 +381,7 @@ int vtkTrimHexahedralGrid::Trim(
   }
 
   const trim::Progress progress = this->TellProgress();
-  if (ranks.Any(progress(0.05)))
+  if (this->IsStopped(ranks, progress(0.05)))
   {
     return 1;
   }
@@ -397,7 +397,7 @@ int vtkTrimHexahedralGrid::Trim(
   {
     return this->Refuse(ranks, result.Error);
   }
-  if (result.Aborted)
+  if (this->IsStopped(ranks, result.Aborted))
   {
     return 1;
   }
@@ -418,7 +418,18 @@ int vtkTrimHexahedralGrid::Trim(
 void vtkTrimHexahedralGrid::LookForAbort()
 {
   this->InvokeEvent(vtkCommand::AbortCheckEvent);
-  this->SawAbort = this->CheckAbort();
+  this->SawAbort = this->CheckAbort() || this->GetAbortOutput();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrimHexahedralGrid::IsStopped(const trim::Ranks& ranks, bool mine)
+{
+  const bool stopped = ranks.Any(mine);
+  if (stopped)
+  {
+    this->SetAbortOutput(true);
+  }
+  return stopped;
 }
 
 //------------------------------------------------------------------------------
@@ -452,7 +463,7 @@ bool vtkTrimHexahedralGrid::Write(trim::TrimResult& result, const trim::Ranks& r
   WriteOutputs(inputs, result, ranks,
     { renumber, this->QualityOfAllElements, this->MapValues, this->InsertLayer },
     this->ProduceOffcut, progress, outputs);
-  if (ranks.Any(progress(1.0)))
+  if (this->IsStopped(ranks, progress(1.0)))
   {
     Clear(outputs);
     return false;

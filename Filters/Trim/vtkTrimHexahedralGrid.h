@@ -298,6 +298,9 @@ private:
   /// See Progress.h; for the calling thread's trim.
   std::function<bool(double)> TellProgress();
   void LookForAbort();
+  /// Whether a rank was stopped. All are then in the eyes of the executive, or that rank alone
+  /// would run at the next update, and wait for the others. Collective.
+  bool IsStopped(const trim::Ranks& ranks, bool mine);
   void Warn(const trim::Ranks& ranks, const std::vector<std::string>& warnings);
   /// One error, by one rank; the outputs stay empty, and the executive is not told, or it would add
   /// a line of its own to the one that says what to do.
