@@ -215,9 +215,9 @@ double ElbowDistance(const Vec3& p)
 
 /// Its wire passes the one point that is the ring's hole: of the two parts of the ring between the
 /// ends OpenCASCADE takes the other one, three quarters.
-void TestStepElbow()
+void TestStepElbow(const std::string& path)
 {
-  const ReadResult result = ReadFaces(TestFile("elbow.step"), 3);
+  const ReadResult result = ReadFaces(path, 3);
   double area = 0.0;
   for (const NurbsSurface& surface : result.Surfaces)
   {
@@ -229,6 +229,17 @@ void TestStepElbow()
   }
   const double expected = Pi * Pi + 2.0 * Pi;
   CHECK(std::abs(area - expected) < 2e-3 * expected, "area " << area << ", not " << expected);
+}
+
+/// A part with its shape alone, as some programs write it: no product has it.
+void TestStepWithoutProduct()
+{
+  const std::string text = ReadText(TestFile("elbow.step"));
+  const std::size_t first = text.find("#90="), end = text.rfind("ENDSEC;");
+  CHECK(first < end && text.find("PRODUCT") > first, "elbow.step does not end with its product");
+  const std::string path = OutputPath("no-product.step");
+  WriteText(path, text.substr(0, first) + text.substr(end));
+  TestStepElbow(path);
 }
 
 void TestStepWithoutTopology()
@@ -289,7 +300,8 @@ int main()
   TestGoToolsAnalytic();
   TestGoToolsTrimmed();
   TestStepWithoutTopology();
-  TestStepElbow();
+  TestStepElbow(TestFile("elbow.step"));
+  TestStepWithoutProduct();
   TestExample();
   return Failures != 0;
 }

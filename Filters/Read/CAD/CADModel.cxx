@@ -415,6 +415,18 @@ void SetParameters()
   // Splines are not to be broken where they are less than C1.
   Interface_Static::SetIVal("read.iges.bspline.continuity", 0);
 }
+/// OpenCASCADE begins at the products of a STEP file; where a program wrote none it begins at the
+/// representations of shapes instead.
+void ChooseRoots(const Handle(Interface_InterfaceModel) & entities)
+{
+  bool hasProducts = false;
+  for (int i = 1; i <= entities->NbEntities() && !hasProducts; ++i)
+  {
+    hasProducts = entities->Value(i)->IsKind(STANDARD_TYPE(StepBasic_ProductDefinition));
+  }
+  Interface_Static::SetIVal("read.step.product.mode", hasProducts ? 1 : 0);
+}
+
 /// `error` comes without the file's name.
 bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::string& error,
   const std::function<bool(double)>& progress)
@@ -436,6 +448,7 @@ bool Transfer(const std::string& path, CADFormat format, CADModel& model, std::s
       " but its content cannot be read; export it again from the CAD program";
     return false;
   }
+  ChooseRoots(reader.Model());
   StraightenIgesConics(reader.Model());
   if (const auto drawn = Handle(IGESData_IGESModel)::DownCast(reader.Model()))
   {
