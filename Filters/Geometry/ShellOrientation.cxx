@@ -1,8 +1,7 @@
 #include "ShellOrientation.h"
 
-#include "BezierEvaluation.h"
+#include "FacePlaces.h"
 #include "ModelEvaluation.h"
-#include "Sectors.h"
 
 #include <algorithm>
 #include <array>
@@ -153,46 +152,6 @@ struct Partner
 /// lying on the other, as in a file that has a face twice, or the two sides of a sharp edge.
 constexpr double CertainAngle = 0.02;
 
-bool IsAmong(const std::vector<Sector>& sectors, int face)
-{
-  return std::any_of(
-    sectors.begin(), sectors.end(), [face](const Sector& sector) { return sector.Face == face; });
-}
-
-/// Whether a face lies on another one all over, up to the gap.
-bool LiesOn(const SurfaceModel& model, int face, int other)
-{
-  constexpr int most = 16; // patches to look at
-  constexpr double places[] = { 0.2, 0.5, 0.8 };
-  int seen = 0;
-  bool any = false;
-  for (const BezierPatch& patch : model.Patches)
-  {
-    if (patch.Face != face || patch.Curve || seen++ >= most)
-    {
-      continue;
-    }
-    for (const double s : places)
-    {
-      for (const double t : places)
-      {
-        const Vec3 x = BezierPoint(patch, model.Net(patch), s, t);
-        const std::vector<Sector> sectors = FindSectors(model, x, model.Gap);
-        if (!IsAmong(sectors, face)) // trimmed off
-        {
-          continue;
-        }
-        if (!IsAmong(sectors, other))
-        {
-          return false;
-        }
-        any = true;
-      }
-    }
-  }
-  return any;
-}
-
 /// Of several faces at an edge, as where bodies touch each other along it, those next to the first
 /// one to either side: what lies between is on one side of both. Where faces touch under no angle
 /// it is not known which these are.
@@ -299,24 +258,6 @@ void VoteAt(const SurfaceModel& model, const Vec3& x, int face, double weight, V
   }
 }
 
-/// Calls visit(patch, kind, place) for the borders of all patches: by side, and 4 for a loop's
-/// curve.
-template <typename Visit>
-void ForBorders(const SurfaceModel& model, const Visit& visit)
-{
-  const double s[5] = { 0, 1, 0.5, 0.5, 0.5 }, t[5] = { 0.5, 0.5, 0, 1, 0 };
-  for (const BezierPatch& patch : model.Patches)
-  {
-    for (int kind = patch.Curve ? 4 : 0; kind < (patch.Curve ? 5 : 4); ++kind)
-    {
-      if (patch.Curve || (patch.Sides[kind] == SideKind::Border && !patch.Collapsed[kind]))
-      {
-        visit(patch, kind, Vec2(s[kind], t[kind]));
-      }
-    }
-  }
-}
-
 /// Length of a border of a patch, by side, or of a loop's curve: of its control polygon.
 double MeasureBorder(const BezierPatch& patch, const Vec4* net, int kind)
 {
@@ -407,7 +348,7 @@ void OrientShells(SurfaceModel& model)
   {
     const auto [a, b] = faces;
     // The same twice: the edge of the one is that of the other, and no turn.
-    if (vote.Back != 0 && (LiesOn(model, a, b) || LiesOn(model, b, a)))
+    if (vote.Back != 0 && (LiesOn(model, a, b, model.Gap) || LiesOn(model, b, a, model.Gap)))
     {
       vote.Sum -= 2 * vote.Back;
     }

@@ -1,6 +1,7 @@
 #include "TrimmingSurface.h"
 
 #include "ClosestPoint.h"
+#include "DoubledShells.h"
 #include "FaceOrder.h"
 #include "LeafSearch.h"
 #include "LineIntersection.h"
@@ -14,14 +15,39 @@
 namespace nurbs
 {
 
+namespace
+{
+
+/// The model of the faces, each shell once.
+std::unique_ptr<SurfaceModel> MakeModel(
+  std::vector<NurbsSurface> faces, double gapTolerance, double widestGap)
+{
+  auto model = std::make_unique<SurfaceModel>(std::move(faces), gapTolerance, widestGap);
+  const std::vector<int> doubled = FindDoubledFaces(*model);
+  if (doubled.empty())
+  {
+    return model;
+  }
+  std::vector<NurbsSurface> once = std::move(model->Faces);
+  for (auto face = doubled.rbegin(); face != doubled.rend(); ++face)
+  {
+    once.erase(once.begin() + *face);
+  }
+  return std::make_unique<SurfaceModel>(std::move(once), gapTolerance, widestGap);
+}
+
+}
+
 struct TrimmingSurface::Implementation
 {
   Implementation(std::vector<NurbsSurface> faces, double gapTolerance, double widestGap)
-    : Model(InOwnOrder(std::move(faces)), gapTolerance, widestGap)
+    : Own(MakeModel(InOwnOrder(std::move(faces)), gapTolerance, widestGap))
+    , Model(*Own)
   {
   }
 
-  SurfaceModel Model;
+  const std::unique_ptr<SurfaceModel> Own;
+  SurfaceModel& Model;
 
   Vec2 FaceParameters(const BezierPatch& patch, double s, double t) const;
   SurfacePoint StartAt(const Foot& guess) const;

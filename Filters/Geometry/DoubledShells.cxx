@@ -1,0 +1,177 @@
+#include "DoubledShells.h"
+
+#include "FacePlaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nurbs
+{
+namespace
+{
+
+/// Of the model's size: how far apart the same face may be written. No sheet is as thin.
+constexpr double Rounding = 1e-5;
+
+/// Relative difference of the areas of the same face, whose leaves may part it otherwise.
+constexpr double AreaDifference = 1e-2;
+
+/// Faces in sets of those that are at one place.
+class FacesAtOnePlace
+{
+public:
+  explicit FacesAtOnePlace(const SurfaceModel& model)
+    : Model(model)
+    , Distance(std::min(model.Gap, Rounding * model.Scale))
+    , First(model.Faces.size())
+    , Twice(model.Faces.size(), false)
+  {
+    std::iota(this->First.begin(), this->First.end(), 0);
+    for (int face = 0; face < static_cast<int>(this->First.size()); ++face)
+    {
+      for (const int other : this->FindCandidates(face))
+      {
+        this->Compare(other, face);
+      }
+    }
+  }
+
+  bool IsTwice(int face) const { return this->Twice[face]; }
+  bool IsFirst(int face) const { return this->First[face] == face; }
+  int FirstOf(int face) const { return this->First[face]; }
+
+private:
+  /// Faces before this one that are at a place of it and as large.
+  std::vector<int> FindCandidates(int face) const
+  {
+    std::vector<int> found;
+    ForPlacesWithin(this->Model, face, this->Distance,
+      [&](const std::vector<Sector>& sectors)
+      {
+        for (const Sector& sector : sectors)
+        {
+          const double area = this->Model.Data[face].Area;
+          const bool alike =
+            std::abs(this->Model.Data[sector.Face].Area - area) <= AreaDifference * area;
+          if (sector.Face < face && alike)
+          {
+            found.push_back(sector.Face);
+          }
+        }
+        return false; // one place tells
+      });
+    return found;
+  }
+
+  void Compare(int a, int b)
+  {
+    if (this->First[b] == b && LiesOn(this->Model, a, b, this->Distance) &&
+      LiesOn(this->Model, b, a, this->Distance) && this->HasBordersOf(a, b) &&
+      this->HasBordersOf(b, a))
+    {
+      this->First[b] = this->First[a];
+      this->Twice[a] = this->Twice[b] = true;
+    }
+  }
+
+  /// Whether the borders of a face are such of another one.
+  bool HasBordersOf(int face, int other) const
+  {
+    bool all = true;
+    ForBordersOf(this->Model, face,
+      [&](const BezierPatch& patch, int, const Vec2& place)
+      {
+        if (all)
+        {
+          const std::vector<Sector> sectors = FindSectors(this->Model,
+            BezierPoint(patch, this->Model.Net(patch), place.x(), place.y()), this->Distance);
+          all = std::any_of(sectors.begin(), sectors.end(),
+            [&](const Sector& sector) { return sector.Face == other && sector.RayCount > 0; });
+        }
+      });
+    return all;
+  }
+
+  const SurfaceModel& Model;
+  double Distance;
+  std::vector<int> First;
+  std::vector<bool> Twice;
+};
+
+/// Faces in shells, and which of these have a face that is there once.
+class Shells
+{
+public:
+  explicit Shells(int count)
+    : Parent(count)
+    , Once(count, false)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  int Find(int face) const
+  {
+    while (this->Parent[face] != face)
+    {
+      face = this->Parent[face];
+    }
+    return face;
+  }
+  void Join(int a, int b)
+  {
+    const int root = this->Find(a), joined = this->Find(b);
+    this->Parent[joined] = root;
+    this->Once[root] = this->Once[root] || this->Once[joined];
+  }
+  void MarkOnce(int face) { this->Once[this->Find(face)] = true; }
+  bool IsTwice(int face) const { return !this->Once[this->Find(face)]; }
+
+private:
+  std::vector<int> Parent;
+  std::vector<bool> Once;
+};
+
+}
+
+std::vector<int> FindDoubledFaces(const SurfaceModel& model)
+{
+  const int count = static_cast<int>(model.Faces.size());
+  const FacesAtOnePlace places(model);
+  std::vector<int> doubled;
+  for (int face = 0; face < count; ++face)
+  {
+    if (!places.IsFirst(face))
+    {
+      doubled.push_back(face);
+    }
+  }
+  if (doubled.empty())
+  {
+    return doubled;
+  }
+  Shells shells(count);
+  ForBorders(model,
+    [&](const BezierPatch& patch, int, const Vec2& place)
+    {
+      if (!places.IsTwice(patch.Face))
+      {
+        return;
+      }
+      const Vec3 x = BezierPoint(patch, model.Net(patch), place.x(), place.y());
+      for (const Sector& sector : FindSectors(model, x, model.WidestGap))
+      {
+        shells.Join(patch.Face, sector.Face);
+        if (!places.IsTwice(sector.Face))
+        {
+          shells.MarkOnce(patch.Face);
+        }
+      }
+    });
+  doubled.erase(
+    std::remove_if(doubled.begin(), doubled.end(),
+      [&](int face) { return !shells.IsTwice(face) || !shells.IsTwice(places.FirstOf(face)); }),
+    doubled.end());
+  return doubled;
+}
+
+}
