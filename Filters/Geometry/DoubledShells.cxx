@@ -86,8 +86,12 @@ private:
         {
           const std::vector<Sector> sectors = FindSectors(this->Model,
             BezierPoint(patch, this->Model.Net(patch), place.x(), place.y()), this->Distance);
-          all = std::any_of(sectors.begin(), sectors.end(),
-            [&](const Sector& sector) { return sector.Face == other && sector.RayCount > 0; });
+          const auto isBorderOf = [&](int index)
+          {
+            return std::any_of(sectors.begin(), sectors.end(),
+              [&](const Sector& sector) { return sector.Face == index && sector.RayCount > 0; });
+          };
+          all = !isBorderOf(face) || isBorderOf(other); // the first may be trimmed off
         }
       });
     return all;

@@ -63,23 +63,47 @@ inline bool IsAmong(const std::vector<Sector>& sectors, int face)
     sectors.begin(), sectors.end(), [face](const Sector& sector) { return sector.Face == face; });
 }
 
+/// Places of a patch to look at: a few, and the middles of leaves that lie within the loops.
+inline std::vector<Vec2> PlacesOf(const SurfaceModel& model, const BezierPatch& patch)
+{
+  constexpr double places[] = { 0.2, 0.5, 0.8 };
+  constexpr std::size_t most = 18;
+  std::vector<Vec2> found;
+  for (int k = 0; k < 9; ++k)
+  {
+    found.emplace_back(places[k / 3], places[k % 3]);
+  }
+  const bool trimmed = !model.Data[patch.Face].Loops.Empty();
+  for (int k = 0; k < patch.GridU * patch.GridV && trimmed && found.size() < most; ++k)
+  {
+    if (model.TrimStates[patch.FirstLeaf + k] == TrimState::Inside)
+    {
+      found.emplace_back(
+        (k % patch.GridU + 0.5) / patch.GridU, (k / patch.GridU + 0.5) / patch.GridV);
+    }
+  }
+  return found;
+}
+
 /// Calls visit(sectors) for places within a face, with what is there up to a distance, until it
 /// returns false.
 template <typename Visit>
 void ForPlacesWithin(const SurfaceModel& model, int face, double distance, const Visit& visit)
 {
   constexpr int most = 16; // patches to look at
-  constexpr double places[] = { 0.2, 0.5, 0.8 };
   int seen = 0;
   ForPatchesOf(model, face,
     [&](const BezierPatch& patch)
     {
       bool goesOn = !patch.Curve && seen++ < most;
-      for (int k = 0; k < 9 && goesOn; ++k)
+      for (const Vec2& place : goesOn ? PlacesOf(model, patch) : std::vector<Vec2>())
       {
-        const std::vector<Sector> sectors = FindSectors(
-          model, BezierPoint(patch, model.Net(patch), places[k / 3], places[k % 3]), distance);
-        goesOn = !IsAmong(sectors, face) || visit(sectors); // else trimmed off
+        const std::vector<Sector> sectors =
+          FindSectors(model, BezierPoint(patch, model.Net(patch), place.x(), place.y()), distance);
+        if (IsAmong(sectors, face) && !visit(sectors)) // else trimmed off
+        {
+          return false;
+        }
       }
       return goesOn;
     });

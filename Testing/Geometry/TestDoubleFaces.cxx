@@ -5,6 +5,7 @@
 #include "SampleSurfaces.h"
 #include "TrimmingSurface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -50,6 +51,22 @@ void TestSides(const std::string& name, const std::vector<NurbsSurface>& faces, 
     wrong == 0, name + ": " + std::to_string(wrong) + " of " + std::to_string(told) + " wrong");
 }
 
+/// The same place, cut out of a plane twice as large.
+NurbsSurface Trimmed(NurbsSurface face)
+{
+  nurbs::Vec4 middle = nurbs::Vec4::Zero();
+  for (const nurbs::Vec4& point : face.ControlPoints)
+  {
+    middle += point / static_cast<double>(face.ControlPoints.size());
+  }
+  for (nurbs::Vec4& point : face.ControlPoints)
+  {
+    point.head<3>() += point.head<3>() - middle.head<3>();
+  }
+  face.TrimLoops = { { Vec2(0.25, 0.25), Vec2(0.75, 0.25), Vec2(0.75, 0.75), Vec2(0.25, 0.75) } };
+  return face;
+}
+
 /// Shells of which all faces are there twice.
 void TestShells(const std::string& name, double by, bool reversed)
 {
@@ -68,6 +85,9 @@ void TestShells(const std::string& name, double by, bool reversed)
   }
   const std::vector<NurbsSurface> box = samples::BoxShell(Vec3(0.2, 0.2, 0.2), Vec3(0.8, 0.7, 0.6));
   TestSides("a box " + name, add(box, 6), by, 6, reversed);
+  std::vector<NurbsSurface> trimmed = box;
+  std::transform(box.begin(), box.end(), trimmed.begin(), Trimmed);
+  TestSides("a box of trimmed planes " + name, add(trimmed, 6), by, 6, reversed);
   TestSides("a rounded shell " + name, add(rounded, rounded.size()), by, rounded.size(), reversed);
 }
 
