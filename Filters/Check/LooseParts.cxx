@@ -36,7 +36,7 @@ std::vector<int> FindLooseParts(const TrimBand& near, const std::vector<int>& bo
   const std::vector<char> atCut = FindKeptAt(near, boundary);
   // What an element away from the cut holds is one set, with the number behind all.
   const int held = band.NumberOfElements();
-  DisjointSets<int> parts(held + 1);
+  nurbs::DisjointSets<int> parts(held + 1);
   for (int e = 0; e < held; ++e)
   {
     const int faces = atCut[e] ? TopologyOf(band.Elements[e].Count).NumberOfFaces : 0;

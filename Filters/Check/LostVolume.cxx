@@ -39,9 +39,9 @@ std::vector<char> FindUnreached(const TrimBand& near)
 }
 
 /// Joins unreached elements that share a node to places.
-DisjointSets<int> JoinPlaces(const Band& band, const std::vector<char>& unreached)
+nurbs::DisjointSets<int> JoinPlaces(const Band& band, const std::vector<char>& unreached)
 {
-  DisjointSets<int> places(band.NumberOfElements());
+  nurbs::DisjointSets<int> places(band.NumberOfElements());
   std::vector<int> first(band.NumberOfNodes(), -1);
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
@@ -73,7 +73,7 @@ struct Balance
 /// @param excessOf the volume that an element has too much.
 template <typename Excess>
 std::vector<Balance> BalanceByPlace(const TrimBand& near, const std::vector<char>& unreached,
-  const std::vector<char>& told, DisjointSets<int>& places, const Excess& excessOf)
+  const std::vector<char>& told, nurbs::DisjointSets<int>& places, const Excess& excessOf)
 {
   std::vector<Balance> balances(near.Mesh.NumberOfElements());
   for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
@@ -155,7 +155,7 @@ LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
   {
     return {};
   }
-  DisjointSets<int> places = JoinPlaces(near.Mesh, unreached);
+  nurbs::DisjointSets<int> places = JoinPlaces(near.Mesh, unreached);
   const auto balance = [&](const auto& excessOf)
   { return BalanceByPlace(near, unreached, told, places, excessOf); };
   std::vector<Balance> found = balance([&near](int e) { return ExcessOf(near, e); });

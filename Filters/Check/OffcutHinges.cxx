@@ -21,9 +21,9 @@ struct Part
 };
 
 /// Joins parts at a node by the faces that they have there in common.
-DisjointSets<int> JoinAt(int node, const std::vector<Part>& parts)
+nurbs::DisjointSets<int> JoinAt(int node, const std::vector<Part>& parts)
 {
-  DisjointSets<int> joined(static_cast<int>(parts.size()));
+  nurbs::DisjointSets<int> joined(static_cast<int>(parts.size()));
   std::map<std::array<int, 4>, int> owners;
   for (int i = 0; i < joined.Size(); ++i)
   {
@@ -47,7 +47,7 @@ DisjointSets<int> JoinAt(int node, const std::vector<Part>& parts)
 }
 
 /// By set: how many parts it has.
-std::map<int, int> SizesOf(DisjointSets<int>& joined)
+std::map<int, int> SizesOf(nurbs::DisjointSets<int>& joined)
 {
   std::map<int, int> sizes;
   for (int i = 0; i < joined.Size(); ++i)
@@ -87,13 +87,13 @@ std::vector<int> FindHinges(const TrimBand& near)
   std::vector<int> hinges;
   for (const auto& [node, parts] : partsAt)
   {
-    DisjointSets<int> joined = JoinAt(node, parts);
+    nurbs::DisjointSets<int> joined = JoinAt(node, parts);
     const std::map<int, int> sizes = SizesOf(joined);
     if (sizes.size() < 2)
     {
       continue;
     }
-    DisjointSets<int> whole = JoinAt(node, WholeAt(band, node));
+    nurbs::DisjointSets<int> whole = JoinAt(node, WholeAt(band, node));
     if (SizesOf(whole).size() > 1)
     {
       continue;

@@ -185,7 +185,7 @@ private:
   std::vector<char> Kept;
   std::vector<char> BesideCut;            ///< nodes on the kept side that an eliminated element has
   int FirstEdge, FirstFace, FirstElement; ///< nodes, edges, faces and elements by one number
-  DisjointSets<int> Sets;
+  nurbs::DisjointSets<int> Sets;
   std::vector<int> Euler; ///< of each part alone; 0: not lost
   std::vector<int> Lost;
 };

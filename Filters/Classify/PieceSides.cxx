@@ -167,7 +167,7 @@ bool JoinedSets::Join(const Piece& piece, const std::function<Id(Id)>& rootOf, S
   const auto allSides = piece.All.Gather(sides, setEnds);
   const auto allMembers = piece.All.Gather(members, memberEnds);
 
-  DisjointSets<Id> joined(static_cast<Id>(allSides.size()));
+  nurbs::DisjointSets<Id> joined(static_cast<Id>(allSides.size()));
   std::vector<Id> setOfNumber(piece.Shared.Total(), -1);
   int rank = 0;
   for (std::size_t i = 0; i < allMembers.size(); ++i)

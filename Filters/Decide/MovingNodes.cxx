@@ -27,7 +27,7 @@ void MovingNodes::FindCutOuts()
   const Band& band = this->TheBand;
   const Columns& columns = this->TheColumns;
   this->CutOut.assign(band.NumberOfNodes(), -1);
-  DisjointSets<int> sets(band.NumberOfNodes());
+  nurbs::DisjointSets<int> sets(band.NumberOfNodes());
   std::vector<char> open(band.NumberOfNodes(), 0);
   const auto isBeyond = [&band](int n) { return band.NodeStatus[n] == NodeEliminate; };
   for (int e = 0; e < band.NumberOfElements(); ++e)

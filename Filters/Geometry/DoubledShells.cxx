@@ -1,5 +1,6 @@
 #include "DoubledShells.h"
 
+#include "DisjointSets.h"
 #include "FacePlaces.h"
 
 #include <algorithm>
@@ -103,38 +104,6 @@ private:
   std::vector<bool> Twice;
 };
 
-/// Faces in shells, and which of these have a face that is there once.
-class Shells
-{
-public:
-  explicit Shells(int count)
-    : Parent(count)
-    , Once(count, false)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  int Find(int face) const
-  {
-    while (this->Parent[face] != face)
-    {
-      face = this->Parent[face];
-    }
-    return face;
-  }
-  void Join(int a, int b)
-  {
-    const int root = this->Find(a), joined = this->Find(b);
-    this->Parent[joined] = root;
-    this->Once[root] = this->Once[root] || this->Once[joined];
-  }
-  void MarkOnce(int face) { this->Once[this->Find(face)] = true; }
-  bool IsTwice(int face) const { return !this->Once[this->Find(face)]; }
-
-private:
-  std::vector<int> Parent;
-  std::vector<bool> Once;
-};
-
 }
 
 std::vector<int> FindDoubledFaces(const SurfaceModel& model)
@@ -153,7 +122,8 @@ std::vector<int> FindDoubledFaces(const SurfaceModel& model)
   {
     return doubled;
   }
-  Shells shells(count);
+  DisjointSets<int> shells(count);
+  std::vector<char> once(count, 0); // by face, then by shell: it has a face that is there once
   ForBorders(model,
     [&](const BezierPatch& patch, int, const Vec2& place)
     {
@@ -164,16 +134,17 @@ std::vector<int> FindDoubledFaces(const SurfaceModel& model)
       const Vec3 x = BezierPoint(patch, model.Net(patch), place.x(), place.y());
       for (const Sector& sector : FindSectors(model, x, model.WidestGap))
       {
-        shells.Join(patch.Face, sector.Face);
-        if (!places.IsTwice(sector.Face))
-        {
-          shells.MarkOnce(patch.Face);
-        }
+        shells.Unite(patch.Face, sector.Face);
+        once[sector.Face] = once[sector.Face] || !places.IsTwice(sector.Face);
       }
     });
+  for (int face = 0; face < count; ++face)
+  {
+    once[shells.Find(face)] |= once[face];
+  }
   doubled.erase(
     std::remove_if(doubled.begin(), doubled.end(),
-      [&](int face) { return !shells.IsTwice(face) || !shells.IsTwice(places.FirstOf(face)); }),
+      [&](int face) { return once[shells.Find(face)] || once[shells.Find(places.FirstOf(face))]; }),
     doubled.end());
   return doubled;
 }

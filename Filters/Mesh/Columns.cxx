@@ -313,8 +313,8 @@ Columns WithoutAxes(const Band& band, std::vector<int> part)
 
 void BuildGroups(const Band& band, Columns& columns)
 {
-  DisjointSets<int> elements(band.NumberOfElements());
-  DisjointSets<int> nodes(band.NumberOfNodes());
+  nurbs::DisjointSets<int> elements(band.NumberOfElements());
+  nurbs::DisjointSets<int> nodes(band.NumberOfNodes());
   for (std::size_t f = 0; f < band.Faces.size(); ++f)
   {
     const auto& face = band.Faces[f];

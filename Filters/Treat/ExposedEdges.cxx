@@ -160,7 +160,7 @@ void GroupChains(const Band& band, const std::vector<char>& kept,
       slots.emplace(node, static_cast<int>(slots.size()));
     }
   }
-  DisjointSets<int> sets(static_cast<int>(slots.size()));
+  nurbs::DisjointSets<int> sets(static_cast<int>(slots.size()));
   for (const auto& edge : edges)
   {
     const auto ends = EndsOf(band, edge);

@@ -134,7 +134,7 @@ std::vector<int> RelaxedMesh::NodesRound(const std::vector<int>& elements, int r
 
 std::vector<std::vector<int>> RelaxedMesh::PartsOf(const std::vector<int>& nodes) const
 {
-  DisjointSets<int> sets(this->TheBand.NumberOfNodes());
+  nurbs::DisjointSets<int> sets(this->TheBand.NumberOfNodes());
   for (const int e : this->ElementsAt(nodes))
   {
     const auto& element = this->Elements[e];

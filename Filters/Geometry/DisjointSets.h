@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace trim
+namespace nurbs
 {
 
 template <typename Index>
