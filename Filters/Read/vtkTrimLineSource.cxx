@@ -14,7 +14,6 @@
 #include "TrimLineSweep.h"
 #include "vtkCADSurfaceReader.h"
 
-#include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -319,7 +318,6 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
     auto goOn = [this](double share)
     {
       this->UpdateProgress(share);
-      this->InvokeEvent(vtkCommand::AbortCheckEvent);
       return !this->CheckAbort();
     };
     kept.TakeCurves(path, this->LengthUnit, goOn);

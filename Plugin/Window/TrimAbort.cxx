@@ -44,9 +44,7 @@ pqProgressManager* Progress()
 vtkAlgorithm* AlgorithmOf(pqPipelineSource* source)
 {
   vtkSMProxy* proxy = source->getProxy();
-  const char* const kind = proxy->GetXMLName();
-  const bool canAbort = IsTrim(proxy) || std::strcmp(kind, "CADSurfaceReader") == 0 ||
-    std::strcmp(kind, "TrimLineSource") == 0;
+  const bool canAbort = IsTrim(proxy) || std::strcmp(proxy->GetXMLName(), "CADSurfaceReader") == 0;
   return canAbort ? vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
 }
 
