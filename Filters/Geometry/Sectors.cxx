@@ -109,6 +109,8 @@ private:
   void AddLoopSector(const Contact& contact);
   void AddPatchSector(const Contact& contact, std::size_t loopSectors);
   void AddCollapsedSector(const Contact& contact, int side);
+  template <typename Place>
+  void AddRaysFromPole(const BezierPatch& patch, int pole, const Place& place, Sector& sector);
   void AddRay(Sector& sector, const BezierPatch& patch, double s0, double t0, double s1, double t1,
     bool insideIsLeft);
   bool SamePlace(int face, const Vec2& a, const Vec2& b) const;
@@ -369,6 +371,31 @@ double SectorFinder::AddSideRays(
   return onS || onT ? M_PI : 2 * M_PI;
 }
 
+/// The rays of the sides that run down from a pole.
+/// @param place place(along, depth): from 0 to 1 along the collapsed side, and from it into the
+/// patch.
+template <typename Place>
+void SectorFinder::AddRaysFromPole(
+  const BezierPatch& patch, int pole, const Place& place, Sector& sector)
+{
+  if (!this->Model.Data[patch.Face].Loops.Empty())
+  {
+    return;
+  }
+  const int sides[2] = { pole < 2 ? 2 : 0, pole < 2 ? 3 : 1 }; // at along = 0 and 1
+  for (int k = 0; k < 2; ++k)
+  {
+    if (patch.Sides[sides[k]] == SideKind::Border && !patch.Collapsed[sides[k]])
+    {
+      const Vec2 from = place(k, 0), to = place(k, 1);
+      // Left of the ray is inside where (ray, inwards from it) is counter-clockwise.
+      const Vec2 d = to - from, in = place(0.5, 0.5) - from;
+      this->AddRay(
+        sector, patch, from.x(), from.y(), to.x(), to.y(), d.x() * in.y() - d.y() * in.x() > 0);
+    }
+  }
+}
+
 /// A pole: the sector opens over the whole length of the collapsed side.
 void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
 {
@@ -420,19 +447,7 @@ void SectorFinder::AddCollapsedSector(const Contact& contact, int side)
   }
   const Vec2 middle = place(0.5, 0);
   sector.Parameters = Vec2(patch.U(middle.x(), middle.y()), patch.V(middle.x(), middle.y()));
-  // The sides that run down from the pole, at along = 0 and 1.
-  const int sides[2] = { side < 2 ? 2 : 0, side < 2 ? 3 : 1 };
-  for (int k = 0; k < 2; ++k)
-  {
-    if (loops.Empty() && patch.Sides[sides[k]] == SideKind::Border && !patch.Collapsed[sides[k]])
-    {
-      const Vec2 from = place(k, 0), to = place(k, 1);
-      // Left of the ray is inside where (ray, inwards from it) is counter-clockwise.
-      const Vec2 d = to - from, in = place(0.5, 0.5) - from;
-      this->AddRay(
-        sector, patch, from.x(), from.y(), to.x(), to.y(), d.x() * in.y() - d.y() * in.x() > 0);
-    }
-  }
+  this->AddRaysFromPole(patch, side, place, sector);
   this->Sectors.push_back(sector);
 }
 

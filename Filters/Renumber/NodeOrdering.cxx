@@ -394,6 +394,55 @@ Eigen::Matrix3d ElementAxes(const NodeGraph& graph, const NodePlaces& position)
   return frame;
 }
 
+namespace
+{
+
+/// Along the axes of space, of an element and of the whole; until nothing is to be gained.
+void OfferAlongAxes(const NodeGraph& graph, const NodePlaces& position,
+  const std::function<bool()>& mayGain, Best& best)
+{
+  const int count = graph.NumberOfNodes;
+  const Eigen::Matrix3d frames[3] = { Eigen::Matrix3d::Identity(), ElementAxes(graph, position),
+    PrincipalAxes(count, position) };
+  for (const auto& frame : frames)
+  {
+    if (!mayGain())
+    {
+      return;
+    }
+    best.Offer(graph, SortAlong(count, position, ByExtent(frame, count, position)));
+  }
+}
+
+/// Cuthill-McKee breaks ties by the numbers it is given, so it may gain from its own result.
+void OfferCuthillMcKeeAgain(
+  const NodeGraph& graph, const std::function<bool()>& mayGain, Best& best)
+{
+  for (int round = 0; round < MostRounds && mayGain(); ++round)
+  {
+    const int before = best.Bandwidth;
+    OfferCuthillMcKee(graph, round == 0 ? Identity(graph.NumberOfNodes) : best.Number, best);
+    if (round > 0 && best.Bandwidth == before)
+    {
+      return;
+    }
+  }
+}
+
+/// Cuthill-McKee from a whole side on.
+void OfferFromSide(
+  const NodeGraph& graph, const Band::Lists& links, const NodePlaces& position, Best& best)
+{
+  const int count = graph.NumberOfNodes;
+  const Eigen::Matrix3d axes = ByExtent(PrincipalAxes(count, position), count, position);
+  const int* nodes = graph.Connectivity.data();
+  const double width = 0.5 * (position(nodes[1]) - position(nodes[0])).norm();
+  const Csr rooted = BuildGraph(graph, links, WholeSide(count, position, axes.col(0), width));
+  best.Offer(graph, ReverseCuthillMcKee(rooted, count, count));
+}
+
+}
+
 PageVector<int> OrderNodes(
   const NodeGraph& graph, const NodePlaces& position, const std::function<bool()>& aborted)
 {
@@ -420,39 +469,14 @@ PageVector<int> OrderNodes(
   levels = Levels(graph, links, start);
   const int bound = (levels.Reached - 1 + levels.Depth - 1) / std::max(1, levels.Depth);
 
-  const Eigen::Matrix3d frames[3] = { Eigen::Matrix3d::Identity(), ElementAxes(graph, position),
-    PrincipalAxes(count, position) };
-  for (const auto& frame : frames)
+  const std::function<bool()> mayGain = [&] { return best.Bandwidth > bound && !aborted(); };
+  OfferAlongAxes(graph, position, mayGain, best);
+  OfferCuthillMcKeeAgain(graph, mayGain, best);
+  if (mayGain())
   {
-    if (best.Bandwidth <= bound || aborted())
-    {
-      return best.Number;
-    }
-    best.Offer(graph, SortAlong(count, position, ByExtent(frame, count, position)));
+    OfferFromSide(graph, links, position, best);
   }
-  if (best.Bandwidth <= bound || aborted())
-  {
-    return best.Number;
-  }
-  // The ordering breaks ties by the numbers it is given, so it may gain from its own result.
-  for (int round = 0; round < MostRounds && best.Bandwidth > bound && !aborted(); ++round)
-  {
-    const int before = best.Bandwidth;
-    OfferCuthillMcKee(graph, round == 0 ? Identity(count) : best.Number, best);
-    if (round > 0 && best.Bandwidth == before)
-    {
-      break;
-    }
-  }
-  if (best.Bandwidth > bound && !aborted())
-  {
-    const Eigen::Matrix3d axes = ByExtent(PrincipalAxes(count, position), count, position);
-    const int* nodes = graph.Connectivity.data();
-    const double width = 0.5 * (position(nodes[1]) - position(nodes[0])).norm();
-    const Csr rooted = BuildGraph(graph, links, WholeSide(count, position, axes.col(0), width));
-    best.Offer(graph, ReverseCuthillMcKee(rooted, count, count));
-  }
-  if (best.Bandwidth > bound && !aborted())
+  if (mayGain())
   {
     best.Offer(graph, OrderByPillars(graph, FindPillars(graph, position), position, aborted));
   }
