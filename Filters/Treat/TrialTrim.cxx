@@ -371,11 +371,7 @@ void TrialTrim::ReturnToBorder(
   const std::size_t faults = countFaults();
   for (int rings = 0; rings < MostRings && !left.empty(); ++rings)
   {
-    for (int ring = 0; ring < rings; ++ring)
-    {
-      left = ElementsAt(this->TheBand, NodesOf(this->TheBand, left));
-    }
-    for (const int n : NodesOf(this->TheBand, left))
+    for (const int n : NodesOf(this->TheBand, RingsRound(this->TheBand, left, rings)))
     {
       trimmed.NodeMoves.Position[n] = before.Position[n];
       trimmed.NodeMoves.Applied[n] = before.Applied[n];

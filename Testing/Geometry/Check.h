@@ -17,22 +17,29 @@ inline int& Failures()
   return failures;
 }
 
-/// Prints the first failures of a test only: a thousand alike say no more.
 /// @param what a text, or what makes one where it is needed: of thousands of places that are right
 /// none has to be written out.
+template <typename What>
+std::string TextOf(const What& what)
+{
+  if constexpr (std::is_invocable_v<What>)
+  {
+    return what();
+  }
+  else
+  {
+    return what;
+  }
+}
+
+/// Prints the first failures of a test only: a thousand alike say no more.
+/// @param what see TextOf.
 template <typename What>
 bool That(bool holds, const What& what)
 {
   if (!holds && ++Failures() <= 40)
   {
-    if constexpr (std::is_invocable_v<What>)
-    {
-      std::cerr << "FAILED: " << what() << "\n";
-    }
-    else
-    {
-      std::cerr << "FAILED: " << what << "\n";
-    }
+    std::cerr << "FAILED: " << TextOf(what) << "\n";
   }
   return holds;
 }
@@ -45,16 +52,8 @@ bool Near(double a, double b, double tolerance, const What& what)
   return That(difference <= tolerance,
     [&]
     {
-      const auto numbers = ": " + std::to_string(a) + " and " + std::to_string(b) + " differ by " +
+      return TextOf(what) + ": " + std::to_string(a) + " and " + std::to_string(b) + " differ by " +
         std::to_string(difference / tolerance) + " tolerances";
-      if constexpr (std::is_invocable_v<What>)
-      {
-        return what() + numbers;
-      }
-      else
-      {
-        return what + numbers;
-      }
     });
 }
 

@@ -415,6 +415,7 @@ void SetParameters()
   // Splines are not to be broken where they are less than C1.
   Interface_Static::SetIVal("read.iges.bspline.continuity", 0);
 }
+
 /// OpenCASCADE begins at the products of a STEP file; where a program wrote none it begins at the
 /// representations of shapes instead.
 void ChooseRoots(const Handle(Interface_InterfaceModel) & entities)
