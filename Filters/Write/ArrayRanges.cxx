@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -221,7 +222,14 @@ void Tell(vtkDataArray* array, const Value* values, vtkIdType count)
   const bool finite = std::all_of(ranges.Components.begin(), ranges.Components.end(),
     [](const auto& range) { return range.IsFinite(); });
   const bool finiteSquares = ranges.Squares.IsFinite();
-  const auto ofFinite = finite && finiteSquares ? ranges : tuples.template Find<true>();
+  auto ofFinite = ranges;
+  if constexpr (std::is_floating_point_v<Value>)
+  {
+    if (!finite || !finiteSquares)
+    {
+      ofFinite = tuples.template Find<true>();
+    }
+  }
   SetComponents(array, vtkAbstractArray::PER_COMPONENT(), ranges.Components);
   SetComponents(array, vtkAbstractArray::PER_FINITE_COMPONENT(),
     finite ? ranges.Components : ofFinite.Components);
