@@ -10,9 +10,16 @@
 #include "vtkInformationVector.h"
 
 #include <new>
+#include <string>
 
 namespace nurbs
 {
+
+/// The error: what needs the memory, with its verb, and what else to do than to close other data.
+inline std::string MemoryText(const std::string& what, const std::string& remedy)
+{
+  return what + " more memory than there is: close other data, or " + remedy;
+}
 
 /**
  * The result of work(), which makes the output of a source.
@@ -34,8 +41,7 @@ int WithinMemory(vtkAlgorithm* source, vtkInformationVector* output, const char*
     {
       made->Initialize();
     }
-    vtkErrorWithObjectMacro(
-      source, << what << " more memory than there is: close other data, or " << remedy << ".");
+    vtkErrorWithObjectMacro(source, << MemoryText(what, remedy) << ".");
     // Not 0: the executive would add an error of its own.
     return 1;
   }

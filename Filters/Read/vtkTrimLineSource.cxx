@@ -29,12 +29,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <system_error>
 #include <tuple>
 
 namespace
 {
+/// There is more to do: no result of a request, which is 0 or 1.
+constexpr int Ready = 2;
+
 /// What a file may have changed by.
 using FileStamp = std::tuple<std::string, std::filesystem::file_time_type, std::uintmax_t, int>;
 
@@ -125,14 +129,31 @@ struct vtkTrimLineSource::Cache
     {
       this->Skin = nurbs::SheetSkin();
       this->SheetError.clear();
+      this->Sheet = sheet;
+      this->SheetStates = std::move(states);
+      this->BuildSkin(sheet);
+    }
+    this->Skin.Ranks = sheet ? ranks : nullptr;
+  }
+
+  /// Where memory runs out that is told with the other errors, as other ranks wait to hear of it;
+  /// the next update tries again.
+  void BuildSkin(vtkDataObject* sheet)
+  {
+    try
+    {
       if (sheet)
       {
         nurbs::BuildSheetSkin(sheet, this->Skin, this->SheetError);
       }
-      this->Sheet = sheet;
-      this->SheetStates = std::move(states);
     }
-    this->Skin.Ranks = sheet ? ranks : nullptr;
+    catch (const std::bad_alloc&)
+    {
+      this->Skin = nurbs::SheetSkin();
+      this->SheetStates.clear();
+      this->SheetError = nurbs::MemoryText(
+        "The skin of Sheet takes", "take the sheet out and give Direction and Length instead");
+    }
   }
 
   /// Curves from a file, read anew only if it has changed.
@@ -300,6 +321,24 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
     return kept;
   }
   kept.LinesTime = this->GetMTime();
+  try
+  {
+    this->MakeLines();
+  }
+  catch (const std::bad_alloc&)
+  {
+    kept.Lines.clear();
+    kept.HasFile = false;
+    kept.Error = nurbs::MemoryText("The trim line takes", "give a line of fewer points");
+    kept.LinesTime = 0; // the next update tries again
+  }
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrimLineSource::MakeLines()
+{
+  Cache& kept = *this->Kept;
   kept.Lines.clear();
   kept.Warning.clear();
   kept.Error = nurbs::FindChoiceDefect("LineType", this->LineType, POLYLINE);
@@ -310,7 +349,7 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
   }
   if (!kept.Error.empty())
   {
-    return kept;
+    return;
   }
   const std::string path = this->FileName ? this->FileName : "";
   if (!path.empty() && nurbs::RecognizeCADFile(path) != nurbs::CADFormat::None)
@@ -321,7 +360,7 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
       return !this->CheckAbort();
     };
     kept.TakeCurves(path, this->LengthUnit, goOn);
-    return kept;
+    return;
   }
   std::vector<nurbs::Vec3> points;
   bool closed = this->Closed != 0;
@@ -336,7 +375,7 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
   {
     if (!nurbs::ReadTrimLineFile(path, points, kept.Error))
     {
-      return kept;
+      return;
     }
     // Contours in files end where they began, but for the digits that were written.
     if (points.size() > 3 && nurbs::EndsWhereItBegins(points))
@@ -346,7 +385,6 @@ const vtkTrimLineSource::Cache& vtkTrimLineSource::TakeLines()
     }
   }
   kept.TakePoints(std::move(points), closed, this->LineType);
-  return kept;
 }
 
 //------------------------------------------------------------------------------
@@ -378,8 +416,7 @@ int vtkTrimLineSource::RequestData(
   // What follows asks all ranks for their pieces of the sheet, if there is one.
   const std::string error = kept.Skin.FirstText(kept.Error);
   const std::string sheetError = kept.Skin.FirstText(kept.SheetError);
-  const bool complete =
-    kept.Skin.AllAgree(!kept.Lines.empty()) && error.empty() && sheetError.empty();
+  const bool ready = kept.Skin.AllAgree(!kept.Lines.empty()) && error.empty() && sheetError.empty();
   const bool first = nurbs::IsFirstRank(this->Controller); // one tells for all
   for (const std::string& text : { sheetError, error })
   {
@@ -388,7 +425,7 @@ int vtkTrimLineSource::RequestData(
       vtkErrorMacro(<< text << ".");
     }
   }
-  if (!complete)
+  if (!ready)
   {
     // Not 0: the executive would add an error of its own, at every update again.
     return 1;
@@ -404,19 +441,31 @@ int vtkTrimLineSource::RequestData(
     vtkWarningMacro(<< "The sheet has no hexahedra or wedges, so Direction and Length are found as "
                        "without one; choose the mesh to be trimmed as Sheet.");
   }
-  const nurbs::Sweep sweep = nurbs::CompleteSweep(wanted, kept.Lines, &kept.Skin);
-  const std::string defect = nurbs::FindDefect(kept.Lines, sweep);
-  if (!defect.empty())
+  const auto within = [this, outputVector](const auto& work)
   {
-    if (first)
+    return nurbs::WithinMemory(this, outputVector, "The surface of the trim line takes",
+      "choose a smaller Resolution", work);
+  };
+  nurbs::Sweep sweep;
+  const auto complete = [&]
+  {
+    sweep = nurbs::CompleteSweep(wanted, kept.Lines, &kept.Skin);
+    const std::string defect = nurbs::FindDefect(kept.Lines, sweep);
+    if (!defect.empty() && first)
     {
       vtkErrorMacro(<< "The trim line is not valid: " << defect
                     << DescribeFound(wanted, sweep, sheet != nullptr) << ".");
     }
-    return 1;
+    return defect.empty() ? Ready : 1;
+  };
+  // Of several ranks the others would wait for ever for one that gives up meanwhile.
+  const bool alone = !this->Controller || this->Controller->GetNumberOfProcesses() < 2;
+  const int result = alone ? within(complete) : complete();
+  if (result != Ready)
+  {
+    return result;
   }
-  return nurbs::WithinMemory(this, outputVector, "The surface of the trim line takes",
-    "choose a smaller Resolution",
+  return within(
     [&]
     {
       WriteSurfaces(kept.Lines, sweep, this->Resolution, outputVector);

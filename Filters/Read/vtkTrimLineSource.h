@@ -182,6 +182,7 @@ private:
   struct Cache;
   /// Sees that the lines, and what is wrong with them, are those of the points or the file.
   const Cache& TakeLines();
+  void MakeLines();
   std::unique_ptr<Cache> Kept;
 
   vtkTrimLineSource(const vtkTrimLineSource&) = delete;

@@ -4,6 +4,7 @@
  */
 #include "NURBSFieldData.h"
 #include "ReadTesting.h"
+#include "Shortage.h"
 #include "vtkTrimLineSource.h"
 
 #include "vtkCellArray.h"
@@ -717,6 +718,51 @@ void TestAbsurdNumbers()
   CHECK(capture->Errors.size() == 2, capture->Errors.size() << " errors");
   CHECK(source->GetMTime() == before, "an absurd number modifies the source");
 }
+
+// Whichever piece of memory is refused: one error, and nothing comes out; afterwards all is well.
+void TestShortage()
+{
+  const auto sheet = MakeSheet([](const Vec3& p) { return p; });
+  vtkNew<vtkTrimLineSource> source;
+  source->SetInputData(sheet);
+  Give(source, { { 5, 5, 0.4 }, { 9, 8, 0.8 }, { 14, 4, 0.2 } }, false);
+  source->SetResolution(30);
+  const judge::Shortage shortage;
+  constexpr std::size_t smallest = 2000;
+  const auto updateAnew = [&]
+  {
+    sheet->Modified();
+    source->Modified();
+    source->Update();
+  };
+  judge::Shortage::Plan({ -1, false, smallest });
+  updateAnew();
+  const long pieces = judge::Shortage::Seen();
+  CHECK(pieces > 10, pieces << " pieces of memory");
+  int ofSheet = 0;
+  for (long piece = 0; piece < pieces; ++piece)
+  {
+    vtkNew<ErrorCapture> messages;
+    messages->Watch(source);
+    judge::Shortage::Plan({ piece, true, smallest });
+    updateAnew();
+    judge::Shortage::Plan({});
+    const bool one = messages->Errors.size() == 1 &&
+      messages->Errors[0].find("more memory than there is") != std::string::npos;
+    CHECK(one, messages->Errors.size() << " errors without piece " << piece);
+    ofSheet += one && messages->Errors[0].find("skin of Sheet") != std::string::npos;
+    CHECK(vtkDataSet::SafeDownCast(source->GetOutputDataObject(0))->GetNumberOfPoints() == 0,
+      "something comes out without piece " << piece);
+    if (one)
+    {
+      source->Update(); // nothing has changed
+      source->Modified();
+      source->Update();
+      CHECK(source->GetOutput()->GetNumberOfPoints() > 0, "nothing comes out afterwards");
+    }
+  }
+  CHECK(ofSheet > 0, "the skin took no memory");
+}
 }
 
 int main()
@@ -739,5 +785,6 @@ int main()
   TestTriangleInFile();
   TestLongLines();
   TestBadInput();
+  TestShortage();
   return Failures != 0;
 }
