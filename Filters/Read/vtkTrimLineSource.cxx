@@ -36,9 +36,6 @@
 
 namespace
 {
-/// There is more to do: no result of a request, which is 0 or 1.
-constexpr int Ready = 2;
-
 /// What a file may have changed by.
 using FileStamp = std::tuple<std::string, std::filesystem::file_time_type, std::uintmax_t, int>;
 
@@ -447,23 +444,25 @@ int vtkTrimLineSource::RequestData(
       "choose a smaller Resolution", work);
   };
   nurbs::Sweep sweep;
+  bool valid = false;
   const auto complete = [&]
   {
     sweep = nurbs::CompleteSweep(wanted, kept.Lines, &kept.Skin);
     const std::string defect = nurbs::FindDefect(kept.Lines, sweep);
-    if (!defect.empty() && first)
+    valid = defect.empty();
+    if (!valid && first)
     {
       vtkErrorMacro(<< "The trim line is not valid: " << defect
                     << DescribeFound(wanted, sweep, sheet != nullptr) << ".");
     }
-    return defect.empty() ? Ready : 1;
+    return 1;
   };
   // Of several ranks the others would wait for ever for one that gives up meanwhile.
   const bool alone = !this->Controller || this->Controller->GetNumberOfProcesses() < 2;
-  const int result = alone ? within(complete) : complete();
-  if (result != Ready)
+  alone ? within(complete) : complete();
+  if (!valid)
   {
-    return result;
+    return 1;
   }
   return within(
     [&]
