@@ -57,6 +57,9 @@ public:
     return this->Moving.Find(kept);
   }
 
+  /// Whether the share of its column alone keeps an element.
+  bool StaysByVolume(int e) const;
+
   /// Of a column, ascending.
   Band::Range ElementsOf(int column) const
   {
@@ -65,7 +68,6 @@ public:
 
 private:
   std::vector<char> TakeAnew(const std::vector<Fate>& fate);
-  bool StaysByVolume(int e) const;
   double RoundingOf(int column) const;
   void FindInnerNodes();
   void SetColumn(int column, char to, std::vector<char>& kept) const;

@@ -64,6 +64,17 @@ Choices TrialTrim::WithDemands(Choices set) const
   return set;
 }
 
+std::vector<char> TrialTrim::FindAgainstVolume(const TrimmedBand& trimmed) const
+{
+  // The elements of a column fall together; its index is its smallest element.
+  std::vector<char> against(trimmed.Kept.size(), 0);
+  for (const int column : this->TheColumns.Column)
+  {
+    against[column] = (trimmed.Kept[column] != 0) != this->TheDecision.StaysByVolume(column);
+  }
+  return against;
+}
+
 std::vector<char> TrialTrim::FindPillarsBehind(const TrimmedBand& trimmed) const
 {
   std::vector<char> behind(this->TheBand.NumberOfNodes(), 0);

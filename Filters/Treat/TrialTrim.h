@@ -92,6 +92,9 @@ public:
 
   Band::Range ElementsOf(int column) const { return this->TheDecision.ElementsOf(column); }
 
+  /// By column: kept or eliminated against its volume, by the fate set or as the decision mends.
+  std::vector<char> FindAgainstVolume(const TrimmedBand& trimmed) const;
+
 private:
   /// @param atCut by pillar.
   bool IsBehindOnBorder(int node, const std::vector<char>& atCut) const;

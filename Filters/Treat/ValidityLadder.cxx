@@ -74,7 +74,7 @@ public:
     }
     this->Finish(aborted, trimmed);
     trimmed.RescuedBy = this->TheChoices.At.Rungs;
-    trimmed.AgainstVolume = this->FindAgainstVolume();
+    trimmed.AgainstVolume = this->TheChoices.Trial.FindAgainstVolume(trimmed);
     trimmed.Unpolished = unpolished;
     return trimmed;
   }
@@ -89,7 +89,7 @@ public:
     {
       this->Finish([&progress] { return progress(-1.0); }, *closer);
       closer->RescuedBy = this->TheChoices.At.Rungs;
-      closer->AgainstVolume = this->FindAgainstVolume();
+      closer->AgainstVolume = this->TheChoices.Trial.FindAgainstVolume(*closer);
       this->TellReturned(*closer, closer->RescuedBy);
     }
     return closer;
@@ -126,20 +126,6 @@ private:
     }
     this->TheChoices.Trial.ReturnLeft(this->TheChoices.At.Set, progress, trimmed);
     this->TellReturned(trimmed, this->TheChoices.At.Rungs);
-  }
-
-  /// By column.
-  std::vector<char> FindAgainstVolume() const
-  {
-    const auto& fates = this->TheChoices.At.Set.Fates;
-    std::vector<char> against(fates.size(), 0);
-    for (std::size_t c = 0; c < fates.size(); ++c)
-    {
-      const bool goes =
-        this->TheChoices.Shares.Column[c] > this->TheChoices.Options.EliminationFraction;
-      against[c] = fates[c] == (goes ? Fate::Keep : Fate::Eliminate);
-    }
-    return against;
   }
 
   void Finish(const std::function<bool()>& aborted, TrimmedBand& trimmed) const

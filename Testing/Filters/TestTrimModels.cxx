@@ -9,6 +9,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -174,6 +175,27 @@ void TestNoNewPinch()
   }
   Expect(outcome.Clean() && !(kept[0] && kept[1] && !kept[2]),
     "two cubes hang together by an edge that was not the only one");
+}
+
+// Rescue tells of the element that goes as it would hang on another by an edge alone.
+void TestPinchIsTold()
+{
+  // The second one hangs on the first by an edge, once the third is gone.
+  const Mesh cubes = Cubes({ { 1, 0, 1 }, { 1, 1, 0 }, { 1, 1, 1 }, { 0, 0, 1 } });
+  TrimOptions options;
+  options.CorrectionType = 1;
+  options.EliminationFraction = 0.8;
+  const Outcome outcome =
+    RunTrim(cubes, PlaneThrough(Vec3(1.6, 0.7, 1.4), Vec3(0, 3, 2), 100), options);
+  Expect(outcome.Clean(), "three cubes round an edge: the judge");
+  Expect(outcome.Case.Trimmed->GetFieldData()->GetArray("RescuedByFate")->GetComponent(0, 0) == 1.0,
+    "one column goes against its share");
+  vtkDataArray* rescue = outcome.Case.Whole->GetCellData()->GetArray("Rescue");
+  for (vtkIdType i = 0; i < rescue->GetNumberOfTuples(); ++i)
+  {
+    Expect(rescue->GetComponent(i, 0) == (i == 1 ? 4.0 : 0.0),
+      "three cubes round an edge: Rescue of the one numbered " + std::to_string(i));
+  }
 }
 
 // Where the border of what is kept turns or a ridge of it ends, its node does not slide along the
@@ -489,6 +511,7 @@ int main()
   TestIslands();
   TestBlocksJoinedAtEdges();
   TestNoNewPinch();
+  TestPinchIsTold();
   TestKeptCorners();
   TestFootOfStep();
   TestCornersAtBorder();
