@@ -4,12 +4,15 @@ import math
 import os
 import shutil
 import subprocess
+import sys
 
 from paraview.simple import OpenDataFile, PassArrays, SaveData, Sphere, Transform
 
 from Checks import ELEMENT_COUNT, LENGTHS, OUTPUT_DIRECTORY, check, check_close, check_equal, sheet
 
 EXAMPLES = os.environ["NURBSTRIM_EXAMPLES"]
+sys.path.insert(0, EXAMPLES)
+import ResultFile  # noqa: E402
 DIRECTORY = os.path.join(OUTPUT_DIRECTORY, "examples")
 
 
@@ -47,19 +50,25 @@ def check_surface(plane):
         "-5e-1")
     check_equal(cells("far.vtu"), 8 * 24, "elements on the side of a point with signs")
     check_no_result("TrimWithSurface.py", path("sheet.vtu"), plane)
+    run("TrimWithSurface.py", path("sheet.vtu"), plane, path("x.vtu"), "--opne", status=2)
+    check(not os.path.exists(path("x.vtu")), "a result in spite of a wrong option")
 
 
 def check_no_result(script, *inputs):
-    """Nothing is trimmed for a file that could not be written, or for an option that is none."""
-    os.makedirs(path("taken.vtu"), exist_ok=True)
-    for result in (path("none", "x.vtu"), path("x.stl"), path("taken.vtu")):
-        text = run(script, *inputs, result, status=1)
-        check("directory that exists, not " + result in text, "no word of %s:\n%s" % (result, text))
+    """Nothing is trimmed for a file that could not be written."""
+    text = run(script, *inputs, path("x.stl"), status=1)
+    check("directory that exists, not " + path("x.stl") in text, "no word of the ending:\n" + text)
     # A directory that nobody may write in.
     text = run(script, *inputs, "/proc/x.vtu", status=1)
     check("/proc/x.vtu cannot be written" in text, "no word of a failure to write:\n" + text)
-    run(script, *inputs, path("x.vtu"), "--opne", status=2)
-    check(not os.path.exists(path("x.vtu")), "a result in spite of a wrong option")
+
+
+def check_result_names():
+    """What both scripts ask of the result's name before they trim."""
+    os.makedirs(path("taken.vtu"))
+    for result in (path("none", "x.vtu"), path("x.stl"), path("taken.vtu")):
+        check(not ResultFile.can_be(result), result + " is taken for the name of a result")
+    check(ResultFile.can_be(path("x.vtu")), "the name of a result is not taken")
 
 
 def check_points():
@@ -167,6 +176,7 @@ shutil.rmtree(DIRECTORY, ignore_errors=True)
 os.makedirs(DIRECTORY)
 SaveData(path("sheet.vtu"), PassArrays(Input=sheet()), DataMode="Binary")
 plane_file = os.path.join(OUTPUT_DIRECTORY, "plane.igs")  # of WindowInput.py
+check_result_names()
 check_surface(plane_file)
 check_points()
 check_batch(plane_file)
