@@ -240,7 +240,7 @@ std::vector<int> Decision::FindBacked(const LostSides& lost, const std::vector<c
 /// Kept columns whose nodes all go to the surface and leave nothing between them.
 bool Decision::EliminateCollapsing(const std::vector<Fate>& fate, std::vector<char>& kept)
 {
-  const auto moving = this->Moving.Find(kept);
+  const auto& moving = this->Moving.Find(kept);
   bool changed = false;
   for (int e = 0; e < this->TheBand.NumberOfElements(); ++e)
   {

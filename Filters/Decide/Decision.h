@@ -52,7 +52,7 @@ public:
   const std::vector<char>& Take(const std::vector<Fate>& fate);
 
   /// See MovingNodes.
-  std::vector<char> FindMovingNodes(const std::vector<char>& kept)
+  const std::vector<char>& FindMovingNodes(const std::vector<char>& kept)
   {
     return this->Moving.Find(kept);
   }

@@ -94,7 +94,17 @@ std::vector<char> MovingNodes::FindShut(const std::vector<char>& touchesEliminat
   return shut;
 }
 
-std::vector<char> MovingNodes::Find(const std::vector<char>& kept)
+const std::vector<char>& MovingNodes::Find(const std::vector<char>& kept)
+{
+  if (this->Kept != kept)
+  {
+    this->Found = this->FindAnew(kept);
+    this->Kept = kept;
+  }
+  return this->Found;
+}
+
+std::vector<char> MovingNodes::FindAnew(const std::vector<char>& kept)
 {
   const Band& band = this->TheBand;
   std::vector<char> touchesKept(band.NumberOfNodes(), 0), touchesEliminated = touchesKept;

@@ -29,11 +29,13 @@ public:
   {
   }
 
-  /// By node.
+  /// Asked again and again, mostly about what was kept the last time.
   /// @param kept by element.
-  std::vector<char> Find(const std::vector<char>& kept);
+  /// @return by node, until the next call.
+  const std::vector<char>& Find(const std::vector<char>& kept);
 
 private:
+  std::vector<char> FindAnew(const std::vector<char>& kept);
   bool AnyIsShut(const std::vector<char>& touchesEliminated) const;
   void FindCutOuts();
   std::vector<char> FindShut(const std::vector<char>& touchesEliminated);
@@ -46,6 +48,8 @@ private:
   /// not asked for yet.
   std::vector<int> CutOut;
   std::vector<std::pair<int, int>> AtCutOuts; ///< elements with nodes of one
+  std::vector<char> Kept;                     ///< the last time; empty: there was none
+  std::vector<char> Found;
 };
 
 /// A face between a kept element and an eliminated one.

@@ -1,7 +1,5 @@
 #include "Pentahedra.h"
 
-#include "ExposedEdges.h"
-
 #include <algorithm>
 #include <map>
 
@@ -182,15 +180,13 @@ const ReplacedElement* FindWedge(const Pentahedra& treated, int element)
 }
 
 Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& kept, const Treatments& treatments, Moves& moves)
+  const std::vector<ExposedPillar>& exposed, const Treatments& treatments, Moves& moves)
 {
   Pentahedra result;
   result.Exposed.assign(band.NumberOfElements(), 0);
   result.FlatCorner.assign(band.NumberOfElements(), 0);
   std::vector<char> isWedge(band.NumberOfElements(), 0);
-  // A straight corner that stays is one between facets of the cut.
-  const bool lostSides = treatments.Asked == Optimization::Degenerate;
-  for (const auto& pillar : FindExposedPillars(band, columns, kept, lostSides))
+  for (const auto& pillar : exposed)
   {
     const auto& edges = pillar.Edges;
     const auto chosen = ChoiceFor(band, columns, pillar, treatments.Choice);

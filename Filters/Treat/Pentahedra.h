@@ -11,6 +11,7 @@
 #ifndef Pentahedra_h
 #define Pentahedra_h
 
+#include "ExposedEdges.h"
 #include "Moves.h"
 
 #include <array>
@@ -68,11 +69,12 @@ struct Treatments
 };
 
 /**
- * Finds the pentahedra of the kept elements and treats them; moves is changed where nodes are
- * distributed.
+ * Treats the pentahedra of the kept elements; moves is changed where nodes are distributed.
+ *
+ * @param exposed the pillars of their edges A-B.
  */
 Pentahedra TreatPentahedra(const Band& band, const Columns& columns, const NodeMover& mover,
-  const std::vector<char>& kept, const Treatments& treatments, Moves& moves);
+  const std::vector<ExposedPillar>& exposed, const Treatments& treatments, Moves& moves);
 
 /// The wedges that would be left without an edge A-B that was not treated, pillar by pillar.
 std::vector<std::vector<ReplacedElement>> FindDroppable(const Band& band, const Columns& columns,

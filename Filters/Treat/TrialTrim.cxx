@@ -40,6 +40,8 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
       given.Memory, options.StaysInside)
   , TheDecision(given.TheBand, given.TheColumns, given.Shares, given.Surface,
       options.EliminationFraction, options.CorrectionType != Correction::Eliminate)
+  // A straight corner that stays is one between facets of the cut.
+  , Exposed(given.TheBand, given.TheColumns, options.Treatment == Optimization::Degenerate)
 {
 }
 
@@ -155,8 +157,9 @@ TrimmedBand TrialTrim::Make(
     this->TheBand, this->Mover, trimmed.Moving, this->Options.CorrectionType, set.Corrections);
   if (this->Options.CorrectionType != Correction::Eliminate)
   {
-    trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, trimmed.Kept,
-      { this->Options.Treatment, set.Treatments }, trimmed.NodeMoves);
+    trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
+      this->Exposed.Find(trimmed.Kept), { this->Options.Treatment, set.Treatments },
+      trimmed.NodeMoves);
     trimmed.Unrelaxed = trimmed.NodeMoves;
     const std::vector<int> bad = this->FindBad(set, goal, from, trimmed);
     if (bad.empty())

@@ -7,6 +7,7 @@
 
 #include "BandQuality.h"
 #include "Decision.h"
+#include "ExposedEdges.h"
 #include "FailedReturns.h"
 #include "LadderOptions.h"
 #include "Progress.h"
@@ -172,6 +173,7 @@ private:
   BandQuality Quality;
   NodeMover Mover;
   Decision TheDecision;
+  ExposedPillars Exposed;
   /// The last trial in which many elements had to find their shape: others that begin at the start
   /// begin with that.
   std::shared_ptr<const TrimmedBand> Shaped;
