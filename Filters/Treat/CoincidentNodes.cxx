@@ -50,9 +50,9 @@ public:
   {
     std::vector<char> coincides(this->TheBand.NumberOfNodes(), 0);
     const std::vector<Candidate> candidates = this->Candidates();
-    for (auto a = candidates.begin(); a != candidates.end(); ++a)
+    for (const Candidate* a : this->FindFirst(candidates))
     {
-      for (auto b = a + 1; b != candidates.end() && b->Place - a->Place <= a->Reach; ++b)
+      for (const Candidate* b = a + 1; IsWithinReach(*a, b, candidates); ++b)
       {
         if (this->Coincide(*a, *b) && this->AreNear(a->Node, b->Node))
         {
@@ -64,6 +64,38 @@ public:
   }
 
 private:
+  static bool IsWithinReach(
+    const Candidate& a, const Candidate* b, const std::vector<Candidate>& candidates)
+  {
+    return b != candidates.data() + candidates.size() && b->Place - a.Place <= a.Reach;
+  }
+
+  /// The candidates that coincide with a later one, in turn: hardly any.
+  std::vector<const Candidate*> FindFirst(const std::vector<Candidate>& candidates) const
+  {
+    std::vector<char> has(candidates.size(), 0);
+    ForAll(
+      static_cast<int>(candidates.size()),
+      [&](int i)
+      {
+        const Candidate& a = candidates[i];
+        for (const Candidate* b = &a + 1; !has[i] && IsWithinReach(a, b, candidates); ++b)
+        {
+          has[i] = this->Coincide(a, *b);
+        }
+      },
+      LightGrain / 5);
+    std::vector<const Candidate*> first;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+    {
+      if (has[i])
+      {
+        first.push_back(&candidates[i]);
+      }
+    }
+    return first;
+  }
+
   bool HasMoved(int node) const { return this->NodeMoves.Applied[node] != Correction::None; }
 
   /// Nodes that moved, are of the new boundary, or have a neighbour that moved; by place.
