@@ -13,17 +13,20 @@ namespace trim
 namespace
 {
 
-/// A facet is looked at where it has an edge so many times as long as the longest one that its
-/// element came with: others are as long as a border of the mesh has them.
+/// An edge is looked at where it is so many times as long as the longest one that its element came
+/// with, of those within a layer in a sheet: others are as long as a border of the mesh has them.
+/// Where layers are higher than that, all edges through them are.
 constexpr double Stretched = 1.5;
 /// How far the surface may be from the middle of such an edge, in the longest edge before.
 constexpr double LargestSag = 0.2;
 /// Of other edges, where the surface turns by more than 60 degrees between their ends: one that
-/// goes from wall to wall of it, or cuts off a corner that no node went to.
-constexpr double LargestShortSag = 0.4;
+/// goes from wall to wall of it, or cuts off a corner that no node went to. Where nothing is wrong
+/// they are half as far off.
+constexpr double LargestShortSag = 0.25;
 constexpr double ShortTurnCosine = 0.5;
 /// From layer to layer of a sheet, where no node can go in between: an edge of the surface along
-/// the skin, or a bend, by which it turns by more than at a sharp edge.
+/// the skin, or a bend, by which it turns by more than at a sharp edge. In the longest edge, be it
+/// the height of the layer.
 constexpr double LargestSagThrough = 0.1;
 
 /// Of the surface at the foot of a node of the band.
@@ -31,6 +34,13 @@ struct FootNormal
 {
   int Node;
   Place Normal;
+};
+
+/// The longest edges that an element came with.
+struct Size
+{
+  double Longest;
+  double WithinLayer; ///< of those that do not go through a layer of a sheet
 };
 
 class ChordSearch
@@ -83,17 +93,17 @@ private:
     {
       return false; // a node that was left is told of as such
     }
-    const double before = LongestEdgeOf(this->Mesh, e);
+    const Size before = this->SizeBefore(e);
     int last = *(facet.end() - 1);
     for (const int node : facet)
     {
       const Vec3 &a = moves.Position[last], &b = moves.Position[node];
       const double length = (b - a).norm();
-      const double sag = this->SagAllowed(last, node, length > Stretched * before);
+      const double sag = this->SagAllowed(last, node, length, before);
       // No edge is farther off the surface than half its length.
-      const bool mayBe = length > 2.0 * sag * before;
+      const bool mayBe = length > 2.0 * sag;
       last = node;
-      if (mayBe && this->Surface.ClosestPoint(0.5 * (a + b)).Distance > sag * before)
+      if (mayBe && this->Surface.ClosestPoint(0.5 * (a + b)).Distance > sag)
       {
         return true;
       }
@@ -101,20 +111,50 @@ private:
     return false;
   }
 
-  /// In the longest edge that the element came with.
-  double SagAllowed(int a, int b, bool stretched) const
+  /// The surface goes through the layers of a sheet, and is off a facet along them: their height is
+  /// no measure of that.
+  Size SizeBefore(int e) const
   {
-    const bool isThrough = this->Structure.Pillar[a] == this->Structure.Pillar[b];
-    if (isThrough && this->TurnsBetween(a, b, CreaseCosine))
+    Size size{ LongestEdgeOf(this->Mesh, e), 0.0 };
+    if (!this->Structure.HasThickness(e))
     {
-      return LargestSagThrough;
+      size.WithinLayer = size.Longest;
+      return size;
+    }
+    const BandElement& element = this->Mesh.Elements[e];
+    const ElementPoints points = PointsOf(this->Mesh, e);
+    const auto& topology = TopologyOf(element.Count);
+    for (int i = 0; i < topology.NumberOfEdges; ++i)
+    {
+      const auto& edge = topology.Edges[i];
+      if (!this->IsThrough(element.Node[edge.First], element.Node[edge.Second]))
+      {
+        size.WithinLayer =
+          std::max(size.WithinLayer, (points[edge.First] - points[edge.Second]).norm());
+      }
+    }
+    return size;
+  }
+
+  double SagAllowed(int a, int b, double length, const Size& before) const
+  {
+    const bool stretched = length > Stretched * before.WithinLayer;
+    if (this->IsThrough(a, b) && this->TurnsBetween(a, b, CreaseCosine))
+    {
+      const double sag = LargestSagThrough * before.Longest;
+      return stretched ? std::min(sag, LargestSag * before.WithinLayer) : sag;
     }
     if (stretched)
     {
-      return LargestSag;
+      return LargestSag * before.WithinLayer;
     }
-    return this->TurnsBetween(a, b, ShortTurnCosine) ? LargestShortSag
+    return this->TurnsBetween(a, b, ShortTurnCosine) ? LargestShortSag * before.WithinLayer
                                                      : std::numeric_limits<double>::infinity();
+  }
+
+  bool IsThrough(int a, int b) const
+  {
+    return this->Structure.Pillar[a] == this->Structure.Pillar[b];
   }
 
   /// The feet of an element's nodes may be known to another rank alone: that of the elements which

@@ -111,11 +111,10 @@ void TestAligned()
     "window of four elements", oblong, MakeSurface("rectangle", oblong.Box, at), Narrow, 2 * 4);
 }
 
-/// How far the longest edges of a grid of unit elements bridge a round hole, at most.
-double SagOfLongEdges(vtkUnstructuredGrid* grid, const Vec3& centre, double radius)
+/// How far long edges of a grid of elements of 1 x 1 bridge a surface, at most.
+double SagOfLongEdges(vtkUnstructuredGrid* grid, const Surface& surface)
 {
-  const auto toAxis = [&](const Vec3& p)
-  { return std::hypot(p.x() - centre.x(), p.y() - centre.y()); };
+  const auto distance = [&](const Vec3& p) { return std::abs(surface.Signed(p)); };
   double sag = 0.0;
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
   {
@@ -124,38 +123,54 @@ double SagOfLongEdges(vtkUnstructuredGrid* grid, const Vec3& centre, double radi
     {
       vtkPoints* const ends = cell->GetEdge(i)->GetPoints();
       const Vec3 a(ends->GetPoint(0)), b(ends->GetPoint(1));
-      const bool onHole =
-        std::abs(toAxis(a) - radius) < 1e-6 && std::abs(toAxis(b) - radius) < 1e-6;
-      if (onHole && (b - a).norm() > 1.5)
+      if (distance(a) < 1e-6 && distance(b) < 1e-6 && (b - a).norm() > 1.5)
       {
-        sag = std::max(sag, radius - toAxis(0.5 * (a + b)));
+        sag = std::max(sag, distance(0.5 * (a + b)));
       }
     }
   }
   return sag;
 }
 
+/// Whether edges that bridge a hole are told of.
+/// @return whether there are some.
+bool JudgeBridges(
+  const std::string& name, const Mesh& mesh, const Surface& hole, const TrimOptions& options)
+{
+  const Outcome outcome = RunTrim(mesh, hole, options);
+  const bool bridges = SagOfLongEdges(outcome.Case.Trimmed, hole) > 0.2;
+  Expect((ExpectWarned(name, outcome).count(Curved) > 0) == bridges,
+    name + (bridges ? ": nothing is told of a long edge" : ": a long edge is told of"));
+  return bridges;
+}
+
 // Where a hole grazes the border nodes go far apart, and edges between them bridge it: told of
-// where they are a fifth of an element off the surface.
+// where they are a fifth of an element off the surface. The height of a layer is no measure.
 void TestLongChords()
 {
-  const Mesh block = Sheet(14, 10, 4, Vec3(1, 1, 1));
-  int bridged = 0;
-  for (int k = 0; k < 60; ++k)
+  for (const Mesh& mesh : { Sheet(14, 10, 4, Vec3(1, 1, 1)), Sheet(30, 20, 1, Vec3(1, 1, 7)) })
   {
-    const double radius = 3.3 + 0.05 * k, x = 5.0 + 0.17 * (k % 30), depth = 0.1 * (k % 7) - 0.2;
-    const Vec3 centre(x, 10 - radius + depth, 2);
-    TrimOptions options;
-    options.CorrectionType = 2 + k % 2;
-    const Outcome outcome =
-      RunTrim(block, RoundHole(block, centre.x(), centre.y(), radius), options);
-    const bool bridges = SagOfLongEdges(outcome.Case.Trimmed, centre, radius) > 0.2;
-    const std::string name = "hole " + std::to_string(k) + " that grazes the border";
-    Expect((ExpectWarned(name, outcome).count(Curved) > 0) == bridges,
-      name + (bridges ? ": nothing is told of a long edge" : ": a long edge is told of"));
-    bridged += bridges;
+    int bridged = 0;
+    for (int k = 0; k < 60; ++k)
+    {
+      const double radius = 3.3 + 0.05 * k, x = 5.0 + 0.17 * (k % 30), depth = 0.1 * (k % 7) - 0.2;
+      TrimOptions options;
+      options.CorrectionType = 2 + k % 2;
+      bridged += JudgeBridges("hole " + std::to_string(k) + " that grazes the border", mesh,
+        RoundHole(mesh, x, mesh.Ny - radius + depth, radius), options);
+    }
+    Expect(bridged > 5 && bridged < 40, "holes bridged: " + std::to_string(bridged));
   }
-  Expect(bridged > 5 && bridged < 40, "holes bridged: " + std::to_string(bridged));
+}
+
+// From top to bottom of a tall layer a surface bends by more than a fifth of an edge within it, and
+// by less.
+void TestTallLayer()
+{
+  const Mesh sheet = Sheet(40, 30, 1, Vec3(1, 1, 7));
+  const auto sphere = [](double radius) { return SphereAt(Vec3(20.3 - radius, 15, 0), radius); };
+  ExpectOnly("a bend in a tall layer", sheet, sphere(22), Curved, 20);
+  ExpectNothing("a slight bend in a tall layer", sheet, sphere(40), TrimOptions());
 }
 
 // A surface that ends in the gap between two sheets leaves open what becomes of the second one if
@@ -337,7 +352,8 @@ void TestLooseParts()
     "an element in a corner is not loose with its layer");
 }
 
-// Between two holes that nearly touch a facet of the usual length goes from the one to the other.
+// Between two holes that nearly touch facets of the usual length go from the one to the other, on
+// both sides.
 void TestWallToWall()
 {
   const Mesh sheet = Sheet(14, 12, 2, Vec3(1, 1, 0.4));
@@ -345,7 +361,7 @@ void TestWallToWall()
     Together(RoundHole(sheet, 6.81, 5.37, 2.57).Data, RoundHole(sheet, 0.908, 4.906, 2.75).Data);
   const Outcome outcome = RunTrim(sheet, holes, TrimOptions());
   const auto told = ExpectWarned("from hole to hole", outcome);
-  Expect(told.count(Curved) && told.at(Curved) == 2, "facets that go from hole to hole");
+  Expect(told.count(Curved) && told.at(Curved) == 4, "facets that go from hole to hole");
 }
 
 // Elements that are inside out are not mended by the trim, but told of, and hold what they held.
@@ -544,6 +560,7 @@ int main()
   TestSmallHoles();
   TestAligned();
   TestLongChords();
+  TestTallLayer();
   TestBesideEnd();
   TestBehindEnd();
   TestFlatLost();
