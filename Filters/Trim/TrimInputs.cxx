@@ -374,9 +374,9 @@ void TrimInputs::MakeSurface(const Ranks& ranks, std::vector<nurbs::NurbsSurface
   {
     return;
   }
-  for (int face = 0; this->TheSurface && face < this->TheSurface->NumberOfFaces(); ++face)
+  if (this->TheSurface) // the grid is another one; which shells are there twice goes by it
   {
-    faces.push_back(this->TheSurface->Face(face)); // the grid is another one
+    faces = ShareFaces(ranks, this->OwnFaces, this->BlocksOfFaces);
   }
   const double widest = nurbs::FindWidestGap(faces, size);
   this->TheSurface =

@@ -62,6 +62,34 @@ void TestRerun(const Mesh& mesh, const Surface& first, const Surface& second)
     ++Wrong;
   }
 }
+
+/// A filter that has run on a much larger grid before, for which two planes near each other are one
+/// that is there twice, sees both on a small one, as a fresh one does.
+void TestRerunOnSmallerGrid()
+{
+  const Mesh large = Sheet(20, 20, 1, Vec3(100, 100, 10)), small = Sheet(20, 20, 1, Vec3(1, 1, 1));
+  const Surface one = PlaneThrough(Vec3(0.3, 0, 0), Vec3::UnitX(), 4000);
+  const Surface turned = PlaneThrough(Vec3(0.31, 0, 0), -Vec3::UnitX(), 4000);
+  const Surface twice = Together(one.Data, turned.Data);
+  vtkNew<vtkTrimHexahedralGrid> filter;
+  filter->SetInputDataObject(1, twice.Data);
+  const Listener listener;
+  for (const Mesh& mesh : { large, small })
+  {
+    filter->SetInputDataObject(0, mesh.Grid);
+    filter->Update();
+  }
+  const Outcome fresh = RunTrim(small, twice, TrimOptions());
+  const std::string difference = FirstDifference(fresh.Case.Trimmed, filter->GetOutput());
+  const bool sawBoth = fresh.Case.Trimmed->GetNumberOfCells() == small.Grid->GetNumberOfCells();
+  if (!difference.empty() || !sawBoth)
+  {
+    std::printf("FAIL rerun on a smaller grid: %s; both planes %s seen\n", difference.c_str(),
+      sawBoth ? "were" : "were not");
+    ++Wrong;
+  }
+}
+
 /// The backends that are active while the filter runs, by its progress.
 std::set<std::string> BackendsDuring(const Mesh& mesh, const Surface& surface)
 {
@@ -292,6 +320,7 @@ int main(int argc, char* argv[])
   if (part != "large")
   {
     TestChoiceOfBackend();
+    TestRerunOnSmallerGrid();
     TestSmall();
     TestTrials();
     TestNumberingOfElements();
