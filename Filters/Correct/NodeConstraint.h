@@ -13,6 +13,7 @@
 #include "Band.h"
 #include "Columns.h"
 #include "Facet.h"
+#include "UniqueList.h"
 
 #include <algorithm>
 #include <vector>
@@ -61,7 +62,7 @@ constexpr double SameSideCosine = 0.7133;
 template <typename Test>
 std::vector<int> SideAround(const Band& band, const std::vector<int>& faces, const Test& mayFollow)
 {
-  std::vector<int> around = faces;
+  UniqueList around(faces);
   for (const int f : faces)
   {
     const auto& face = band.Faces[f];
@@ -72,15 +73,15 @@ std::vector<int> SideAround(const Band& band, const std::vector<int>& faces, con
       {
         // Not round a ridge: that would be another side of the model.
         const auto& next = band.Faces[other];
-        if (mayFollow(f, other) && std::find(around.begin(), around.end(), other) == around.end() &&
+        if (mayFollow(f, other) && !around.Has(other) &&
           TurnCosine(face, normal, next, Facet(band, next).NormalAt(0)) > SameSideCosine)
         {
-          around.push_back(other);
+          around.Add(other);
         }
       }
     }
   }
-  return around;
+  return around.Take();
 }
 
 /**

@@ -1,6 +1,9 @@
 #include "Manifold.h"
 
+#include "DisjointSets.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace trim
 {
@@ -10,7 +13,6 @@ namespace
 struct FanFace
 {
   int Before, After; ///< the neighbours of the node within the face
-  int Group;
 };
 
 std::vector<FanFace> BoundaryFan(const Band& band, const std::vector<char>& kept, int node)
@@ -26,8 +28,8 @@ std::vector<FanFace> BoundaryFan(const Band& band, const std::vector<char>& kept
       continue;
     }
     const int at = CornerOf(face, node);
-    fan.push_back({ face.Node[(at + face.Count - 1) % face.Count], face.Node[(at + 1) % face.Count],
-      static_cast<int>(fan.size()) });
+    fan.push_back(
+      { face.Node[(at + face.Count - 1) % face.Count], face.Node[(at + 1) % face.Count] });
   }
   return fan;
 }
@@ -36,42 +38,35 @@ std::vector<FanFace> BoundaryFan(const Band& band, const std::vector<char>& kept
 
 bool IsManifoldAt(const Band& band, const std::vector<char>& kept, int node)
 {
-  auto fan = BoundaryFan(band, kept, node);
-  if (fan.empty())
+  const std::vector<FanFace> fan = BoundaryFan(band, kept, node);
+  // By the other ends of the edges, each with its face: at an axis there are thousands.
+  std::vector<std::pair<int, int>> ends;
+  ends.reserve(2 * fan.size());
+  for (const FanFace& face : fan)
   {
-    return true;
+    const auto index = static_cast<int>(&face - fan.data());
+    ends.insert(ends.end(), { { face.Before, index }, { face.After, index } });
   }
-  int groups = static_cast<int>(fan.size());
-  for (std::size_t i = 0; i < fan.size(); ++i)
+  std::sort(ends.begin(), ends.end());
+  nurbs::DisjointSets<int> joined(static_cast<int>(fan.size()));
+  for (std::size_t i = 0; i < ends.size(); i += 2)
   {
-    for (const int edgeEnd : { fan[i].Before, fan[i].After })
+    const bool areTwo = ends[i].first == ends[i + 1].first &&
+      (i + 2 == ends.size() || ends[i + 2].first != ends[i].first);
+    if (!areTwo)
     {
-      int sharing = 0;
-      for (std::size_t j = 0; j < fan.size(); ++j)
-      {
-        if (j == i || (fan[j].Before != edgeEnd && fan[j].After != edgeEnd))
-        {
-          continue;
-        }
-        ++sharing;
-        const int from = fan[j].Group;
-        const int to = fan[i].Group;
-        if (from != to)
-        {
-          --groups;
-          for (auto& face : fan)
-          {
-            face.Group = face.Group == from ? to : face.Group;
-          }
-        }
-      }
-      if (sharing != 1)
-      {
-        return false;
-      }
+      return false;
+    }
+    joined.Unite(ends[i].second, ends[i + 1].second);
+  }
+  for (int face = 1; face < joined.Size(); ++face)
+  {
+    if (joined.Find(face) != 0)
+    {
+      return false;
     }
   }
-  return groups == 1;
+  return true;
 }
 
 std::vector<int> FindPinchedEdgesAt(const Band& band, const std::vector<char>& kept, int node)
