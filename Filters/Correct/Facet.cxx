@@ -59,7 +59,9 @@ FacetFoot Facet::Project(const Vec3& x, FootSought sought) const
     const Eigen::Vector2d st = LeastSquares(u, v, x - c[0]);
     foot.Normal = u.cross(v).normalized();
     foot.Point = x - foot.Normal * foot.Normal.dot(x - c[0]);
-    foot.Outside = std::max({ 0.0, -st[0], -st[1], st[0] + st[1] - 1.0 });
+    // Of one without area, as flat elements have, no place is inside.
+    const bool isFlat = foot.Normal.isZero() || !st.allFinite();
+    foot.Outside = isFlat ? 1.0 : std::max({ 0.0, -st[0], -st[1], st[0] + st[1] - 1.0 });
     return foot;
   }
   const Vec3 u = c[1] - c[0];

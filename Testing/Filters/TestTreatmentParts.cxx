@@ -3,12 +3,13 @@
  * @brief What the ladder relies on, by itself: a decision that is taken again, a climb that does
  * not pay, the bound of the scaled Jacobian, the step of least squares, the worth of an element,
  * the way to a sharp edge, nodes that lie near each other, what movers remember, edges that slip
- * through gaps, the gravest of several shortfalls.
+ * through gaps, facets without area, the gravest of several shortfalls.
  */
 #include "CutBlock.h"
 #include "EdgeCrossing.h"
 #include "ElementWorth.h"
 #include "Expect.h"
+#include "Facet.h"
 #include "FindingArrays.h"
 #include "Jacobian.h"
 #include "LeastSquaresStep.h"
@@ -448,10 +449,29 @@ void CheckShortfalls()
     "the gravest shortfall of each cell");
 }
 
+/// No place is inside a facet that has no area: two corners are one, or all lie on a line, as in
+/// meshes with flat elements.
+void CheckFlatFacets()
+{
+  const std::vector<Vec3> places{ Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 0, 0) };
+  BandFace face;
+  for (const std::array<int, 4>& nodes : { std::array<int, 4>{ 0, 1, 3, -1 },
+         std::array<int, 4>{ 0, 1, 2, -1 }, std::array<int, 4>{ 0, 0, 0, -1 },
+         std::array<int, 4>{ 0, 1, 2, 3 }, std::array<int, 4>{ 0, 1, 0, 1 } })
+  {
+    face.Node = nodes;
+    face.Count = nodes[3] < 0 ? 3 : 4;
+    Vec3 place;
+    Expect(!FacetSearch(Facet(places, face)).FindInside(Vec3(0.3, 5, 7), 1e-9, place),
+      "a place is inside a facet without area");
+  }
+}
+
 }
 
 int main()
 {
+  CheckFlatFacets();
   CheckNodeGrid();
   CheckDecisionAgain();
   CheckPromise();
