@@ -1,11 +1,14 @@
 #include "OpenSeams.h"
 
+#include "BoxTree.h"
 #include "Facet.h"
+#include "MeshBlocks.h"
 #include "Runs.h"
 #include "SortUnique.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <limits>
+#include <numeric>
 
 namespace trim
 {
@@ -88,37 +91,67 @@ bool MayTouch(const Side& a, const Side& b)
   return ((a.Low - b.High).array() <= close).all() && ((b.Low - a.High).array() <= close).all();
 }
 
-/// The direction in which the sides reach farthest: along it most of them are apart.
-int LongestAxis(const std::vector<Side>& sides)
+/// About the middle of all sides in single precision, with room for its rounding.
+std::vector<Eigen::AlignedBox3f> BoxSides(const std::vector<Side>& sides)
 {
-  Vec3 low = sides[0].Low, high = sides[0].High;
+  Box3 whole;
   for (const Side& side : sides)
   {
-    low = low.cwiseMin(side.Low);
-    high = high.cwiseMax(side.High);
+    whole.extend(Box3(side.Low, side.High));
   }
-  int axis = 0;
-  (high - low).maxCoeff(&axis);
-  return axis;
+  const Vec3 middle = whole.center();
+  const double rounding = std::numeric_limits<float>::epsilon() * whole.diagonal().norm();
+  std::vector<Eigen::AlignedBox3f> boxes;
+  for (const Side& side : sides)
+  {
+    const Box3 box = Grown({ side.Low - middle, side.High - middle },
+      Vec3::Constant(rounding + Closeness * side.Size()));
+    boxes.emplace_back(box.min().cast<float>(), box.max().cast<float>());
+  }
+  return boxes;
 }
 
 /// Elements with sides that lie on others, wherever these are.
-void FindAmongSides(std::vector<Side> sides, std::vector<int>& elements)
+std::vector<int> FindAmongSides(const std::vector<Side>& sides)
 {
-  const int axis = sides.empty() ? 0 : LongestAxis(sides);
-  std::sort(sides.begin(), sides.end(),
-    [axis](const Side& a, const Side& b) { return a.Low[axis] < b.Low[axis]; });
-  for (std::size_t i = 0; i < sides.size(); ++i)
+  constexpr Id length = 256; // of a run of sides
+  if (sides.empty())
   {
-    const double end = sides[i].High[axis] + Closeness * sides[i].Size();
-    for (std::size_t j = i + 1; j < sides.size() && sides[j].Low[axis] <= end; ++j)
-    {
-      if (MayTouch(sides[i], sides[j]) && LieOnEachOther(sides[i], sides[j]))
-      {
-        elements.insert(elements.end(), { sides[i].Element, sides[j].Element });
-      }
-    }
+    return {};
   }
+  const std::vector<Eigen::AlignedBox3f> boxes = BoxSides(sides);
+  std::vector<int> order(sides.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::vector<nurbs::TreeNode> tree = nurbs::BuildTree(order, boxes);
+  const Id count = static_cast<Id>(sides.size());
+  std::vector<std::vector<int>> found(NumberOfRuns(count, length));
+  ForRuns(count, length,
+    [&](Id run, Id begin, Id end)
+    {
+      for (Id i = begin; i < end; ++i)
+      {
+        const auto meets = [&box = boxes[i]](const nurbs::TreeNode& node)
+        {
+          Eigen::Array<bool, 4, 1> all = Eigen::Array<bool, 4, 1>::Constant(true);
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            all = all && node.Low[axis] <= box.max()[axis] && node.High[axis] >= box.min()[axis];
+          }
+          return all;
+        };
+        nurbs::ForItemsPassing(tree, meets,
+          [&](int place)
+          {
+            const int j = order[place];
+            if (j < i && MayTouch(sides[i], sides[j]) && LieOnEachOther(sides[i], sides[j]))
+            {
+              found[run].insert(found[run].end(), { sides[i].Element, sides[j].Element });
+            }
+            return true;
+          });
+      }
+    });
+  return Joined(found);
 }
 
 /// Whether each corner of a face is where the other one has a corner.
@@ -201,7 +234,8 @@ std::vector<int> FindHangingOnSkin(const TrimBand& near)
 std::vector<int> FindOpenSeams(const TrimBand& near)
 {
   std::vector<int> elements = FindHangingOnSkin(near);
-  FindAmongSides(OpenSides(near), elements);
+  const std::vector<int> others = FindAmongSides(OpenSides(near));
+  elements.insert(elements.end(), others.begin(), others.end());
   SortUnique(elements);
   elements.erase(std::remove_if(elements.begin(), elements.end(),
                    [&near](int e) { return near.Mesh.Elements[e].Ring != 0; }),
