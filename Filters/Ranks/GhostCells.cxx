@@ -1,5 +1,6 @@
 #include "GhostCells.h"
 
+#include "ArrayNames.h"
 #include "GatherAttributes.h"
 
 #include <vtkCellArray.h>
@@ -181,8 +182,8 @@ void RestoreOriginalIds(const OwnCells& own, vtkUnstructuredGrid* grid)
   };
   if (own.Selected)
   {
-    restore(grid->GetPointData(), "vtkOriginalPointIds", own.Points);
-    restore(grid->GetCellData(), "vtkOriginalCellIds", own.Cells);
+    restore(grid->GetPointData(), names::OriginalPoints, own.Points);
+    restore(grid->GetCellData(), names::OriginalCells, own.Cells);
   }
 }
 

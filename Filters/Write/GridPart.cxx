@@ -1,5 +1,6 @@
 #include "GridPart.h"
 
+#include "ArrayNames.h"
 #include "ArrayRanges.h"
 #include "CountBytes.h"
 #include "FindingArrays.h"
@@ -171,11 +172,6 @@ void InterleaveInserted(GridPart& part)
   }
 }
 
-}
-
-namespace
-{
-
 /// So many points are looked at at once.
 constexpr Id ManyFlags = 32;
 
@@ -323,7 +319,7 @@ void ColourByStatus(vtkUnstructuredGrid* grid)
 {
   if (!grid->GetPointData()->GetScalars() && !grid->GetCellData()->GetScalars())
   {
-    grid->GetCellData()->SetActiveScalars("ElementStatus");
+    grid->GetCellData()->SetActiveScalars(names::ElementStatus);
   }
 }
 
@@ -334,7 +330,8 @@ void ForgetGlobalIds(vtkDataSetAttributes* data)
 
 void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructuredGrid* output)
 {
-  auto* distances = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("SignedDistance"));
+  auto* distances =
+    vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray(names::SignedDistance));
   const auto& known = result.Nodes.SignedDistances;
   std::vector<Id> points, cells;
   ForInserted(part,
@@ -358,9 +355,9 @@ void AddInserted(const TrimResult& result, const GridPart& part, vtkUnstructured
     });
   const auto set = [](Id, unsigned char* value) { *value = 1; };
   AddSparseArray<vtkUnsignedCharArray>(
-    "Inserted", part.Points.size(), 1, points, set, output->GetPointData());
+    names::Inserted, part.Points.size(), 1, points, set, output->GetPointData());
   AddSparseArray<vtkUnsignedCharArray>(
-    "Inserted", part.Cells.size(), 1, cells, set, output->GetCellData());
+    names::Inserted, part.Cells.size(), 1, cells, set, output->GetCellData());
   if (result.Near && result.Near->Mesh.BeforeLayer)
   {
     ForgetGlobalIds(output->GetPointData());

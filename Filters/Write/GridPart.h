@@ -4,12 +4,13 @@
  * order, and where the points are.
  *
  * All of it is counted first and then filled in place by all threads, so that the memory is that
- * of the output and the result does not depend on the threads; but for the cells of an offcut, which
- * one thread lists.
+ * of the output and the result does not depend on the threads; but for the cells of an offcut,
+ * which one thread lists.
  */
 #ifndef GridPart_h
 #define GridPart_h
 
+#include "ArrayNames.h"
 #include "FreshArray.h"
 #include "MeshBlocks.h"
 #include "NodeOrdering.h"
@@ -52,8 +53,8 @@ std::vector<InsertedPoint> FindInsertedPoints(const TrimResult& result);
 
 struct GridPart
 {
-  IdList Cells{ "vtkOriginalCellIds" };   ///< input ids, ascending
-  IdList Points{ "vtkOriginalPointIds" }; ///< input ids, by new number
+  IdList Cells{ names::OriginalCells };   ///< input ids, ascending
+  IdList Points{ names::OriginalPoints }; ///< input ids, by new number
   /// Of each cell: its place among the part's elements in the band, -1 away from the cut. Elements
   /// of the kept part are told by those of the band, of the offcut by Offcut::Elements.
   UnsetVector<int> InBand;

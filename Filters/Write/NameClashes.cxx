@@ -1,5 +1,6 @@
 #include "NameClashes.h"
 
+#include "ArrayNames.h"
 #include "GatherAttributes.h"
 #include "Summary.h"
 
@@ -36,18 +37,16 @@ struct OwnArray
 };
 using OwnArrays = std::vector<OwnArray>;
 
-/// VTK's own names, which many filters leave behind: not worth a warning.
-constexpr const char* OriginalPoints = "vtkOriginalPointIds";
-constexpr const char* OriginalCells = "vtkOriginalCellIds";
-const OwnArrays OfPoints{ { "NodeStatus", VTK_UNSIGNED_CHAR }, { "SignedDistance", VTK_FLOAT },
-  { "Displacement", VTK_FLOAT, 3 }, { "CorrectionApplied", VTK_UNSIGNED_CHAR },
-  { "DistanceLeft", VTK_FLOAT }, { "NewBoundary", VTK_UNSIGNED_CHAR },
-  { "CornerLost", VTK_UNSIGNED_CHAR }, { OriginalPoints, VTK_ID_TYPE } };
-const OwnArrays OfCells{ { "ElementStatus", VTK_UNSIGNED_CHAR },
-  { "EliminatedFraction", VTK_FLOAT }, { "ScaledJacobian", VTK_FLOAT },
-  { "Rescue", VTK_UNSIGNED_CHAR }, { "Feasibility", VTK_UNSIGNED_CHAR },
-  { "Shortfall", VTK_UNSIGNED_CHAR }, { OriginalCells, VTK_ID_TYPE } };
-const OwnArray Inserted{ "Inserted", VTK_UNSIGNED_CHAR };
+const OwnArrays OfPoints{ { names::NodeStatus, VTK_UNSIGNED_CHAR },
+  { names::SignedDistance, VTK_FLOAT }, { names::Displacement, VTK_FLOAT, 3 },
+  { names::CorrectionApplied, VTK_UNSIGNED_CHAR }, { names::DistanceLeft, VTK_FLOAT },
+  { names::NewBoundary, VTK_UNSIGNED_CHAR }, { names::CornerLost, VTK_UNSIGNED_CHAR },
+  { names::OriginalPoints, VTK_ID_TYPE } };
+const OwnArrays OfCells{ { names::ElementStatus, VTK_UNSIGNED_CHAR },
+  { names::EliminatedFraction, VTK_FLOAT }, { names::ScaledJacobian, VTK_FLOAT },
+  { names::Rescue, VTK_UNSIGNED_CHAR }, { names::Feasibility, VTK_UNSIGNED_CHAR },
+  { names::Shortfall, VTK_UNSIGNED_CHAR }, { names::OriginalCells, VTK_ID_TYPE } };
+const OwnArray Inserted{ names::Inserted, VTK_UNSIGNED_CHAR };
 
 OwnArrays EntriesOfSummary()
 {
@@ -66,9 +65,9 @@ OwnArrays EntriesOfSummary()
 /// have dropped the field data.
 bool IsTrimmed(vtkUnstructuredGrid* grid)
 {
-  return grid->GetFieldData()->HasArray("CertifiedElements") ||
-    (grid->GetPointData()->HasArray("NodeStatus") &&
-      grid->GetPointData()->HasArray("CorrectionApplied"));
+  return grid->GetFieldData()->HasArray(names::CertifiedElements) ||
+    (grid->GetPointData()->HasArray(names::NodeStatus) &&
+      grid->GetPointData()->HasArray(names::CorrectionApplied));
 }
 
 bool HasAny(vtkFieldData* data, const OwnArrays& arrays)
@@ -121,7 +120,7 @@ void Rename(vtkFieldData* data, const OwnArrays& arrays, const char* what, std::
     {
       attributes->SetActiveAttribute(index, role);
     }
-    if (name != OriginalPoints && name != OriginalCells)
+    if (name != names::OriginalPoints && name != names::OriginalCells) // not worth a warning
     {
       told += (told.empty() ? "" : ", ") + name + " (" + what + ")";
     }

@@ -1,5 +1,6 @@
 #include "OffcutGrid.h"
 
+#include "ArrayNames.h"
 #include "FindingArrays.h"
 
 #include <vtkCellData.h>
@@ -114,8 +115,9 @@ void AddFieldData(const Summary& summary, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkFieldData> all, told;
   summary.AddTo(all);
-  for (const char* name : { "TouchedElements", "CertifiedElements", "MinimumScaledJacobian",
-         "MinimumIntegrationPointJacobian", "Volume", "NodeBandwidth" })
+  for (const char* name :
+    { names::TouchedElements, names::CertifiedElements, names::MinimumScaledJacobian,
+      names::MinimumIntegrationPointJacobian, names::Volume, names::NodeBandwidth })
   {
     told->AddArray(all->GetAbstractArray(name));
   }

@@ -1,5 +1,6 @@
 #include "PartQuality.h"
 
+#include "ArrayNames.h"
 #include "Jacobian.h"
 #include "OrderlessSum.h"
 #include "Team.h"
@@ -50,7 +51,7 @@ void AddScaledJacobians(const HexMesh& mesh, const GridPart& part, const BandSha
   bool allElements, vtkUnstructuredGrid* output)
 {
   const Id count = part.Cells.size();
-  const auto scaled = MakeArray<vtkFloatArray>("ScaledJacobian", count);
+  const auto scaled = MakeArray<vtkFloatArray>(names::ScaledJacobian, count);
   float* values = scaled->GetPointer(0);
   ParallelFor(0, count, 10000,
     [&](Id begin, Id end)

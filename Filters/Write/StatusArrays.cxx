@@ -1,5 +1,6 @@
 #include "StatusArrays.h"
 
+#include "ArrayNames.h"
 #include "Rescue.h"
 #include "Runs.h"
 #include "SparseArray.h"
@@ -87,7 +88,7 @@ void AddMoves(const MovedNodes& moved, const Selection& ids, vtkPointData* point
       nodes.push_back(node);
     });
   AddSparseArray<vtkFloatArray>(
-    "Displacement", ids.size(), 3, places,
+    names::Displacement, ids.size(), 3, places,
     [&](Id i, float* stored)
     {
       const Vec3 move = moved.NodeMoves->Position[nodes[i]] - StartOf(*moved.TheBand, nodes[i]);
@@ -98,7 +99,7 @@ void AddMoves(const MovedNodes& moved, const Selection& ids, vtkPointData* point
     },
     pointData);
   AddSparseArray<vtkUnsignedCharArray>(
-    "CorrectionApplied", ids.size(), 1, places,
+    names::CorrectionApplied, ids.size(), 1, places,
     [&](Id i, unsigned char* stored)
     { *stored = static_cast<unsigned char>(moved.NodeMoves->Applied[nodes[i]]); },
     pointData);
@@ -110,8 +111,8 @@ void AddPointStatuses(
   const TrimResult& result, const MovedNodes& moved, const Selection& ids, vtkPointData* pointData)
 {
   const Id count = ids.size();
-  const auto status = MakeArray<vtkUnsignedCharArray>("NodeStatus", count);
-  const auto distance = MakeArray<vtkFloatArray>("SignedDistance", count);
+  const auto status = MakeArray<vtkUnsignedCharArray>(names::NodeStatus, count);
+  const auto distance = MakeArray<vtkFloatArray>(names::SignedDistance, count);
   unsigned char* statuses = status->GetPointer(0);
   float* distances = distance->GetPointer(0);
   ParallelFor(0, count, Grain,
@@ -132,8 +133,8 @@ void AddPointStatuses(
 void AddCellStatuses(const TrimResult& result, const Selection& ids, vtkCellData* cellData)
 {
   const Id count = ids.size();
-  const auto status = MakeArray<vtkUnsignedCharArray>("ElementStatus", count);
-  const auto fraction = MakeArray<vtkFloatArray>("EliminatedFraction", count);
+  const auto status = MakeArray<vtkUnsignedCharArray>(names::ElementStatus, count);
+  const auto fraction = MakeArray<vtkFloatArray>(names::EliminatedFraction, count);
   unsigned char* statuses = status->GetPointer(0);
   float* fractions = fraction->GetPointer(0);
   ParallelFor(0, count, Grain,
@@ -206,7 +207,7 @@ void AddRescues(
     }
   }
   AddSparseArray<vtkUnsignedCharArray>(
-    "Rescue", cells, 1, places,
+    names::Rescue, cells, 1, places,
     [&](Id i, unsigned char* stored) { *stored = static_cast<unsigned char>(rescues[i]); },
     cellData);
 }

@@ -1,5 +1,7 @@
 #include "Summary.h"
 
+#include "ArrayNames.h"
+
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -34,19 +36,19 @@ void Summary::AddTo(vtkFieldData* fieldData) const
   count("MovedNodes", this->MovedNodes);
   count("Pentahedra", this->Pentahedra);
   count("Wedges", this->Wedges);
-  count("TouchedElements", this->TouchedElements);
-  count("CertifiedElements", this->CertifiedElements);
+  count(names::TouchedElements, this->TouchedElements);
+  count(names::CertifiedElements, this->CertifiedElements);
   count("RescuedByRelaxation", this->RescuedByRelaxation);
   count("RescuedByTreatment", this->RescuedByTreatment);
   count("RescuedByCorrection", this->RescuedByCorrection);
   count("RescuedByFate", this->RescuedByFate);
   count("RescuedByLeaving", this->RescuedByLeaving);
   count("InsertedElements", this->InsertedElements);
-  count("NodeBandwidth", this->NodeBandwidth);
-  measure("MinimumScaledJacobian", this->MinimumScaledJacobian);
-  measure("MinimumIntegrationPointJacobian", this->MinimumIntegrationPointJacobian);
+  count(names::NodeBandwidth, this->NodeBandwidth);
+  measure(names::MinimumScaledJacobian, this->MinimumScaledJacobian);
+  measure(names::MinimumIntegrationPointJacobian, this->MinimumIntegrationPointJacobian);
   measure("MaximumDistanceToSurface", this->MaximumDistanceToSurface);
-  measure("Volume", this->Volume);
+  measure(names::Volume, this->Volume);
   PutFirst(entries, fieldData);
 }
 
