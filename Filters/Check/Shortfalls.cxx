@@ -250,8 +250,7 @@ namespace
 
 /// @param asksSkin for nodes that slid past a bend of the skin, too.
 /// @param share see PassedShare.
-std::vector<std::pair<int, bool>> FindCornersPassed(
-  const TrimBand& near, bool asksSkin, double share)
+std::vector<int> FindCornersPassed(const TrimBand& near, bool asksSkin, double share)
 {
   const Band& band = near.Mesh;
   const std::vector<int> users = CountUsers(band, near.Trimmed);
@@ -265,7 +264,7 @@ std::vector<std::pair<int, bool>> FindCornersPassed(
   {
     places.push_back(movesOf(n).Position[n]);
   }
-  std::vector<std::pair<int, bool>> lost;
+  std::vector<int> lost;
   for (int n = 0; n < band.NumberOfNodes(); ++n)
   {
     const Moves& moves = movesOf(n);
@@ -280,7 +279,7 @@ std::vector<std::pair<int, bool>> FindCornersPassed(
       // in all: what the layers lose on one side they have more on the other.
       if (asksSkin && IsOnExterior(band, n) && IsPassedBy(band, places, n, share))
       {
-        lost.emplace_back(n, true);
+        lost.push_back(n);
       }
       continue;
     }
@@ -288,7 +287,7 @@ std::vector<std::pair<int, bool>> FindCornersPassed(
     if ((users[n] > 0 && wasCorner) || LeftBorder(band, n, places[n]) ||
       IsPassedBy(band, places, n, share))
     {
-      lost.emplace_back(n, true);
+      lost.push_back(n);
     }
   }
   return lost;
@@ -296,7 +295,7 @@ std::vector<std::pair<int, bool>> FindCornersPassed(
 
 }
 
-std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double missing)
+std::vector<int> FindCornersLost(const TrimBand& near, double missing)
 {
   const bool isMuch = std::abs(missing) > LargestMissing;
   auto lost = FindCornersPassed(near, isMuch, PassedShare);

@@ -45,11 +45,11 @@ double MeasureMissing(const TrimBand& near);
  * Nodes at which kept part and offcut do not add up to the whole: corners that moved for the kept
  * part, and nodes that left the model's border or a fold of its skin, or slid past a bend of it;
  * past one of the skin only where half an element or more is missing. If none did where that much
- * is, those that it goes past by the farthest. Ascending band nodes, each with true.
+ * is, those that it goes past by the farthest. Ascending band nodes.
  *
  * @param missing see MeasureMissing.
  */
-std::vector<std::pair<int, bool>> FindCornersLost(const TrimBand& near, double missing);
+std::vector<int> FindCornersLost(const TrimBand& near, double missing);
 
 }
 

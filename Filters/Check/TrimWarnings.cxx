@@ -240,7 +240,7 @@ void WarnOfCornersLost(TrimResult& result)
     " at corners or on the border of the model moved for the trimmed grid alone, or past a "
     "bend of it: there it does not add up to the whole with the offcut (both have the volume of " +
     volume.str() + " together). Refine the mesh there. The first is at " +
-    nurbs::PlaceText(result.Near->Mesh.Point[lost.front().first]) + ".");
+    nurbs::PlaceText(result.Near->Mesh.Point[lost.front()]) + ".");
 }
 
 /// Elements of the band at which a finding tells already of what is lost or stays. Nodes left tell

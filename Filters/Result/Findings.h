@@ -56,10 +56,10 @@ struct Findings
   /// Distance to the surface of the nodes that should lie on it and were left off.
   std::vector<std::pair<Id, float>> DistancesLeft;
   /// Nodes of the new boundary.
-  std::vector<std::pair<Id, bool>> NewBoundary;
+  std::vector<Id> NewBoundary;
   /// Nodes at which kept part and offcut do not add up, see FindCornersLost; none if no offcut is
   /// asked for.
-  std::vector<std::pair<Id, bool>> CornersLost;
+  std::vector<Id> CornersLost;
 };
 
 }

@@ -48,8 +48,8 @@ struct TrimBand : BandTrim
 
   // What follows is empty unless the offcut is asked for.
   std::vector<std::pair<int, Shortfall>> ShortfallsOfRest;
-  std::vector<std::pair<int, bool>> CornersLost; ///< see FindCornersLost
-  double Missing = 0.0;                          ///< see MeasureMissing
+  std::vector<int> CornersLost; ///< see FindCornersLost
+  double Missing = 0.0;         ///< see MeasureMissing
 };
 
 }

@@ -265,21 +265,35 @@ void SetFates(const HexMesh& mesh, TrimResult& result)
   }
 }
 
-/// A list by indices of the band as one by ids of this rank's mesh, ascending.
-template <typename Value, typename ToId>
-std::vector<std::pair<Id, Value>> ById(
-  const std::vector<std::pair<int, Value>>& list, const ToId& toId)
+/// A list by nodes of the band as one by ids of this rank's mesh, ascending.
+std::vector<std::pair<Id, float>> ById(
+  const std::vector<std::pair<int, float>>& list, const Band& band)
 {
-  std::vector<std::pair<Id, Value>> byId;
-  for (const auto& item : list)
+  std::vector<std::pair<Id, float>> byId;
+  for (const auto& [node, value] : list)
   {
-    if (toId(item.first) >= 0)
+    if (band.GlobalNode[node] >= 0)
     {
-      byId.emplace_back(toId(item.first), item.second);
+      byId.emplace_back(band.GlobalNode[node], value);
     }
   }
   std::sort(byId.begin(), byId.end());
   return byId;
+}
+
+/// The ids that nodes of the band have in this rank's mesh, ascending.
+std::vector<Id> IdsOf(const std::vector<int>& nodes, const Band& band)
+{
+  std::vector<Id> ids;
+  for (const int node : nodes)
+  {
+    if (band.GlobalNode[node] >= 0)
+    {
+      ids.push_back(band.GlobalNode[node]);
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
 }
 
 /// Of all pieces, inserted elements among them. Collective.
@@ -305,14 +319,8 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
     near.Shortfalls =
       FindShortfalls(near, near.NodesLeft, FindLooseParts(near, boundary, CountKept(piece, result)),
         options.OfBand.Ladder.QualityFloor > 0.0);
-    const auto toId = [&near](int n) { return near.Mesh.GlobalNode[n]; };
-    result.Found.DistancesLeft = ById(near.NodesLeft, toId);
-    std::vector<std::pair<int, bool>> ofBoundary;
-    for (const int n : boundary)
-    {
-      ofBoundary.emplace_back(n, true);
-    }
-    result.Found.NewBoundary = ById(ofBoundary, toId);
+    result.Found.DistancesLeft = ById(near.NodesLeft, near.Mesh);
+    result.Found.NewBoundary = IdsOf(boundary, near.Mesh);
     if (options.Tolerance > FinestCoarseTolerance)
     {
       near.NodesBeside = FindNodesBeside(near, surface);
@@ -322,7 +330,7 @@ void FindAndWarn(const HexMesh& mesh, const Piece& piece, const nurbs::TrimmingS
       near.ShortfallsOfRest = FindShortfallsOfOffcut(near, near.NodesLeft);
       near.Missing = MeasureMissing(near);
       near.CornersLost = FindCornersLost(near, near.Missing);
-      result.Found.CornersLost = ById(near.CornersLost, toId);
+      result.Found.CornersLost = IdsOf(near.CornersLost, near.Mesh);
     }
   }
   AddWarnings(mesh, piece, options.OfBand, unitsHint, result);

@@ -1,5 +1,6 @@
 #include "FindingArrays.h"
 
+#include "ArrayNames.h"
 #include "SparseArray.h"
 
 #include <vtkCellData.h>
@@ -35,18 +36,31 @@ void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed
     name, ids.size(), 1, places, [&](Id i, Stored* value) { *value = values[i]; }, data);
 }
 
+/// An array of zeros, but ones for the ids that are listed.
+void AddFlags(
+  const char* name, const std::vector<Id>& listed, const Selection& ids, vtkDataSetAttributes* data)
+{
+  std::vector<Id> places;
+  for (const Id id : listed)
+  {
+    ids.ForPlaces(id, [&places](Id place) { places.push_back(place); });
+  }
+  AddSparseArray<vtkUnsignedCharArray>(
+    name, ids.size(), 1, places, [](Id, unsigned char* value) { *value = 1; }, data);
+}
+
 }
 
 void AddPointFindings(const Findings& findings, const Selection& ids, vtkPointData* pointData)
 {
-  AddListed<vtkFloatArray>("DistanceLeft", findings.DistancesLeft, ids, pointData);
-  AddListed<vtkUnsignedCharArray>("NewBoundary", findings.NewBoundary, ids, pointData);
-  AddListed<vtkUnsignedCharArray>("CornerLost", findings.CornersLost, ids, pointData);
+  AddListed<vtkFloatArray>(names::DistanceLeft, findings.DistancesLeft, ids, pointData);
+  AddFlags(names::NewBoundary, findings.NewBoundary, ids, pointData);
+  AddFlags(names::CornerLost, findings.CornersLost, ids, pointData);
 }
 
 void AddCellFindings(const Findings& findings, const Selection& ids, vtkCellData* cellData)
 {
-  AddListed<vtkUnsignedCharArray>("Feasibility", findings.Feasibilities, ids, cellData);
+  AddListed<vtkUnsignedCharArray>(names::Feasibility, findings.Feasibilities, ids, cellData);
 }
 
 void AddShortfalls(std::vector<std::pair<Id, Shortfall>> found, Id cells, vtkCellData* cellData)
@@ -68,7 +82,7 @@ void AddShortfalls(std::vector<std::pair<Id, Shortfall>> found, Id cells, vtkCel
     }
   }
   const auto set = [&values](Id i, unsigned char* value) { *value = values[i]; };
-  AddSparseArray<vtkUnsignedCharArray>("Shortfall", cells, 1, places, set, cellData);
+  AddSparseArray<vtkUnsignedCharArray>(names::Shortfall, cells, 1, places, set, cellData);
 }
 
 }
