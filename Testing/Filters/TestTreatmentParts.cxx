@@ -3,7 +3,8 @@
  * @brief What the ladder relies on, by itself: a decision that is taken again, a climb that does
  * not pay, the bound of the scaled Jacobian, the step of least squares, the worth of an element,
  * the way to a sharp edge, nodes that lie near each other, what movers remember, edges that slip
- * through gaps, facets without area, the gravest of several shortfalls.
+ * through gaps, facets without area, thousands of wedges round an axis, the gravest of several
+ * shortfalls.
  */
 #include "CutBlock.h"
 #include "EdgeCrossing.h"
@@ -449,6 +450,71 @@ void CheckShortfalls()
     "the gravest shortfall of each cell");
 }
 
+/// Wedges round an axis from node 0 to node 1, as a band of one ring.
+Band WedgesRoundAxis(int count)
+{
+  constexpr double turn = 6.283185307179586;
+  BandCells cells;
+  const auto add = [&cells](double x, double y, double z)
+  {
+    BandCells::Node node;
+    node.Global = static_cast<Id>(cells.Nodes.size());
+    node.Point = Vec3(x, y, z);
+    cells.Nodes.push_back(node);
+  };
+  add(0, 0, 0);
+  add(0, 0, 1);
+  for (int k = 0; k < 2 * count; ++k)
+  {
+    add(std::cos(turn * (k / 2) / count), std::sin(turn * (k / 2) / count), k % 2);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    const int own = 2 + 2 * k, next = 2 + 2 * ((k + 1) % count);
+    BandCells::Cell cell;
+    cell.Global = k;
+    cell.Count = 6;
+    cell.Node = { 0, own, next, 1, own + 1, next + 1, -1, -1 };
+    cells.Cells.push_back(cell);
+  }
+  return Band(std::move(cells), 1, false);
+}
+
+/// What is kept of thousands of wedges round an axis is a manifold there if it is one sector, which
+/// takes hardly any time to be found.
+void CheckAxis()
+{
+  constexpr int count = 4000;
+  const Band band = WedgesRoundAxis(count);
+  const int low = static_cast<int>(
+    std::find(band.GlobalNode.begin(), band.GlobalNode.end(), 0) - band.GlobalNode.begin());
+  const int high = static_cast<int>(
+    std::find(band.GlobalNode.begin(), band.GlobalNode.end(), 1) - band.GlobalNode.begin());
+  const auto keep = [&band](const auto& test)
+  {
+    std::vector<char> kept(band.NumberOfElements());
+    std::transform(band.Elements.begin(), band.Elements.end(), kept.begin(),
+      [&test](const BandElement& e)
+      { return static_cast<char>(test(static_cast<int>(e.Global))); });
+    return kept;
+  };
+  const auto sector = keep([](int k) { return k >= 100 && k < 2000; });
+  const auto sectors = keep([](int k) { return (k >= 100 && k < 2000) || k >= 3000; });
+  const auto touching = keep([](int k) { return k % 1000 < 999; });
+  for (int again = 0; again < 1000; ++again) // a decision asks as often
+  {
+    Expect(IsManifoldAt(band, sector, low) && IsManifoldAt(band, sector, high) &&
+        !IsManifoldAt(band, sectors, low) && !IsManifoldAt(band, touching, high),
+      "manifold at an axis");
+  }
+  Expect(IsManifoldAt(band, keep([](int) { return true; }), low) &&
+      IsManifoldAt(band, keep([](int) { return false; }), low),
+    "manifold at an axis: all or nothing kept");
+  Expect(FindPinchedEdgesAt(band, sectors, low) == std::vector<int>{ high } &&
+      FindPinchedEdgesAt(band, sector, low).empty(),
+    "pinched edges at an axis");
+}
+
 /// No place is inside a facet that has no area: two corners are one, or all lie on a line, as in
 /// meshes with flat elements.
 void CheckFlatFacets()
@@ -472,6 +538,7 @@ void CheckFlatFacets()
 int main()
 {
   CheckFlatFacets();
+  CheckAxis();
   CheckNodeGrid();
   CheckDecisionAgain();
   CheckPromise();
