@@ -402,7 +402,7 @@ bool WriteSoundIges(const TopoDS_Shape& shape, const std::string& path, bool wit
 int main(int argc, char* argv[])
 {
   SilenceTranslators();
-  const int number = argc > 1 ? std::atoi(argv[1]) : 28;
+  const int number = argc > 1 ? std::atoi(argv[1]) : 22;
   const unsigned first = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   int compared = 0;
   for (unsigned seed = first; seed < first + static_cast<unsigned>(number); ++seed)

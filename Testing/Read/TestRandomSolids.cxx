@@ -193,7 +193,7 @@ void Compare(unsigned seed, bool several, Count& count)
 int main(int argc, char* argv[])
 {
   SilenceTranslators();
-  const int number = argc > 1 ? std::atoi(argv[1]) : 30;
+  const int number = argc > 1 ? std::atoi(argv[1]) : 24;
   const unsigned first = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   TestWrongUnions();
   Count solids, bodies;
