@@ -115,25 +115,11 @@ private:
   /// no measure of that.
   Size SizeBefore(int e) const
   {
-    Size size{ LongestEdgeOf(this->Mesh, e), 0.0 };
-    if (!this->Structure.HasThickness(e))
-    {
-      size.WithinLayer = size.Longest;
-      return size;
-    }
-    const BandElement& element = this->Mesh.Elements[e];
-    const ElementPoints points = PointsOf(this->Mesh, e);
-    const auto& topology = TopologyOf(element.Count);
-    for (int i = 0; i < topology.NumberOfEdges; ++i)
-    {
-      const auto& edge = topology.Edges[i];
-      if (!this->IsThrough(element.Node[edge.First], element.Node[edge.Second]))
-      {
-        size.WithinLayer =
-          std::max(size.WithinLayer, (points[edge.First] - points[edge.Second]).norm());
-      }
-    }
-    return size;
+    const double longest = LongestEdgeOf(this->Mesh, e);
+    return { longest,
+      this->Structure.HasThickness(e)
+        ? LongestEdgeOf(this->Mesh, e, [this](int a, int b) { return !this->IsThrough(a, b); })
+        : longest };
   }
 
   double SagAllowed(int a, int b, double length, const Size& before) const

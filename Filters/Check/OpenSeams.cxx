@@ -130,16 +130,7 @@ std::vector<int> FindAmongSides(const std::vector<Side>& sides)
     {
       for (Id i = begin; i < end; ++i)
       {
-        const auto meets = [&box = boxes[i]](const nurbs::TreeNode& node)
-        {
-          Eigen::Array<bool, 4, 1> all = Eigen::Array<bool, 4, 1>::Constant(true);
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            all = all && node.Low[axis] <= box.max()[axis] && node.High[axis] >= box.min()[axis];
-          }
-          return all;
-        };
-        nurbs::ForItemsPassing(tree, meets,
+        nurbs::ForItemsMeeting(tree, boxes[i],
           [&](int place)
           {
             const int j = order[place];

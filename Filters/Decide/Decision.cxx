@@ -45,12 +45,7 @@ Decision::Decision(const Band& band, const Columns& columns, const VolumeShares&
 
 const std::vector<char>& Decision::Take(const std::vector<Fate>& fate)
 {
-  if (this->Taken.empty() || fate != this->FatesTaken)
-  {
-    this->FatesTaken = fate;
-    this->Taken = this->TakeAnew(fate);
-  }
-  return this->Taken;
+  return this->Taken.At(fate, [&] { return this->TakeAnew(fate); });
 }
 
 std::vector<char> Decision::TakeAnew(const std::vector<Fate>& fate)

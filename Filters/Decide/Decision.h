@@ -11,6 +11,7 @@
 
 #include "Band.h"
 #include "Columns.h"
+#include "LastAsked.h"
 #include "MovingNodes.h"
 #include "TrimmingSurface.h"
 #include "VolumeShares.h"
@@ -97,8 +98,7 @@ private:
   static constexpr signed char Unknown = -1;
   std::vector<signed char> Collapsing;   ///< by element
   std::vector<std::uint64_t> NotPinched; ///< by inner node: elements kept when it was none, as bits
-  std::vector<Fate> FatesTaken;          ///< the last ones
-  std::vector<char> Taken;               ///< by them
+  LastAsked<std::vector<Fate>, std::vector<char>> Taken;
 };
 
 }

@@ -96,12 +96,7 @@ std::vector<char> MovingNodes::FindShut(const std::vector<char>& touchesEliminat
 
 const std::vector<char>& MovingNodes::Find(const std::vector<char>& kept)
 {
-  if (this->Kept != kept)
-  {
-    this->Found = this->FindAnew(kept);
-    this->Kept = kept;
-  }
-  return this->Found;
+  return this->Found.At(kept, [&] { return this->FindAnew(kept); });
 }
 
 std::vector<char> MovingNodes::FindAnew(const std::vector<char>& kept)

@@ -7,6 +7,7 @@
 
 #include "Band.h"
 #include "Columns.h"
+#include "LastAsked.h"
 
 #include <utility>
 #include <vector>
@@ -47,9 +48,8 @@ private:
   /// border that they could lie on, and moving them would spoil the elements for nothing. Empty:
   /// not asked for yet.
   std::vector<int> CutOut;
-  std::vector<std::pair<int, int>> AtCutOuts; ///< elements with nodes of one
-  std::vector<char> Kept;                     ///< the last time; empty: there was none
-  std::vector<char> Found;
+  std::vector<std::pair<int, int>> AtCutOuts;            ///< elements with nodes of one
+  LastAsked<std::vector<char>, std::vector<char>> Found; ///< by what is kept
 };
 
 /// A face between a kept element and an eliminated one.

@@ -89,6 +89,20 @@ bool ForItemsPassing(const std::vector<TreeNode>& nodes, const Pass& pass, Visit
   return true;
 }
 
+/// Visits what hangs in the tree in boxes that meet one, if but by a face; see ForItemsPassing.
+template <typename Visit>
+bool ForItemsMeeting(
+  const std::vector<TreeNode>& nodes, const Eigen::AlignedBox3f& box, Visit&& visit)
+{
+  const Eigen::Vector3f low = box.min(), high = box.max();
+  const auto meets = [&](const TreeNode& node) -> Eigen::Array<bool, 4, 1>
+  {
+    return (node.Low[0] <= high[0]) && (node.High[0] >= low[0]) && (node.Low[1] <= high[1]) &&
+      (node.High[1] >= low[1]) && (node.Low[2] <= high[2]) && (node.High[2] >= low[2]);
+  };
+  return ForItemsPassing(nodes, meets, std::forward<Visit>(visit));
+}
+
 }
 
 #endif

@@ -26,18 +26,9 @@ bool ForLeavesMeeting(const SurfaceModel& model, const Box3& box, double gap, co
   }
   const Vec3 center = box.center() - model.Origin, half = 0.5 * box.sizes();
   const double slack = 2e-7 * (center.cwiseAbs().maxCoeff() + half.maxCoeff()) + gap;
-  float low[3], high[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    low[axis] = static_cast<float>(center[axis] - half[axis] - slack);
-    high[axis] = static_cast<float>(center[axis] + half[axis] + slack);
-  }
-  const auto meetsBoxes = [&](const TreeNode& node) -> Eigen::Array<bool, 4, 1>
-  {
-    return (node.Low[0] <= high[0]) && (node.High[0] >= low[0]) && (node.Low[1] <= high[1]) &&
-      (node.High[1] >= low[1]) && (node.Low[2] <= high[2]) && (node.High[2] >= low[2]);
-  };
-  return ForItemsPassing(model.Nodes, meetsBoxes,
+  const Eigen::AlignedBox3f grown(((center - half).array() - slack).matrix().cast<float>(),
+    ((center + half).array() + slack).matrix().cast<float>());
+  return ForItemsMeeting(model.Nodes, grown,
     [&](int index)
     {
       // Separating axes of the leaf's oriented box.

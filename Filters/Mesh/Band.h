@@ -210,17 +210,27 @@ inline double LongestEdgeAt(const Band& band, int node)
 }
 
 /// Length of the longest edge of an element, where the mesh has it.
-inline double LongestEdgeOf(const Band& band, int element)
+/// @param counts whether an edge counts, by its two nodes.
+template <typename Test>
+double LongestEdgeOf(const Band& band, int element, const Test& counts)
 {
+  const auto& node = band.Elements[element].Node;
   const ElementPoints points = PointsOf(band, element);
   const auto& topology = TopologyOf(band.Elements[element].Count);
   double longest = 0.0;
   for (int i = 0; i < topology.NumberOfEdges; ++i)
   {
     const auto& edge = topology.Edges[i];
-    longest = std::max(longest, (points[edge.First] - points[edge.Second]).norm());
+    if (counts(node[edge.First], node[edge.Second]))
+    {
+      longest = std::max(longest, (points[edge.First] - points[edge.Second]).norm());
+    }
   }
   return longest;
+}
+inline double LongestEdgeOf(const Band& band, int element)
+{
+  return LongestEdgeOf(band, element, [](int, int) { return true; });
 }
 
 /// Distance between neighbouring values of the largest coordinate of a node, as the mesh stores it:

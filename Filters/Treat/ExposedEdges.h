@@ -44,37 +44,6 @@ struct ExposedPillar
 std::vector<ExposedPillar> FindExposedPillars(
   const Band& band, const Columns& columns, const std::vector<char>& kept, bool lostSides);
 
-/// The same again and again, mostly of what was kept the last time.
-class ExposedPillars
-{
-public:
-  /// Both must outlive it.
-  ExposedPillars(const Band& band, const Columns& columns, bool lostSides)
-    : TheBand(band)
-    , TheColumns(columns)
-    , LostSides(lostSides)
-  {
-  }
-
-  /// @return until the next call.
-  const std::vector<ExposedPillar>& Find(const std::vector<char>& kept)
-  {
-    if (this->Kept != kept)
-    {
-      this->Found = FindExposedPillars(this->TheBand, this->TheColumns, kept, this->LostSides);
-      this->Kept = kept;
-    }
-    return this->Found;
-  }
-
-private:
-  const Band& TheBand;
-  const Columns& TheColumns;
-  bool LostSides;
-  std::vector<char> Kept; ///< the last time; empty: there was none
-  std::vector<ExposedPillar> Found;
-};
-
 }
 
 #endif

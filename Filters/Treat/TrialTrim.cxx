@@ -40,8 +40,6 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
       given.Memory, options.StaysInside)
   , TheDecision(given.TheBand, given.TheColumns, given.Shares, given.Surface,
       options.EliminationFraction, options.CorrectionType != Correction::Eliminate)
-  // A straight corner that stays is one between facets of the cut.
-  , Exposed(given.TheBand, given.TheColumns, options.Treatment == Optimization::Degenerate)
 {
 }
 
@@ -157,9 +155,9 @@ TrimmedBand TrialTrim::Make(
     this->TheBand, this->Mover, trimmed.Moving, this->Options.CorrectionType, set.Corrections);
   if (this->Options.CorrectionType != Correction::Eliminate)
   {
-    trimmed.Treated = TreatPentahedra(this->TheBand, this->TheColumns, this->Mover,
-      this->Exposed.Find(trimmed.Kept), { this->Options.Treatment, set.Treatments },
-      trimmed.NodeMoves);
+    trimmed.Treated =
+      TreatPentahedra(this->TheBand, this->TheColumns, this->Mover, this->FindExposed(trimmed.Kept),
+        { this->Options.Treatment, set.Treatments }, trimmed.NodeMoves);
     trimmed.Unrelaxed = trimmed.NodeMoves;
     const std::vector<int> bad = this->FindBad(set, goal, from, trimmed);
     if (bad.empty())
@@ -178,6 +176,14 @@ TrimmedBand TrialTrim::Make(
   }
   trimmed.Invalid = this->Quality.FindInvalid(trimmed);
   return trimmed;
+}
+
+const std::vector<ExposedPillar>& TrialTrim::FindExposed(const std::vector<char>& kept)
+{
+  // A straight corner that stays is one between facets of the cut.
+  const bool lostSides = this->Options.Treatment == Optimization::Degenerate;
+  return this->Exposed.At(
+    kept, [&] { return FindExposedPillars(this->TheBand, this->TheColumns, kept, lostSides); });
 }
 
 /// By element: whether it has a node that is elsewhere, or was not moved before.

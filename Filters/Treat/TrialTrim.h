@@ -10,6 +10,7 @@
 #include "ExposedEdges.h"
 #include "FailedReturns.h"
 #include "LadderOptions.h"
+#include "LastAsked.h"
 #include "Progress.h"
 #include "Relaxation.h"
 #include "ReturnedNodes.h"
@@ -97,6 +98,7 @@ public:
   std::vector<char> FindAgainstVolume(const TrimmedBand& trimmed) const;
 
 private:
+  const std::vector<ExposedPillar>& FindExposed(const std::vector<char>& kept);
   /// @param atCut by pillar.
   bool IsBehindOnBorder(int node, const std::vector<char>& atCut) const;
   Choices WithDemands(Choices choices) const;
@@ -173,7 +175,7 @@ private:
   BandQuality Quality;
   NodeMover Mover;
   Decision TheDecision;
-  ExposedPillars Exposed;
+  LastAsked<std::vector<char>, std::vector<ExposedPillar>> Exposed; ///< by what is kept
   /// The last trial in which many elements had to find their shape: others that begin at the start
   /// begin with that.
   std::shared_ptr<const TrimmedBand> Shaped;
