@@ -13,7 +13,7 @@ namespace
 {
 
 /// Something with nodes in VTK's order, in an element of the band.
-struct Part
+struct Piece
 {
   int Element;
   int Count;
@@ -21,7 +21,7 @@ struct Part
 };
 
 /// Joins parts at a node by the faces that they have there in common.
-nurbs::DisjointSets<int> JoinAt(int node, const std::vector<Part>& parts)
+nurbs::DisjointSets<int> JoinAt(int node, const std::vector<Piece>& parts)
 {
   nurbs::DisjointSets<int> joined(static_cast<int>(parts.size()));
   std::map<std::array<int, 4>, int> owners;
@@ -57,9 +57,9 @@ std::map<int, int> SizesOf(nurbs::DisjointSets<int>& joined)
   return sizes;
 }
 
-std::vector<Part> WholeAt(const Band& band, int node)
+std::vector<Piece> WholeAt(const Band& band, int node)
 {
-  std::vector<Part> parts;
+  std::vector<Piece> parts;
   for (const int e : band.ElementsOfNode(node))
   {
     parts.push_back({ e, band.Elements[e].Count, &band.Elements[e].Node });
@@ -73,7 +73,7 @@ std::vector<int> FindHinges(const TrimBand& near)
 {
   const Band& band = near.Mesh;
   const std::vector<char> atCut = FindBoundaryNodes(band, near.Trimmed);
-  std::map<int, std::vector<Part>> partsAt; // of nodes at the cut
+  std::map<int, std::vector<Piece>> partsAt; // of nodes at the cut
   for (const OffcutElement& part : near.Rest.Elements)
   {
     for (const int n : part)

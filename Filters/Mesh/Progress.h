@@ -13,6 +13,18 @@ namespace trim
 /// Reports a fraction of the work, negative: none; returns true if the work is to end.
 using Progress = std::function<bool(double)>;
 
+/// Asked by any thread of long work: true if the work is to end, and its result is of no use then.
+using AbortCheck = std::function<bool()>;
+/// For work that nobody ends.
+inline bool NeverAborted()
+{
+  return false;
+}
+inline AbortCheck AbortOf(const Progress& progress)
+{
+  return [&progress] { return progress(-1.0); };
+}
+
 /// The progress of a part of the work, from one fraction of the whole to another.
 inline Progress Part(const Progress& whole, double from, double to)
 {

@@ -79,15 +79,13 @@ private:
 };
 
 /// Nodes that were left for the offcut come nearer to the surface as far as both parts stand it.
-void ReturnForBoth(
-  const TrimCase& given, const LadderOptions& options, const Progress& progress, BothParts& parts)
+void ReturnForBoth(const TrimCase& given, const LadderOptions& options, BothParts& parts)
 {
   const BandQuality quality(given.TheBand, options.Treatment, options.QualityFloor);
   OffcutGuard guard(given.TheBand, quality, parts.Kept, parts.Rest);
   TrialTrim(given, options)
     .ReturnDemanded(
-      parts.Made.End.Set, [&guard](int node) { return guard.Stands(node); },
-      [&progress] { return progress(-1.0); }, parts.Kept);
+      parts.Made.End.Set, [&guard](int node) { return guard.Stands(node); }, parts.Kept);
   guard.Follow();
 }
 
@@ -95,12 +93,11 @@ void ReturnForBoth(
 
 Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const TrimmedBand& kept)
 {
-  const Band& band = given.TheBand;
-  const NodeMover mover(band, given.TheColumns, given.Surface, given.Precision, false, given.Memory,
-    options.StaysInside);
-  const BandQuality quality(band, options.Treatment, options.QualityFloor);
+  const NodeMover mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, false,
+    given.Memory, options.StaysInside);
+  const BandQuality quality(given.TheBand, options.Treatment, options.QualityFloor);
   const double goal = std::max(options.QualityFloor, SmallestGoal);
-  return FitOffcut(band, given.TheColumns, mover, kept, quality, goal);
+  return FitOffcut(given, mover, kept, quality, goal);
 }
 
 BothParts ClimbForBothParts(
@@ -140,7 +137,7 @@ BothParts ClimbForBothParts(
       break;
     }
   }
-  ReturnForBoth(given, demanding, progress, parts);
+  ReturnForBoth(given, demanding, parts);
   return parts;
 }
 

@@ -12,6 +12,7 @@ ColumnChoices::ColumnChoices(
   , TheColumns(given.TheColumns)
   , Shares(given.Shares)
   , Options(options)
+  , Aborted(given.Aborted)
   , Quality(given.TheBand, options.Treatment, options.QualityFloor)
   , Aimed(this->Quality.With(options.AimedQuality(), Measure::Worth))
   , Trial(given, options)
@@ -177,10 +178,9 @@ bool ColumnChoices::LeaveWhole(int e)
   return changed;
 }
 
-void ColumnChoices::LeaveInvalid(
-  const BandQuality& goal, bool anew, TrimmedBand& trimmed, const std::function<bool()>& aborted)
+void ColumnChoices::LeaveInvalid(const BandQuality& goal, bool anew, TrimmedBand& trimmed)
 {
-  while (!aborted())
+  while (!this->Aborted())
   {
     bool changed = false;
     for (const int e : trimmed.Invalid)

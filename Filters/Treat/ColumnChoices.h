@@ -7,7 +7,6 @@
 
 #include "TrialTrim.h"
 
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -64,8 +63,7 @@ struct ColumnChoices
   /// The end of the ladder, which always holds: all nodes of what is still invalid stay where
   /// they were. The set of such nodes only grows, and an element that has only such is as it came.
   /// @param anew whether what had not changed is relaxed anew too.
-  void LeaveInvalid(
-    const BandQuality& goal, bool anew, TrimmedBand& trimmed, const std::function<bool()>& aborted);
+  void LeaveInvalid(const BandQuality& goal, bool anew, TrimmedBand& trimmed);
 
   /// The columns of elements, each once, ascending.
   std::vector<int> ColumnsOf(const std::vector<int>& elements) const;
@@ -109,6 +107,7 @@ struct ColumnChoices
   const Columns& TheColumns;
   const VolumeShares& Shares;
   const LadderOptions& Options;
+  const AbortCheck& Aborted;
   BandQuality Quality;
   BandQuality Aimed; ///< at what is aimed at short of leaving nodes off
   TrialTrim Trial;

@@ -60,7 +60,7 @@ public:
       const bool asked = among.empty() ||
         std::any_of(nodes.begin(), nodes.end(),
           [&among](const auto& pair) { return among[pair.first] || among[pair.second]; });
-      if (asked && !this->IsThere(nodes.front()) && !this->Given.Aborted())
+      if (asked && !this->IsThere(nodes.front()) && !this->Given.ToRelax.Aborted())
       {
         this->Follow(nodes);
       }

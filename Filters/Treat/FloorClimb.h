@@ -16,14 +16,11 @@ namespace trim
  *
  * @param given what the choices were made for.
  * @param[in,out] choices its position is what the columns end with.
- * @param aborted true ends the work; the result is then of no use.
  */
-void RaiseToFloor(const TrimCase& given, ColumnChoices& choices,
-  const std::function<bool()>& aborted, TrimmedBand& trimmed);
+void RaiseToFloor(const TrimCase& given, ColumnChoices& choices, TrimmedBand& trimmed);
 
 /// Leaves nodes off the surface for what is below the floor all the same; parameters as above.
-void LeaveBelowFloor(
-  ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed);
+void LeaveBelowFloor(ColumnChoices& choices, TrimmedBand& trimmed);
 
 }
 

@@ -27,11 +27,11 @@ public:
   /// What is below the floor all the same: of the nodes of such a column one pillar is left off
   /// the surface, that which helps most, or all of them, little by little, if none does. An element
   /// that the nodes behind the cut spoil keeps its own where they were.
-  void LeaveBelowFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  void LeaveBelowFloor(TrimmedBand& trimmed)
   {
     bool anew = false;
     int atOnce = 1;
-    for (int round = 0; !aborted(); ++round)
+    for (int round = 0; !this->TheChoices.Aborted(); ++round)
     {
       const std::vector<int> below = this->TheChoices.Quality.FindBelowFloor(trimmed);
       bool changed = false;
@@ -54,7 +54,7 @@ public:
       anew |= !changed;
       trimmed = this->TheChoices.Trial.Make(
         this->TheChoices.At.Set, this->TheChoices.Aimed, anew ? nullptr : &trimmed);
-      this->TheChoices.LeaveInvalid(this->TheChoices.Aimed, anew, trimmed, aborted);
+      this->TheChoices.LeaveInvalid(this->TheChoices.Aimed, anew, trimmed);
     }
   }
 
@@ -108,10 +108,9 @@ private:
 
 }
 
-void LeaveBelowFloor(
-  ColumnChoices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed)
+void LeaveBelowFloor(ColumnChoices& choices, TrimmedBand& trimmed)
 {
-  FloorLeave(choices).LeaveBelowFloor(trimmed, aborted);
+  FloorLeave(choices).LeaveBelowFloor(trimmed);
 }
 
 }

@@ -34,7 +34,7 @@ public:
 
   /// The other correction, and then the other fates, for columns that relaxation could not raise
   /// to the aim. A trial is kept only where it helps and spoils nothing.
-  void RaiseToFloor(TrimmedBand& trimmed, const std::function<bool()>& aborted)
+  void RaiseToFloor(TrimmedBand& trimmed)
   {
     if (!this->TheChoices.Aimed.FindBelowFloor(trimmed).empty())
     {
@@ -47,10 +47,10 @@ public:
     this->TakeInsideForFloor(trimmed);
     Tried tried;
     tried.Columns.assign(this->TheChoices.TheBand.NumberOfElements(), 0);
-    while (!aborted())
+    while (!this->Given.Aborted())
     {
       const std::vector<Step> steps = this->StepsFrom(trimmed, tried);
-      const std::size_t taken = this->TakeFirst(steps, aborted, trimmed);
+      const std::size_t taken = this->TakeFirst(steps, trimmed);
       if (taken == steps.size())
       {
         return;
@@ -171,11 +171,10 @@ private:
   /// Tries steps from where the columns are, each by itself, several at once, and takes the first
   /// that helps: as they all start there, it is the same one with any number of threads.
   /// @return which; the number of steps if none does.
-  std::size_t TakeFirst(
-    const std::vector<Step>& steps, const std::function<bool()>& aborted, TrimmedBand& trimmed)
+  std::size_t TakeFirst(const std::vector<Step>& steps, TrimmedBand& trimmed)
   {
     const std::size_t atOnce = ThreadsForLoops();
-    for (std::size_t next = 0; next < steps.size() && !aborted();)
+    for (std::size_t next = 0; next < steps.size() && !this->Given.Aborted();)
     {
       std::vector<std::size_t> trials;
       for (; next < steps.size() && trials.size() < atOnce; ++next)
@@ -287,10 +286,9 @@ private:
 
 }
 
-void RaiseToFloor(const TrimCase& given, ColumnChoices& choices,
-  const std::function<bool()>& aborted, TrimmedBand& trimmed)
+void RaiseToFloor(const TrimCase& given, ColumnChoices& choices, TrimmedBand& trimmed)
 {
-  FloorRaise(given, choices).RaiseToFloor(trimmed, aborted);
+  FloorRaise(given, choices).RaiseToFloor(trimmed);
 }
 
 }

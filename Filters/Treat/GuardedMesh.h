@@ -21,14 +21,13 @@ namespace trim
 /// outlive the work.
 struct GuardedCase
 {
-  RelaxationCase ToRelax;               ///< with the Fixed and OnCut below
-  const BandQuality& Quality;           ///< says which elements are invalid
-  double Least;                         ///< scaled Jacobian that no element falls below
-  const std::function<bool()>& Aborted; ///< true ends the work; the result is then of no use
-  std::vector<char>& Fixed;             ///< in and out: nodes that must not move
-  std::vector<char>& OnCut;             ///< in and out: nodes of the new boundary
-  Moves& NodeMoves;                     ///< in and out
-  FailedReturns* Failures = nullptr;    ///< in and out, of earlier climbs with the same band
+  RelaxationCase ToRelax;            ///< with the Fixed and OnCut below
+  const BandQuality& Quality;        ///< says which elements are invalid
+  double Least;                      ///< scaled Jacobian that no element falls below
+  std::vector<char>& Fixed;          ///< in and out: nodes that must not move
+  std::vector<char>& OnCut;          ///< in and out: nodes of the new boundary
+  Moves& NodeMoves;                  ///< in and out
+  FailedReturns* Failures = nullptr; ///< in and out, of earlier climbs with the same band
   /// Whether what else has a node stands it where it lies now; null: nothing else has any.
   std::function<bool(int)> OthersStand{};
 };

@@ -88,7 +88,8 @@ bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& 
       std::any_of(faces.begin(), faces.end(), [&](int f) { return layered.Faces[f].Exterior; }));
   }
   const std::vector<char> onCut(fixed.size(), 0);
-  const RelaxationCase given{ layered, mover, elements, fixed, onCut };
+  const AbortCheck aborted = NeverAborted;
+  const RelaxationCase given{ layered, mover, elements, fixed, onCut, aborted };
   Moves moves = MoveNodes(layered, mover, onCut, Correction::None, {}); // none
   Relax(given, below, { goal, 0.0, Thorough }, moves);
   RelaxJointly(given, below, { goal, 0.0, Thorough }, moves);

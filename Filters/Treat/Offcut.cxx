@@ -26,18 +26,19 @@ struct DroppedNode
 class Fitter
 {
 public:
-  Fitter(const Band& band, const Columns& columns, const NodeMover& mover,
-    const TrimmedBand& trimmed, const BandQuality& quality, double goal)
-    : TheBand(band)
-    , TheColumns(columns)
+  Fitter(const TrimCase& given, const NodeMover& mover, const TrimmedBand& trimmed,
+    const BandQuality& quality, double goal)
+    : TheBand(given.TheBand)
+    , TheColumns(given.TheColumns)
+    , Aborted(given.Aborted)
     , Mover(mover)
     , Trimmed(trimmed)
     , Quality(quality)
     , Goal(goal)
-    , Slots(band.NumberOfElements())
-    , SplitCorner(band.NumberOfElements(), -1)
-    , Shared(band.NumberOfNodes(), 0)
-    , Members(columns.Elements())
+    , Slots(given.TheBand.NumberOfElements())
+    , SplitCorner(given.TheBand.NumberOfElements(), -1)
+    , Shared(given.TheBand.NumberOfNodes(), 0)
+    , Members(given.TheColumns.Elements())
   {
   }
 
@@ -328,7 +329,7 @@ private:
       elements[e].Count = this->SplitCorner[e] >= 0 ? 0 : elements[e].Count;
     }
     const std::vector<char> onCut(this->Shared.size(), 0);
-    Relax({ this->TheBand, this->Mover, elements, fixed, onCut }, active,
+    Relax({ this->TheBand, this->Mover, elements, fixed, onCut, this->Aborted }, active,
       { this->Goal, this->Goal, Thorough }, this->Result.NodeMoves);
   }
 
@@ -471,6 +472,7 @@ private:
 
   const Band& TheBand;
   const Columns& TheColumns;
+  const AbortCheck& Aborted;
   const NodeMover& Mover;
   const TrimmedBand& Trimmed;
   const BandQuality& Quality;
@@ -510,10 +512,10 @@ std::vector<char> FindUsed(const Band& band, const Offcut& offcut)
   return used;
 }
 
-Offcut FitOffcut(const Band& band, const Columns& columns, const NodeMover& mover,
-  const TrimmedBand& trimmed, const BandQuality& quality, double goal)
+Offcut FitOffcut(const TrimCase& given, const NodeMover& mover, const TrimmedBand& trimmed,
+  const BandQuality& quality, double goal)
 {
-  return Fitter(band, columns, mover, trimmed, quality, goal).Run();
+  return Fitter(given, mover, trimmed, quality, goal).Run();
 }
 
 }

@@ -12,6 +12,7 @@
 #define Offcut_h
 
 #include "BandQuality.h"
+#include "TrimCase.h"
 #include "TrimmedBand.h"
 
 #include <vector>
@@ -48,8 +49,8 @@ bool IsTouched(const Band& band, const Offcut& offcut, const OffcutElement& elem
 std::vector<char> FindUsed(const Band& band, const Offcut& offcut);
 
 /// @param goal scaled Jacobian that the elements at the cut should reach.
-Offcut FitOffcut(const Band& band, const Columns& columns, const NodeMover& mover,
-  const TrimmedBand& trimmed, const BandQuality& quality, double goal);
+Offcut FitOffcut(const TrimCase& given, const NodeMover& mover, const TrimmedBand& trimmed,
+  const BandQuality& quality, double goal);
 
 }
 

@@ -37,6 +37,7 @@ public:
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
     , Effort(goal.Effort)
+    , Aborted(given.Aborted)
     , IsRelaxed(given.TheBand.NumberOfNodes(), 0)
     , WorthTrying(given.TheBand.NumberOfNodes())
     , KnownWorth(given.TheBand.NumberOfElements(), Unknown)
@@ -73,7 +74,7 @@ private:
   template <typename ForAll>
   void Sweep(const std::vector<int>& active, const ForAll& forAll)
   {
-    for (int sweep = 0; sweep < this->Effort.Sweeps; ++sweep)
+    for (int sweep = 0; sweep < this->Effort.Sweeps && !this->Aborted(); ++sweep)
     {
       std::atomic<bool> gained{ false };
       forAll(
@@ -164,7 +165,7 @@ private:
       return;
     }
     // What helps along most of a long cut may do harm at a place of it: there the nodes stay.
-    for (int attempt = 0; attempt < SpreadAttempts && !nodes.empty(); ++attempt)
+    for (int attempt = 0; attempt < SpreadAttempts && !nodes.empty() && !this->Aborted(); ++attempt)
     {
       const std::vector<Vec3> from = this->PositionsOf(nodes);
       std::vector<int> staying = this->TakeWays(nodes);
@@ -572,6 +573,7 @@ private:
   double Floor;
   double Goal;
   RelaxationEffort Effort;
+  const AbortCheck& Aborted;
   std::vector<char> IsRelaxed; ///< by node
   /// By pillar. Two that do not meet may both tell one between them.
   std::vector<std::atomic<char>> WorthTrying;

@@ -8,6 +8,7 @@
 
 #include "ElementWorth.h"
 #include "Moves.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <array>
@@ -36,6 +37,7 @@ struct RelaxationCase
   const std::vector<RelaxedElement>& Elements; ///< of the band, with degenerated ones as wedges
   const std::vector<char>& Fixed;              ///< nodes that must not move
   const std::vector<char>& OnCut;              ///< nodes of the new boundary
+  const AbortCheck& Aborted;
 };
 
 /// Rings of nodes round the elements below the goal that may move.

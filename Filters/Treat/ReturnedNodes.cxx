@@ -26,9 +26,9 @@ public:
     , Fixed(given.Fixed)
     , OnCut(given.OnCut)
     , NodeMoves(given.NodeMoves)
-    , Case{ { given.ToRelax.TheBand, this->Mover, given.ToRelax.Elements, this->Fixed,
-              this->OnCut },
-      given.Quality, given.Least, given.Aborted, this->Fixed, this->OnCut, this->NodeMoves }
+    , Case{ { given.ToRelax.TheBand, this->Mover, given.ToRelax.Elements, this->Fixed, this->OnCut,
+              given.ToRelax.Aborted },
+      given.Quality, given.Least, this->Fixed, this->OnCut, this->NodeMoves }
     , Own(this->Case, same)
   {
   }
@@ -64,8 +64,8 @@ public:
   bool Run()
   {
     bool any = false;
-    for (std::size_t i = 0;
-         i < this->Left.size() && this->Relaxations < MostRelaxations && !this->Given.Aborted();
+    for (std::size_t i = 0; i < this->Left.size() && this->Relaxations < MostRelaxations &&
+         !this->Given.ToRelax.Aborted();
          ++i)
     {
       const Returner::Outcome outcome = this->OutcomeOf(i);

@@ -91,7 +91,7 @@ bool Returner::Approach(const std::vector<int>& left)
     changed = false;
     for (const int node : left)
     {
-      changed |= !this->Given.Aborted() && this->ComeNearer(node, left);
+      changed |= !this->Given.ToRelax.Aborted() && this->ComeNearer(node, left);
     }
     any |= changed;
   }
@@ -103,7 +103,7 @@ bool Returner::Sweep(std::vector<int>& nodes, bool (Returner::*attempt)(int))
   std::vector<int> rest;
   for (const int node : nodes)
   {
-    if (this->Given.Aborted() || !(this->*attempt)(node))
+    if (this->Given.ToRelax.Aborted() || !(this->*attempt)(node))
     {
       rest.push_back(node);
     }

@@ -71,6 +71,7 @@ public:
     const RelaxationCase& given, const std::vector<int>& active, double goal, Moves& moves)
     : RelaxedMesh(given, moves)
     , Goal(goal)
+    , Aborted(given.Aborted)
     , Directions(*this)
     , Nodes(this->NodesRound(active, DescentRings))
     , Around(this->ElementsAt(this->Nodes))
@@ -102,7 +103,8 @@ public:
     std::vector<Vec3> best = this->PositionsOf(this->Nodes);
     std::vector<int> low = this->FindLow();
     bool moved = false;
-    for (int stage = 0, vain = 0; stage < MostStages && vain < MostVain && !low.empty(); ++stage)
+    for (int stage = 0, vain = 0;
+         stage < MostStages && vain < MostVain && !low.empty() && !this->Aborted(); ++stage)
     {
       this->Regularise();
       for (int sweep = 0; sweep < SweepsOfStage; ++sweep)
@@ -314,6 +316,7 @@ private:
   }
 
   double Goal;
+  const AbortCheck& Aborted;
   StepDirections Directions;
   std::vector<int> Nodes, Around; ///< that move, and elements at them
   std::vector<int> Slot;          ///< by node: its place in Nodes, or -1

@@ -271,7 +271,7 @@ public:
     {
       this->Hold(stack);
     }
-    for (int sweep = 0; sweep < MostSweeps && !this->Given.Aborted(); ++sweep)
+    for (int sweep = 0; sweep < MostSweeps && !this->Given.ToRelax.Aborted(); ++sweep)
     {
       bool changed = false;
       for (const Stack& stack : stacks)

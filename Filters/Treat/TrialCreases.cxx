@@ -16,11 +16,10 @@ bool TrialTrim::MayFollowCreases(
     MayHaveCreases(surface);
 }
 
-void TrialTrim::FollowCreases(
-  const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+void TrialTrim::FollowCreases(const Choices& choices, TrimmedBand& trimmed) const
 {
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
-  const std::vector<char> missed = this->PutOnCreases(set, {}, aborted, trimmed);
+  const std::vector<char> missed = this->PutOnCreases(set, {}, trimmed);
   if (this->Options.Treatment == Optimization::Degenerate &&
     std::find(missed.begin(), missed.end(), 1) != missed.end())
   {
@@ -30,9 +29,9 @@ void TrialTrim::FollowCreases(
     for (const auto& wedges :
       FindDroppable(this->TheBand, this->TheColumns, trimmed.Kept, trimmed.Treated))
     {
-      if (missed[wedges.front().Dropped[0]] && tried++ < MostDrops && !aborted())
+      if (missed[wedges.front().Dropped[0]] && tried++ < MostDrops && !this->Aborted())
       {
-        this->DropAtCrease(set, wedges, aborted, faults, trimmed);
+        this->DropAtCrease(set, wedges, faults, trimmed);
       }
     }
   }
@@ -40,7 +39,7 @@ void TrialTrim::FollowCreases(
 
 /// Drops edges if that lets a node beside them go to a sharp edge.
 void TrialTrim::DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-  const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const
+  Faults& faults, TrimmedBand& trimmed) const
 {
   std::vector<char> beside(this->TheBand.NumberOfNodes(), 0);
   for (const auto& wedge : wedges)
@@ -55,7 +54,7 @@ void TrialTrim::DropAtCrease(const Choices& set, const std::vector<ReplacedEleme
       {
         return false;
       }
-      this->PutOnCreases(set, beside, aborted, trimmed);
+      this->PutOnCreases(set, beside, trimmed);
       return trimmed.OnCrease != before;
     });
   if (!helped)
@@ -64,12 +63,12 @@ void TrialTrim::DropAtCrease(const Choices& set, const std::vector<ReplacedEleme
   }
 }
 
-std::vector<char> TrialTrim::PutOnCreases(const Choices& set, const std::vector<char>& among,
-  const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+std::vector<char> TrialTrim::PutOnCreases(
+  const Choices& set, const std::vector<char>& among, TrimmedBand& trimmed) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
-  return trim::PutOnCreases(this->Guard(shapes, this->GoalForLeft(), aborted, trimmed),
-    this->Surface, among, trimmed.OnCrease);
+  return trim::PutOnCreases(
+    this->Guard(shapes, this->GoalForLeft(), trimmed), this->Surface, among, trimmed.OnCrease);
 }
 
 }

@@ -20,18 +20,17 @@ constexpr int ApproachPasses = 4;
 void TrialTrim::ReturnLeft(
   const Choices& choices, const Progress& progress, TrimmedBand& trimmed) const
 {
-  const auto aborted = [&progress] { return progress(-1.0); };
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   const double aim = this->GoalForLeft();
   this->ReturnWithRoom(set, aim, progress, trimmed);
-  this->BringNearer(set, aborted, trimmed);
+  this->BringNearer(set, trimmed);
   // Some have come so near that nothing keeps them from the surface any more.
   const std::vector<int> left = this->FindLeft(set, trimmed);
   if (!left.empty())
   {
     Faults faults = this->FaultsOf(trimmed, aim);
     this->Try(faults, trimmed,
-      [&] { return this->ReturnNodesLeft(set, left, aim, ReturnEffort::Alone, aborted, trimmed); });
+      [&] { return this->ReturnNodesLeft(set, left, aim, ReturnEffort::Alone, trimmed); });
   }
 }
 
@@ -47,8 +46,7 @@ std::shared_ptr<TrimmedBand> TrialTrim::ReturnLeftToFloor(
   }
   auto trimmed = std::make_shared<TrimmedBand>(from);
   this->ReturnWithRoom(set, floor, progress, *trimmed);
-  this->BringNearer(
-    set, [&progress] { return progress(-1.0); }, *trimmed);
+  this->BringNearer(set, *trimmed);
   return this->FindLeft(set, *trimmed).size() < left ? trimmed : nullptr;
 }
 
@@ -56,7 +54,6 @@ std::shared_ptr<TrimmedBand> TrialTrim::ReturnLeftToFloor(
 void TrialTrim::ReturnWithRoom(
   const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const
 {
-  const auto aborted = [&progress] { return progress(-1.0); };
   Faults faults = this->FaultsOf(trimmed, goal);
   FailedReturns failures; // of edges to drop: what else there is wrong only gets less
   bool changed = true;
@@ -71,16 +68,15 @@ void TrialTrim::ReturnWithRoom(
     {
       break;
     }
-    changed = this->Try(faults, trimmed,
-      [&] { return this->ReturnNodesLeft(set, left, goal, effort, aborted, trimmed); });
-    changed |= this->DropEdgesLeft(set, aborted, failures, faults, trimmed);
+    changed = this->Try(
+      faults, trimmed, [&] { return this->ReturnNodesLeft(set, left, goal, effort, trimmed); });
+    changed |= this->DropEdgesLeft(set, failures, faults, trimmed);
   }
 }
 
 /// Nodes that have to be left come as near to the surface as the floor lets them, and their
 /// neighbours make room.
-void TrialTrim::BringNearer(
-  const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+void TrialTrim::BringNearer(const Choices& set, TrimmedBand& trimmed) const
 {
   const std::vector<int> left = this->FindLeft(set, trimmed);
   if (left.empty())
@@ -93,7 +89,7 @@ void TrialTrim::BringNearer(
   round.erase(
     std::remove_if(round.begin(), round.end(), [&trimmed](int e) { return !trimmed.Kept[e]; }),
     round.end());
-  for (int pass = 0; pass < ApproachPasses && !aborted(); ++pass)
+  for (int pass = 0; pass < ApproachPasses && !this->Aborted(); ++pass)
   {
     const Moves before = trimmed.NodeMoves;
     if (pass > 0)
@@ -101,7 +97,7 @@ void TrialTrim::BringNearer(
       this->RelaxRound(set, round, this->GoalForLeft(), Brief, trimmed);
     }
     const bool changed =
-      this->ReturnNodesLeft(set, left, this->GoalForLeft(), ReturnEffort::Nearer, aborted, trimmed);
+      this->ReturnNodesLeft(set, left, this->GoalForLeft(), ReturnEffort::Nearer, trimmed);
     if (!changed || this->Quality.FindInvalid(trimmed).size() > invalid ||
       this->Quality.FindBelowFloor(trimmed).size() > below)
     {
@@ -132,8 +128,8 @@ std::vector<int> TrialTrim::FindLeft(
   return left;
 }
 
-void TrialTrim::ReturnDemanded(const Choices& choices, const std::function<bool(int)>& stands,
-  const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+void TrialTrim::ReturnDemanded(
+  const Choices& choices, const std::function<bool(int)>& stands, TrimmedBand& trimmed) const
 {
   const Choices set = this->ForDecision(this->WithDemands(choices), trimmed);
   for (const auto effort : { ReturnEffort::Alone, ReturnEffort::Nearer })
@@ -143,23 +139,22 @@ void TrialTrim::ReturnDemanded(const Choices& choices, const std::function<bool(
     {
       return;
     }
-    this->ReturnNodesLeft(set, left, this->GoalForLeft(), effort, aborted, trimmed, stands);
+    this->ReturnNodesLeft(set, left, this->GoalForLeft(), effort, trimmed, stands);
   }
 }
 
 bool TrialTrim::ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
-  ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed,
-  const std::function<bool(int)>& stands) const
+  ReturnEffort effort, TrimmedBand& trimmed, const std::function<bool(int)>& stands) const
 {
   Shapes shapes = this->ShapesOf(set, trimmed, true);
-  GuardedCase guarded = this->Guard(shapes, goal, aborted, trimmed);
+  GuardedCase guarded = this->Guard(shapes, goal, trimmed);
   guarded.OthersStand = stands;
   return ReturnNodes(guarded, left, effort);
 }
 
 /// Pentahedra that kept their middle nodes as those were left may do without them.
-bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
-  FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const
+bool TrialTrim::DropEdgesLeft(
+  const Choices& set, FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const
 {
   const std::vector<int> left = this->FindLeft(set, trimmed);
   if (left.empty() || this->Options.Treatment != Optimization::Degenerate)
@@ -174,7 +169,7 @@ bool TrialTrim::DropEdgesLeft(const Choices& set, const std::function<bool()>& a
   {
     const bool helps = std::any_of(wedges.begin(), wedges.end(),
       [&](const ReplacedElement& w) { return isLeft(w.Dropped[0]) || isLeft(w.Dropped[1]); });
-    if (helps && tried++ < MostDrops && !aborted())
+    if (helps && tried++ < MostDrops && !this->Aborted())
     {
       FailedReturns::Key key;
       const bool stood = this->Try(faults, trimmed,
@@ -205,7 +200,8 @@ bool TrialTrim::DropAndRelax(const Choices& set, const std::vector<ReplacedEleme
   }
   std::sort(elements.begin(), elements.end());
   const auto [shapes, fixed, onCut] = this->ShapesOf(set, trimmed, true);
-  const RelaxedMesh mesh({ this->TheBand, this->Mover, shapes, fixed, onCut }, trimmed.NodeMoves);
+  const RelaxedMesh mesh(
+    { this->TheBand, this->Mover, shapes, fixed, onCut, this->Aborted }, trimmed.NodeMoves);
   key = StateRound(mesh, fixed, elements, RelaxedRings);
   if (failures.Contain(key))
   {

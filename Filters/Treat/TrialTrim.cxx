@@ -34,6 +34,7 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
   , TheColumns(given.TheColumns)
   , Surface(given.Surface)
   , Options(options)
+  , Aborted(given.Aborted)
   , Quality(
       BandQuality(given.TheBand, options.Treatment, options.QualityFloor).WithBorder(given.Surface))
   , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind,
@@ -352,7 +353,7 @@ std::vector<int> TrialTrim::DescendRound(
   const Choices& set, const std::vector<int>& bad, double quality, TrimmedBand& trimmed) const
 {
   const auto [elements, fixed, onCut] = this->ShapesOf(set, trimmed, true);
-  const RelaxationCase given{ this->TheBand, this->Mover, elements, fixed, onCut };
+  const RelaxationCase given{ this->TheBand, this->Mover, elements, fixed, onCut, this->Aborted };
   return DescendToShape(given, bad, quality, trimmed.NodeMoves);
 }
 
@@ -447,8 +448,7 @@ void TrialTrim::Polish(const Choices& choices, TrimmedBand& trimmed) const
   }
 }
 
-void TrialTrim::Straighten(
-  const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+void TrialTrim::Straighten(const Choices& choices, TrimmedBand& trimmed) const
 {
   if (this->Options.QualityFloor <= 0.0 || !this->TheColumns.AnyHasThickness())
   {
@@ -466,7 +466,7 @@ void TrialTrim::Straighten(
   {
     shapes.Fixed[n] = shapes.Fixed[n] || trimmed.OnCrease[n];
   }
-  StraightenPillars(this->Guard(shapes, this->GoalForLeft(), aborted, trimmed), std::move(bent));
+  StraightenPillars(this->Guard(shapes, this->GoalForLeft(), trimmed), std::move(bent));
 }
 
 /// Relaxes what is short of the goal and was not so before.
@@ -529,12 +529,11 @@ TrialTrim::Shapes TrialTrim::ShapesOf(
   return shapes;
 }
 
-GuardedCase TrialTrim::Guard(
-  Shapes& shapes, double least, const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+GuardedCase TrialTrim::Guard(Shapes& shapes, double least, TrimmedBand& trimmed) const
 {
-  return { { this->TheBand, this->Mover, shapes.Elements, shapes.Fixed, shapes.OnCut },
-    this->Quality, least, aborted, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves,
-    this->Options.Failures };
+  return { { this->TheBand, this->Mover, shapes.Elements, shapes.Fixed, shapes.OnCut,
+             this->Aborted },
+    this->Quality, least, shapes.Fixed, shapes.OnCut, trimmed.NodeMoves, this->Options.Failures };
 }
 
 void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
@@ -545,7 +544,7 @@ void TrialTrim::RelaxRound(const Choices& set, const std::vector<int>& active, d
     return;
   }
   const auto [elements, fixed, onCut] = this->ShapesOf(set, trimmed, onCutToo);
-  const RelaxationCase given{ this->TheBand, this->Mover, elements, fixed, onCut };
+  const RelaxationCase given{ this->TheBand, this->Mover, elements, fixed, onCut, this->Aborted };
   const RelaxationGoal towards{ quality, this->Options.QualityFloor, effort };
   Relax(given, active, towards, trimmed.NodeMoves);
   // Straight corners that stay would pull nodes along the cut for nothing.

@@ -65,16 +65,15 @@ public:
 
   /// Takes nodes that were left for the sake of the offcut to the surface, or nearer to it.
   /// @param stands whether the offcut stands a node where it lies in `trimmed`.
-  void ReturnDemanded(const Choices& choices, const std::function<bool(int)>& stands,
-    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  void ReturnDemanded(
+    const Choices& choices, const std::function<bool(int)>& stands, TrimmedBand& trimmed) const;
 
   /// Relaxes once more, to a higher goal, if a floor is asked for at all. What is invalid counts
   /// by TrimmedBand::Invalid; no more may become so.
   void Polish(const Choices& choices, TrimmedBand& trimmed) const;
 
   /// Takes nodes of relaxed pillars together again, where a floor is asked for.
-  void Straighten(
-    const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  void Straighten(const Choices& choices, TrimmedBand& trimmed) const;
 
   /// Whether there may be sharp edges of a surface to be followed.
   static bool MayFollowCreases(const nurbs::TrimmingSurface& surface, const LadderOptions& options);
@@ -82,8 +81,7 @@ public:
 
   /// Takes nodes of the new boundary to the sharp edges that it passes, where the elements stand
   /// it.
-  void FollowCreases(
-    const Choices& choices, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  void FollowCreases(const Choices& choices, TrimmedBand& trimmed) const;
 
   /// Pillars that should go to the surface, as they lie beyond it, though no facet of the cut is at
   /// them: a surface that leans by more than an element has such.
@@ -138,40 +136,38 @@ private:
   };
   Shapes ShapesOf(const Choices& set, const TrimmedBand& trimmed, bool onCutToo) const;
   /// @param least scaled Jacobian that no element falls below.
-  GuardedCase Guard(
-    Shapes& shapes, double least, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  GuardedCase Guard(Shapes& shapes, double least, TrimmedBand& trimmed) const;
   void RelaxRound(const Choices& set, const std::vector<int>& active, double quality,
     const RelaxationEffort& effort, TrimmedBand& trimmed, bool onCutToo = true) const;
   /// Pillars of pentahedra that are tried without their nodes, at most.
   static constexpr int MostDrops = 100;
 
   // TrialReturns.cxx
-  void BringNearer(
-    const Choices& set, const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  void BringNearer(const Choices& set, TrimmedBand& trimmed) const;
   void ReturnWithRoom(
     const Choices& set, double goal, const Progress& progress, TrimmedBand& trimmed) const;
   std::vector<int> FindLeft(
     const Choices& set, const TrimmedBand& trimmed, bool forOffcut = false) const;
   /// @param stands see GuardedCase::OthersStand.
   bool ReturnNodesLeft(const Choices& set, const std::vector<int>& left, double goal,
-    ReturnEffort effort, const std::function<bool()>& aborted, TrimmedBand& trimmed,
-    const std::function<bool(int)>& stands = {}) const;
-  bool DropEdgesLeft(const Choices& set, const std::function<bool()>& aborted,
-    FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
+    ReturnEffort effort, TrimmedBand& trimmed, const std::function<bool(int)>& stands = {}) const;
+  bool DropEdgesLeft(
+    const Choices& set, FailedReturns& failures, Faults& faults, TrimmedBand& trimmed) const;
   bool DropAndRelax(const Choices& set, const std::vector<ReplacedElement>& wedges, double goal,
     const FailedReturns& failures, FailedReturns::Key& key, TrimmedBand& trimmed) const;
 
   // TrialCreases.cxx
-  void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges,
-    const std::function<bool()>& aborted, Faults& faults, TrimmedBand& trimmed) const;
+  void DropAtCrease(const Choices& set, const std::vector<ReplacedElement>& wedges, Faults& faults,
+    TrimmedBand& trimmed) const;
   /// @return nodes beside sharp edges that were missed.
-  std::vector<char> PutOnCreases(const Choices& set, const std::vector<char>& among,
-    const std::function<bool()>& aborted, TrimmedBand& trimmed) const;
+  std::vector<char> PutOnCreases(
+    const Choices& set, const std::vector<char>& among, TrimmedBand& trimmed) const;
 
   const Band& TheBand;
   const Columns& TheColumns;
   const nurbs::TrimmingSurface& Surface;
   const LadderOptions& Options;
+  const AbortCheck& Aborted;
   BandQuality Quality;
   NodeMover Mover;
   Decision TheDecision;

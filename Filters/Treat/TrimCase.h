@@ -7,6 +7,7 @@
 
 #include "Band.h"
 #include "Columns.h"
+#include "Progress.h"
 #include "TrimmingSurface.h"
 #include "VolumeShares.h"
 
@@ -27,6 +28,7 @@ struct TrimCase
   double Precision; ///< absolute distance up to which a node is on the surface
   /// Of other trials of the same band, columns and surface; null: there are none.
   std::shared_ptr<MoverMemory> Memory = nullptr;
+  AbortCheck Aborted = NeverAborted;
 };
 
 }

@@ -26,7 +26,6 @@ public:
 
   TrimmedBand Climb(const Progress& progress, const ClimbPromises& promises)
   {
-    const auto aborted = [&progress] { return progress(-1.0); };
     TrimmedBand trimmed =
       this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Quality);
     int climb = 0;
@@ -52,15 +51,15 @@ public:
     {
       this->RelaxAnew(trimmed);
     }
-    this->TheChoices.LeaveInvalid(this->TheChoices.Quality, true, trimmed, aborted);
+    this->TheChoices.LeaveInvalid(this->TheChoices.Quality, true, trimmed);
     progress(Climbed);
     if (promises.Valid && !promises.Valid(trimmed))
     {
       return trimmed;
     }
-    RaiseToFloor(this->Given, this->TheChoices, aborted, trimmed);
+    RaiseToFloor(this->Given, this->TheChoices, trimmed);
     progress(Raised);
-    LeaveBelowFloor(this->TheChoices, aborted, trimmed);
+    LeaveBelowFloor(this->TheChoices, trimmed);
     this->ReturnLeft(trimmed, Part(progress, Left, Returned));
     progress(Returned);
     if (promises.Returned && !promises.Returned(trimmed))
@@ -72,7 +71,7 @@ public:
     {
       unpolished = std::make_shared<TrimmedBand>(trimmed);
     }
-    this->Finish(aborted, trimmed);
+    this->Finish(trimmed);
     trimmed.RescuedBy = this->TheChoices.At.Rungs;
     trimmed.AgainstVolume = this->TheChoices.Trial.FindAgainstVolume(trimmed);
     trimmed.Unpolished = unpolished;
@@ -87,7 +86,7 @@ public:
       this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, progress, trimmed);
     if (closer)
     {
-      this->Finish([&progress] { return progress(-1.0); }, *closer);
+      this->Finish(*closer);
       closer->RescuedBy = this->TheChoices.At.Rungs;
       closer->AgainstVolume = this->TheChoices.Trial.FindAgainstVolume(*closer);
       this->TellReturned(*closer, closer->RescuedBy);
@@ -96,10 +95,10 @@ public:
   }
 
   /// See FollowCreases.
-  void FollowCreases(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  void FollowCreases(TrimmedBand& trimmed) const
   {
-    this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
-    this->TheChoices.Trial.Straighten(this->TheChoices.At.Set, aborted, trimmed);
+    this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, trimmed);
+    this->TheChoices.Trial.Straighten(this->TheChoices.At.Set, trimmed);
     trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
   }
 
@@ -128,17 +127,17 @@ private:
     this->TellReturned(trimmed, this->TheChoices.At.Rungs);
   }
 
-  void Finish(const std::function<bool()>& aborted, TrimmedBand& trimmed) const
+  void Finish(TrimmedBand& trimmed) const
   {
     this->TheChoices.Trial.Polish(this->TheChoices.At.Set, trimmed);
     if (this->TheChoices.Options.FollowsCreases)
     {
-      this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, aborted, trimmed);
+      this->TheChoices.Trial.FollowCreases(this->TheChoices.At.Set, trimmed);
     }
     // At the very end: if nodes go to sharp edges yet, pillars come straight after that.
     if (this->TheChoices.Options.FollowsCreases || !this->TheChoices.Trial.MayFollowCreases())
     {
-      this->TheChoices.Trial.Straighten(this->TheChoices.At.Set, aborted, trimmed);
+      this->TheChoices.Trial.Straighten(this->TheChoices.At.Set, trimmed);
     }
     trimmed.BelowFloor = this->TheChoices.Quality.FindBelowFloor(trimmed);
   }
@@ -383,8 +382,7 @@ std::shared_ptr<const TrimmedBand> FindCloser(
   return Ladder(given, made.Options, end).ReturnToFloor(*trimmed.Unpolished, progress);
 }
 
-bool FollowCreases(
-  TrimCase given, const ClimbMade& made, const std::function<bool()>& aborted, TrimmedBand& trimmed)
+bool FollowCreases(TrimCase given, const ClimbMade& made, TrimmedBand& trimmed)
 {
   if (made.Options.FollowsCreases || !TrialTrim::MayFollowCreases(given.Surface, made.Options))
   {
@@ -392,7 +390,7 @@ bool FollowCreases(
   }
   given.Memory = made.Memory;
   LadderPosition end = made.End;
-  Ladder(given, made.Options, end).FollowCreases(aborted, trimmed);
+  Ladder(given, made.Options, end).FollowCreases(trimmed);
   return true;
 }
 

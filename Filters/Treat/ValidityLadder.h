@@ -65,8 +65,7 @@ std::shared_ptr<const TrimmedBand> FindCloser(
  *
  * @param given as for the climb.
  */
-bool FollowCreases(TrimCase given, const ClimbMade& made, const std::function<bool()>& aborted,
-  TrimmedBand& trimmed);
+bool FollowCreases(TrimCase given, const ClimbMade& made, TrimmedBand& trimmed);
 
 }
 

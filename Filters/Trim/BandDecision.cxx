@@ -38,11 +38,11 @@ constexpr double SquaresAslant = 0.02;
 constexpr std::size_t ManyLeft = 50;
 
 /// @param memory see TrimCase.
-TrimCase CaseOf(
-  const TrimBand& near, const BandTask& task, std::shared_ptr<MoverMemory> memory = nullptr)
+TrimCase CaseOf(const TrimBand& near, const BandTask& task, AbortCheck aborted,
+  std::shared_ptr<MoverMemory> memory = nullptr)
 {
-  return { near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision,
-    std::move(memory) };
+  return { near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision, std::move(memory),
+    std::move(aborted) };
 }
 
 ElementsAstray FindAstray(const TrimBand& near, const BandTask& task)
@@ -253,13 +253,13 @@ void DecideWithMesh(
 
 /// Elements that are invalid with all nodes on the surface, as they have faces of the cut on all
 /// sides of a corner: where a block is cut aslant to all its elements.
-std::size_t CountCutAslant(const TrimBand& near, const BandTask& task)
+std::size_t CountCutAslant(const TrimBand& near, const BandTask& task, const Progress& progress)
 {
   if (near.Structure.AnyHasThickness())
   {
     return 0;
   }
-  const TrimCase given = CaseOf(near, task);
+  const TrimCase given = CaseOf(near, task, AbortOf(progress));
   LadderPosition foot;
   ColumnChoices choices(given, task.Options.Ladder, foot);
   return choices.Trial.Make(choices.At.Set, choices.Quality).Invalid.size();
@@ -274,7 +274,7 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
   {
     memory = std::make_shared<MoverMemory>(near.Mesh);
   }
-  const TrimCase given = CaseOf(near, task, memory);
+  const TrimCase given = CaseOf(near, task, AbortOf(progress), memory);
   if (task.Options.ProduceOffcut)
   {
     BothParts parts = ClimbForBothParts(given, task.Options.Ladder, progress);
@@ -295,7 +295,7 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
 
 void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const TrimCase given = CaseOf(near, task);
+  const TrimCase given = CaseOf(near, task, AbortOf(progress));
   const auto closer = FindCloser(given, *near.Made, progress, near.Trimmed);
   near.Trimmed.Unpolished = nullptr;
   if (!closer)
@@ -321,10 +321,9 @@ void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 
 void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const TrimCase given = CaseOf(near, task);
+  const TrimCase given = CaseOf(near, task, AbortOf(progress));
   const auto made = std::exchange(near.Made, nullptr);
-  if (FollowCreases(
-        given, *made, [&progress] { return progress(-1.0); }, near.Trimmed))
+  if (FollowCreases(given, *made, near.Trimmed))
   {
     near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
   }
@@ -367,7 +366,7 @@ std::unique_ptr<TrimBand> DecideOnce(
   }
   std::unique_ptr<TrimBand> layered;
   // There the ladder without a layer is long, and in vain.
-  const std::size_t aslant = CountCutAslant(near, task);
+  const std::size_t aslant = CountCutAslant(near, task, progress);
   if (aslant >= ManyAslant)
   {
     Shortcomings without;

@@ -70,9 +70,14 @@ public:
       this->Mesh, this->Structure, this->MoverTo(this->Surface), kept, bare, cells);
   }
 
+  TrimCase Case() const
+  {
+    return { this->Mesh, this->Structure, this->Shares, this->Surface, 1e-8 };
+  }
+
   TrimmedBand Climb(const Promise& promises) const
   {
-    const TrimCase given{ this->Mesh, this->Structure, this->Shares, this->Surface, 1e-8 };
+    const TrimCase given = this->Case();
     LadderPosition position;
     return ClimbLadder(
       given, LadderOptions(), [](double) { return false; }, position, { promises, {} });

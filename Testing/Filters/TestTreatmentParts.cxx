@@ -1,10 +1,10 @@
 /**
  * @file TestTreatmentParts.cxx
  * @brief What the ladder relies on, by itself: a decision that is taken again, a climb that does
- * not pay, the bound of the scaled Jacobian, the step of least squares, the worth of an element,
- * the way to a sharp edge, nodes that lie near each other, what movers remember, edges that slip
- * through gaps, facets without area, thousands of wedges round an axis, the gravest of several
- * shortfalls.
+ * not pay, or is told to end, the bound of the scaled Jacobian, the step of least squares, the
+ * worth of an element, the way to a sharp edge, nodes that lie near each other, what movers
+ * remember, edges that slip through gaps, facets without area, thousands of wedges round an axis,
+ * the gravest of several shortfalls.
  */
 #include "CutBlock.h"
 #include "EdgeCrossing.h"
@@ -113,6 +113,23 @@ ElementPoints RandomElement(int count, std::mt19937& random)
       Vec3(any(random), any(random), any(random));
   }
   return points;
+}
+
+// Who presses the red x does not wait for what relaxes hundreds of elements.
+void CheckAbort()
+{
+  const CutBlock block;
+  for (const bool stop : { false, true })
+  {
+    TrimCase given = block.Case();
+    given.Aborted = [stop] { return stop; };
+    const LadderOptions options;
+    LadderPosition foot;
+    ColumnChoices choices(given, options, foot);
+    const TrimmedBand made = choices.Trial.Make(choices.At.Set, choices.Aimed);
+    Expect((made.NodeMoves.Position != made.Unrelaxed.Position) != stop,
+      stop ? "abort: the trial goes on relaxing" : "abort: nothing to relax in the block");
+  }
 }
 
 /// No place of the moving nodes gives more than the bound, and some give as much.
@@ -542,6 +559,7 @@ int main()
   CheckNodeGrid();
   CheckDecisionAgain();
   CheckPromise();
+  CheckAbort();
   CheckBound();
   CheckStep();
   CheckBudget();
