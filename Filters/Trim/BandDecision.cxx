@@ -335,15 +335,16 @@ namespace
 /// Decides without a layer, or finds one on the way that leaves nothing where much would be left.
 /// @return that; null: there is none, and the one without is made.
 std::unique_ptr<TrimBand> DecideWithMeshOrLayer(
-  TrimBand& near, const BandTask& task, const Progress& progress)
+  TrimBand& near, const BandTask& task, BestLayer& layer, const Progress& progress)
 {
   std::unique_ptr<TrimBand> layered;
   const auto goesOn = [&](const TrimmedBand& trimmed)
   {
     near.Trimmed = trimmed;
-    if (FindNodesLeft(near, task.Surface, task.Precision).size() >= ManyLeft)
+    near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
+    if (near.NodesLeft.size() >= ManyLeft)
     {
-      layered = BestLayer(near, task).FindWhole(Part(progress, 0.0, 0.3));
+      layered = layer.FindWhole(MeasureLeft(near), Part(progress, 0.0, 0.3));
     }
     return !layered;
   };
@@ -375,7 +376,7 @@ std::unique_ptr<TrimBand> DecideOnce(
   }
   if (!layered)
   {
-    layered = DecideWithMeshOrLayer(near, task, Part(progress, 0.5, 0.8));
+    layered = DecideWithMeshOrLayer(near, task, layer, Part(progress, 0.5, 0.8));
     if (!layered && !progress(0.8) && !near.NodesLeft.empty())
     {
       layered = layer.Find(MeasureLeft(near), true, Part(progress, 0.8, 1.0));

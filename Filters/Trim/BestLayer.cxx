@@ -26,6 +26,11 @@ BestLayer::BestLayer(const TrimBand& near, const BandTask& task)
 std::unique_ptr<TrimBand> BestLayer::Find(
   const Shortcomings& limit, bool known, const Progress& progress)
 {
+  if (this->MadeFor != this->Near.Structure.Column)
+  {
+    this->MadeFor = this->Near.Structure.Column;
+    this->Trims = {};
+  }
   if ((limit.Elements > 0 && this->GivesUp) || (this->Limit && *this->Limit < limit))
   {
     // What was given up may be less bad than that, and is to be made after all.
@@ -78,8 +83,12 @@ std::unique_ptr<TrimBand> BestLayer::Find(
   return best;
 }
 
-std::unique_ptr<TrimBand> BestLayer::FindWhole(const Progress& progress)
+std::unique_ptr<TrimBand> BestLayer::FindWhole(const Shortcomings& most, const Progress& progress)
 {
+  if (!this->Limit)
+  {
+    this->Limit = most;
+  }
   Shortcomings least;
   least.Squares = std::numeric_limits<double>::min();
   return this->Find(least, false, progress);

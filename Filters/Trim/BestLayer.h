@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace trim
 {
@@ -25,8 +26,10 @@ public:
   /// @param progress where it ends the work, the result is of no use.
   std::unique_ptr<TrimBand> Find(const Shortcomings& limit, bool known, const Progress& progress);
 
-  /// The first trim that leaves nothing; null: there is none.
-  std::unique_ptr<TrimBand> FindWhole(const Progress& progress);
+  /// The first trim that leaves nothing; null: there is none. Those that were made for it are there
+  /// for Find.
+  /// @param most what the trim without a layer leaves so far: it is going to be less.
+  std::unique_ptr<TrimBand> FindWhole(const Shortcomings& most, const Progress& progress);
 
 private:
   /// The less of the elements under the layer may lie beyond the surface, the more there is for it
@@ -43,6 +46,7 @@ private:
   std::shared_ptr<const Band> Before;
   bool GivesUp = true;               ///< see TrimWithLayer
   std::optional<Shortcomings> Limit; ///< the same
+  std::vector<int> MadeFor; ///< by element of the band: its column, for which Trims are made
   /// By Kinds: none is not made yet, null is of no use, as there is no room or another is better.
   std::array<std::optional<std::unique_ptr<TrimBand>>, Kinds.size()> Trims;
 };
