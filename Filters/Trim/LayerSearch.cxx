@@ -143,6 +143,11 @@ std::optional<Band> LayerSearch::FindWithBareNodes(std::vector<int> bare)
   return std::nullopt;
 }
 
+bool LayerSearch::HasBareNodes() const
+{
+  return CountBytes(this->Bare, 1) > 0;
+}
+
 bool LayerSearch::FewAreBare() const
 {
   const Id onCut = CountBytes(FindCutNodes(this->Near.Mesh, this->Kept), 1);

@@ -61,6 +61,9 @@ public:
   /// See trim::ReturnToSkin.
   void ReturnToSkin(const Band& layered, TrimmedBand& trimmed) const;
 
+  /// Whether the layer that was found is left out anywhere.
+  bool HasBareNodes() const;
+
 private:
   std::vector<int> Insert(BandCells& cells);
   Band WithoutSpoiled(Band layered);

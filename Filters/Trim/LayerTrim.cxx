@@ -204,9 +204,9 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
   for (int climb = 0; climb < MostClimbs && !progress(-1.0); ++climb)
   {
     auto mesh = search.Find();
-    if (!mesh)
+    if (!mesh || (climb == 0 && kind.MayBeBare && !search.HasBareNodes()))
     {
-      break;
+      break; // no room, or the same as of the kind without bare nodes
     }
     const Progress part =
       Part(progress, static_cast<double>(climb) / MostClimbs, (climb + 1.0) / MostClimbs);
@@ -228,12 +228,13 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
     }
     const std::vector<int> faulty = FaultyElements(*layered);
     const std::vector<int> nodes = NodesWithoutLayer(layered->Mesh, faulty);
-    if (!best || faulty.size() < fewest)
+    const bool isBetter = !best || faulty.size() < fewest;
+    if (isBetter)
     {
       best = std::move(layered);
       fewest = faulty.size();
     }
-    if (nodes.empty() || !search.PartElsewhere(nodes))
+    if (!isBetter || nodes.empty() || !search.PartElsewhere(nodes))
     {
       break;
     }
