@@ -209,6 +209,18 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
   return ListShortfalls(near, faulty, left, [&inOffcut](int e) { return inOffcut[e] != 0; });
 }
 
+namespace
+{
+
+/// As the parts are measured: the six tetrahedra of the shares have other volumes where the faces
+/// of an element are warped, as those of an earlier trim are.
+double VolumeBefore(const Band& band, int e)
+{
+  return std::abs(VolumeOf(PointsOf(band, e), band.Elements[e].Count));
+}
+
+}
+
 double MeasureMissing(const TrimBand& near)
 {
   const Band& band = near.Mesh;
@@ -219,7 +231,7 @@ double MeasureMissing(const TrimBand& near)
   {
     if (band.ElementStatus[e] == ElementToTreat)
     {
-      cut += near.Shares.Volume[e];
+      cut += VolumeBefore(band, e);
       ++count;
     }
   }
@@ -227,7 +239,7 @@ double MeasureMissing(const TrimBand& near)
   for (const int e : FindTouchedElements(band, near.Trimmed))
   {
     const FinalElement shape = FinalShape(band, near.Trimmed, e);
-    missing += near.Shares.Volume[e] - std::abs(VolumeOf(shape.Points, shape.Count));
+    missing += VolumeBefore(band, e) - std::abs(VolumeOf(shape.Points, shape.Count));
   }
   const OffcutElement* last = nullptr;
   for (const OffcutElement& part : near.Rest.Elements)
@@ -238,7 +250,7 @@ double MeasureMissing(const TrimBand& near)
     if (IsTouched(band, near.Rest, part))
     {
       const bool isWhole = isFirst && !near.Trimmed.Kept[part.Element];
-      missing += isWhole ? near.Shares.Volume[part.Element] : 0.0;
+      missing += isWhole ? VolumeBefore(band, part.Element) : 0.0;
       missing -= std::abs(VolumeOf(PointsOf(near.Rest, part), part.Count));
     }
   }

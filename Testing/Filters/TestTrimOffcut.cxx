@@ -322,6 +322,66 @@ void RunAlongFolds(Totals& totals)
   }
 }
 
+/// How much less both parts have together than the whole, as it is told of, in cut elements.
+double MissingTold(const Outcome& outcome)
+{
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::string phrase = "have the volume of ";
+    const auto at = warning.find(phrase);
+    if (at != std::string::npos)
+    {
+      const bool more = warning.find(" elements more together") != std::string::npos;
+      return (more ? -1 : 1) * std::stod(warning.substr(at + phrase.size()));
+    }
+  }
+  return 0;
+}
+
+/// The mean volume of the elements that were cut, as they came.
+double MeanCutVolume(const Outcome& outcome)
+{
+  const Model model(outcome.Case.Input->Grid);
+  vtkDataArray* status = outcome.Case.Whole->GetCellData()->GetArray("ElementStatus");
+  double volume = 0;
+  int count = 0;
+  for (Id c = 0; c < static_cast<Id>(model.Elements.size()); ++c)
+  {
+    if (status->GetComponent(c, 0) == 2)
+    {
+      volume += VolumeOf(model.Corners(c), model.Elements[c].Size);
+      ++count;
+    }
+  }
+  return volume / count;
+}
+
+/// Cuts through a block beside an earlier cut, where faces of the elements are warped: what is told
+/// to be missing is what is missing.
+void RunOnTrimmed(Totals& totals)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    Mesh mesh = Block(9, 8, 10);
+    const Vec3 first = Vec3(0.3 + 0.2 * i, 0.5, 0.8 - 0.1 * i).normalized();
+    const Vec3 second = (first + Vec3(0.1, -0.15, 0.04 * i)).normalized();
+    TrimOptions options;
+    mesh.Grid = RunTrim(mesh, PlaneThrough(mesh.Box.Centre, first, 200), options).Case.Trimmed;
+    options.ProduceOffcut = true;
+    const Outcome outcome =
+      RunTrim(mesh, PlaneThrough(mesh.Box.Centre - (0.6 + 0.2 * i) * first, second, 200), options);
+    const double missing = (VolumeOf(Model(mesh.Grid)) - VolumeOf(Model(outcome.Case.Trimmed)) -
+                             VolumeOf(Model(outcome.Offcut))) /
+      MeanCutVolume(outcome);
+    const double told = MissingTold(outcome);
+    if (std::abs(missing) < 1 || std::abs(missing - told) > 0.05 * std::abs(missing))
+    {
+      std::printf("FAIL on trimmed: %g elements are missing, told of are %g\n", missing, told);
+      ++totals.Failed;
+    }
+  }
+}
+
 /// Cuts through a round blank, whose border turns at each node: what is cut off a bend is told
 /// of, and of hardly anything nothing is.
 /// @param most elements that may be missing without a word.
@@ -376,6 +436,7 @@ int main(int argc, char* argv[])
     RunThroughCorners(totals);
     RunBesideBorder(totals);
     RunAlongFolds(totals);
+    RunOnTrimmed(totals);
     // By 22.5 degrees at each node, and by 9, which add up in many layers.
     RunPastBends(Blank(4, 2, 1), 0.1, totals);
     RunPastBends(Blank(10, 2, 16), 0.5, totals);
