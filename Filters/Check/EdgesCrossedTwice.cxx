@@ -20,6 +20,9 @@ namespace
 constexpr double CrossingCosine = 0.866;
 /// Normals within this angle of one direction turn less than that against each other.
 constexpr double HalfCrossingAngle = 0.2618;
+/// Share of an edge from one crossing to the next, above which two that lead to the same side are
+/// of two surfaces: those of faces that overlap in one surface lie together.
+constexpr double DoubledShare = 0.05;
 /// Cosine of the angle between a surface's normal and an edge below which it runs along the edge.
 constexpr double AlongCosine = 0.05;
 
@@ -39,17 +42,27 @@ std::vector<char> FindFlat(
   return flat;
 }
 
-/// Appends the edges of a cell that are near enough to the surface to be crossed: it is nowhere
-/// nearer to a node than its foot.
-void AddNearEdges(
-  const HexMesh& mesh, const NodeClassification& nodes, Id cell, std::vector<MeshEdge>& edges)
+/// Whether two nodes have their feet on two surfaces: on one that is flat between them the plane at
+/// one foot is as far from the other node as its own foot, about.
+bool SeeTwo(const HexMesh& mesh, Id a, Id b, const nurbs::Foot& footOfA, const nurbs::Foot& footOfB)
+{
+  const double fromPlane = (mesh.Point(b) - footOfA.Point).dot(footOfA.Normal);
+  return std::abs(fromPlane - footOfB.SignedDistance) >
+    DoubledShare * (mesh.Point(a) - mesh.Point(b)).norm();
+}
+
+/// Appends the edges of a cell that are near enough to the surface to be crossed twice: it is
+/// nowhere nearer to a node than its foot.
+/// @param flat see FindFlat.
+void AddNearEdges(const HexMesh& mesh, const NodeClassification& nodes, Id cell, bool flat,
+  std::vector<MeshEdge>& edges)
 {
   std::array<Id, 8> node;
   const auto& topology = TopologyOf(mesh.OrientedCell(cell, node));
-  std::array<double, 8> distance;
+  std::array<const nurbs::Foot*, 8> foot;
   for (int i = 0; i < topology.NumberOfNodes; ++i)
   {
-    distance[i] = nodes.Near.Feet[nodes.Near.Find(node[i])].Distance;
+    foot[i] = &nodes.Near.Feet[nodes.Near.Find(node[i])];
   }
   for (int i = 0; i < topology.NumberOfEdges; ++i)
   {
@@ -57,8 +70,10 @@ void AddNearEdges(
     const Id a = node[edge.First];
     const Id b = node[edge.Second];
     const bool within = nodes.Status[a] == NodeOnSurface && nodes.Status[b] == NodeOnSurface;
-    if (!within &&
-      distance[edge.First] + distance[edge.Second] <= (mesh.Point(a) - mesh.Point(b)).norm())
+    const nurbs::Foot& footOfA = *foot[edge.First];
+    const nurbs::Foot& footOfB = *foot[edge.Second];
+    if (!within && footOfA.Distance + footOfB.Distance <= (mesh.Point(a) - mesh.Point(b)).norm() &&
+      (!flat || SeeTwo(mesh, a, b, footOfA, footOfB)))
     {
       edges.push_back({ std::min(a, b), std::max(a, b) });
     }
@@ -72,10 +87,7 @@ std::vector<MeshEdge> FindNearEdges(
   std::vector<MeshEdge> edges;
   for (std::size_t i = 0; i < flat.size(); ++i)
   {
-    if (!flat[i])
-    {
-      AddNearEdges(mesh, nodes, nodes.CandidateCells[i], edges);
-    }
+    AddNearEdges(mesh, nodes, nodes.CandidateCells[i], flat[i], edges);
   }
   SortUnique(edges);
   return edges;
@@ -102,11 +114,24 @@ bool TurnsBetween(const nurbs::LineHit& one, const nurbs::LineHit& next)
   return next.Normal.dot(one.Normal) < CrossingCosine;
 }
 
+/// Whether the surface leads twice to the same side, and so is there twice: one face beside another
+/// that is written differently, or two cuts that face the same way.
+/// @param gap between faces of one surface.
+bool IsDoubled(const nurbs::LineHit& one, const nurbs::LineHit& next, const Vec3& way, double gap)
+{
+  return one.Normal.dot(way) * next.Normal.dot(way) > 0.0 && next.K - one.K > DoubledShare &&
+    (next.Point - one.Point).norm() > gap;
+}
+
 bool IsCrossedTwice(
   const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& edge)
 {
   const auto hits = Crossings(mesh, surface, edge);
-  return std::adjacent_find(hits.begin(), hits.end(), TurnsBetween) != hits.end();
+  const Vec3 way = mesh.Point(edge[1]) - mesh.Point(edge[0]);
+  const double gap = surface.WidestGap();
+  return std::adjacent_find(hits.begin(), hits.end(),
+           [&](const nurbs::LineHit& one, const nurbs::LineHit& next)
+           { return TurnsBetween(one, next) || IsDoubled(one, next, way, gap); }) != hits.end();
 }
 
 }

@@ -20,7 +20,8 @@ using MeshEdge = std::array<Id, 2>;
 
 /**
  * Among the edges of the candidate cells. A surface that merely touches an edge, or runs along it,
- * does not cross it.
+ * does not cross it. One that crosses it twice the same way is there twice, or its parts face the
+ * same way.
  *
  * @param nodes classified by the surface, turned as it was for that.
  * @return ascending.

@@ -60,6 +60,24 @@ void TestOrdinary()
   ExpectNothing("leaning hole", sheet, RoundHole(sheet, 40.2, 39.9, 30, 15 * Degree), options);
 }
 
+// Two cuts that face the same way: where no edge lies between them nothing else contradicts it.
+void TestDoubled()
+{
+  const Mesh sheet = Sheet(40, 30, 2, Vec3(1, 1, 0.4));
+  const Vec3 at(20.3, 14.9, 0);
+  for (const double angle : { 0.0, 0.2 })
+  {
+    const Vec3 normal = LeaningNormal(angle, 0);
+    const auto plane = [&](double shift) { return PlaneThrough(at + shift * normal, normal, 40); };
+    const std::string name = "planes at " + std::to_string(angle);
+    ExpectOnly(name + " beside each other", sheet, Together(plane(0).Data, plane(0.2).Data),
+      CrossedTwice, 60);
+    // As faces of one surface that overlap.
+    ExpectNothing(
+      name + " nearly in one", sheet, Together(plane(0).Data, plane(0.01).Data), TrimOptions());
+  }
+}
+
 void TestInclined()
 {
   const Mesh sheet = Sheet(40, 30, 2, Vec3(1, 1, 0.4));
@@ -556,6 +574,7 @@ void TestCornerLost()
 int main()
 {
   TestOrdinary();
+  TestDoubled();
   TestInclined();
   TestSmallHoles();
   TestAligned();
