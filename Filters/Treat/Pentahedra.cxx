@@ -109,8 +109,11 @@ bool Distribute(
   }
   for (const auto& target : targets)
   {
-    moves.Position[target.first] = AsStored(band, target.second);
-    moves.Applied[target.first] = Correction::Project;
+    const Vec3 place = AsStored(band, target.second);
+    moves.Position[target.first] = place;
+    // One that an earlier trim has put there stays.
+    moves.Applied[target.first] =
+      place != band.Point[target.first] ? Correction::Project : Correction::None;
     moves.Failed[target.first] = 0;
     moves.Left[target.first] = 0;
   }

@@ -5,6 +5,9 @@
  */
 #include "RunTrim.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
 #include <cstdio>
 
 using namespace judge;
@@ -94,6 +97,60 @@ int TrimAgain(const char* meshName)
   }
   return failures;
 }
+
+/// The whole mesh with its nodes where kept part and offcut have them.
+vtkSmartPointer<vtkUnstructuredGrid> Conformed(const Mesh& mesh, const Outcome& outcome)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->DeepCopy(mesh.Grid);
+  for (vtkUnstructuredGrid* part : { outcome.Offcut.Get(), outcome.Case.Trimmed.Get() })
+  {
+    vtkDataArray* ids = part->GetPointData()->GetArray("vtkOriginalPointIds");
+    for (vtkIdType p = 0; p < part->GetNumberOfPoints(); ++p)
+    {
+      grid->GetPoints()->SetPoint(
+        static_cast<vtkIdType>(ids->GetComponent(p, 0)), part->GetPoint(p));
+    }
+  }
+  return grid;
+}
+
+// Where all nodes are where they go, those that are distributed among them, none is touched.
+int TrimConformed(const char* meshName)
+{
+  const Mesh mesh = MakeMesh(meshName);
+  int failures = 0, compared = 0;
+  for (const std::string& kind : AllSurfaceKinds())
+  {
+    Placement at;
+    at.Size = 0.6;
+    const Surface surface = MakeSurface(kind, mesh.Box, at);
+    TrimOptions options;
+    options.Optimization = 1;
+    options.ProduceOffcut = true;
+    Mesh conformed = mesh;
+    conformed.Grid = Conformed(mesh, RunTrim(mesh, surface, options));
+    const Outcome again = RunTrim(conformed, surface, options);
+    if (Number(again.Case.Trimmed, "MovedNodes") > 0)
+    {
+      continue;
+    }
+    ++compared;
+    const double touched = Number(again.Case.Trimmed, "TouchedElements");
+    if (touched > 0)
+    {
+      std::printf("FAIL %s by %s conformed: %g elements touched though no node moved\n", meshName,
+        kind.c_str(), touched);
+      ++failures;
+    }
+  }
+  if (compared < 5)
+  {
+    std::printf("FAIL %s conformed: compared in %d trims only\n", meshName, compared);
+    ++failures;
+  }
+  return failures;
+}
 }
 
 int main()
@@ -115,6 +172,7 @@ int main()
   {
     failures += TrimAgain(mesh);
   }
+  failures += TrimConformed("float");
   std::printf("%d failures\n", failures);
   return failures > 0;
 }
