@@ -153,7 +153,9 @@ std::vector<std::pair<int, float>> FindNodesLeft(
       continue;
     }
     const auto foot = surface.ClosestPoint(moves.Position[n]);
-    const bool inside = !atCut[n] && foot.SignedDistance < 0.0;
+    // The border of another face, as of one that ends between two sheets, has no sides.
+    const bool isBesideEnd = foot.Kind == nurbs::FootKind::Border && !moves.Left[n];
+    const bool inside = !atCut[n] && (isBesideEnd || foot.SignedDistance < 0.0);
     if (!inside && foot.Distance > StoredPrecision(near.Mesh, n, precision))
     {
       left.emplace_back(n, static_cast<float>(foot.Distance));

@@ -425,6 +425,25 @@ void TestFlat()
       std::to_string(stay));
 }
 
+// A face that ends above the sheet is nearer to nodes behind the cut than that is, but they are
+// not left off it.
+void TestBesideOtherEnd()
+{
+  const Mesh sheet = Sheet(20, 20, 1, Vec3(1, 1, 0.5));
+  const Surface hole = Polyline({ Vec2(13.2, 9.68), Vec2(7.62, 8.84), Vec2(10.41, 12.47) });
+  const Outcome alone = RunTrim(sheet, hole, TrimOptions());
+  Expect(CountLeft(alone.Case.Trimmed) == 0, "beside no end: a node is left");
+  for (const double y : { 6.0, 7.0, 9.5, 11.0, 12.5 })
+  {
+    const auto above = ToPolyData(Wall({ Vec2(-2, y), Vec2(22, y) }, Vec3(0, 0, 9.8)));
+    const Outcome outcome = RunTrim(sheet, Together(hole.Data, above), TrimOptions());
+    const std::string name = "beside the end of a face at " + std::to_string(y);
+    ExpectWarned(name, outcome);
+    Expect(CountLeft(outcome.Case.Trimmed) == 0 && !IsTold(outcome, LeftPhrase),
+      name + ": nodes behind the cut are said to be left off it");
+  }
+}
+
 // A cone past the corners of a hole of the model: nodes with no place to go.
 void TestLeft()
 {
@@ -590,6 +609,7 @@ int main()
   TestWallToWall();
   TestFolded();
   TestFlat();
+  TestBesideOtherEnd();
   TestLeft();
   TestCornerLost();
   TestCoarseTolerance();
