@@ -170,7 +170,7 @@ void WriteOutputs(const trim::TrimInputs& inputs, trim::TrimResult& result,
   const trim::Progress& progress, const Outputs& outputs)
 {
   std::string renamed;
-  const auto own = trim::ResolveNameClashes(inputs.Own().Grid, options.InsertLayer, renamed);
+  const auto own = trim::ResolveNameClashes(inputs.Own().Grid, renamed);
   renamed = ranks.FirstText(renamed);
   if (!renamed.empty())
   {

@@ -41,12 +41,12 @@ const OwnArrays OfPoints{ { names::NodeStatus, VTK_UNSIGNED_CHAR },
   { names::SignedDistance, VTK_FLOAT }, { names::Displacement, VTK_FLOAT, 3 },
   { names::CorrectionApplied, VTK_UNSIGNED_CHAR }, { names::DistanceLeft, VTK_FLOAT },
   { names::NewBoundary, VTK_UNSIGNED_CHAR }, { names::CornerLost, VTK_UNSIGNED_CHAR },
-  { names::OriginalPoints, VTK_ID_TYPE } };
+  { names::OriginalPoints, VTK_ID_TYPE }, { names::Inserted, VTK_UNSIGNED_CHAR } };
 const OwnArrays OfCells{ { names::ElementStatus, VTK_UNSIGNED_CHAR },
   { names::EliminatedFraction, VTK_FLOAT }, { names::ScaledJacobian, VTK_FLOAT },
   { names::Rescue, VTK_UNSIGNED_CHAR }, { names::Feasibility, VTK_UNSIGNED_CHAR },
-  { names::Shortfall, VTK_UNSIGNED_CHAR }, { names::OriginalCells, VTK_ID_TYPE } };
-const OwnArray Inserted{ names::Inserted, VTK_UNSIGNED_CHAR };
+  { names::Shortfall, VTK_UNSIGNED_CHAR }, { names::OriginalCells, VTK_ID_TYPE },
+  { names::Inserted, VTK_UNSIGNED_CHAR } };
 
 OwnArrays EntriesOfSummary()
 {
@@ -142,32 +142,25 @@ void Remove(vtkFieldData* data, const OwnArrays& arrays)
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ResolveNameClashes(
-  vtkUnstructuredGrid* input, bool insertsLayer, std::string& warning)
+  vtkUnstructuredGrid* input, std::string& warning)
 {
   warning.clear();
-  const bool isTrimmed = IsTrimmed(input);
-  OwnArrays ofPoints = OfPoints, ofCells = OfCells;
-  if (insertsLayer || isTrimmed)
-  {
-    ofPoints.push_back(Inserted);
-    ofCells.push_back(Inserted);
-  }
   const OwnArrays ofSummary = EntriesOfSummary();
-  if (!HasAny(input->GetPointData(), ofPoints) && !HasAny(input->GetCellData(), ofCells) &&
+  if (!HasAny(input->GetPointData(), OfPoints) && !HasAny(input->GetCellData(), OfCells) &&
     !HasAny(input->GetFieldData(), ofSummary))
   {
     return input;
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->ShallowCopy(input);
-  if (isTrimmed)
+  if (IsTrimmed(input))
   {
-    Remove(grid->GetPointData(), ofPoints);
-    Remove(grid->GetCellData(), ofCells);
+    Remove(grid->GetPointData(), OfPoints);
+    Remove(grid->GetCellData(), OfCells);
     Summary::RemoveFrom(grid->GetFieldData());
   }
-  Rename(grid->GetPointData(), ofPoints, "points", warning);
-  Rename(grid->GetCellData(), ofCells, "cells", warning);
+  Rename(grid->GetPointData(), OfPoints, "points", warning);
+  Rename(grid->GetCellData(), OfCells, "cells", warning);
   Rename(grid->GetFieldData(), ofSummary, "field data", warning);
   if (!warning.empty())
   {

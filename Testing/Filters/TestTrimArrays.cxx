@@ -276,6 +276,23 @@ void TestNamesOfEarlierTrim(const Mesh& mesh, const Surface& surface)
   }
 }
 
+// An array of the input is not taken for an earlier trim's, though that had none to write.
+void TestInsertedOfInput(const Mesh& mesh, const Surface& surface)
+{
+  Mesh next = mesh;
+  next.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  next.Grid->ShallowCopy(mesh.Grid);
+  AddFilled<vtkUnsignedCharArray>(
+    next.Grid->GetCellData(), "Inserted", next.Grid->GetNumberOfCells(), 5);
+  Placement at;
+  at.X = 0.31;
+  for (const Surface& by : { surface, MakeSurface("plane", mesh.Box, at) })
+  {
+    next.Grid = RunTrim(next, by, TrimOptions()).Case.Trimmed;
+    Expect(IsFilled(next.Grid->GetCellData(), "InputInserted", 5), "names: Inserted is lost");
+  }
+}
+
 // Points and data that come as an array for each component are taken as they are.
 template <typename Value>
 void TestOtherLayout(const std::string& name)
@@ -497,6 +514,7 @@ int main()
   TestQualityOfAll(mesh, MakeSurface("scurve", mesh.Box, Placement()));
   TestTime(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   TestNamesOfEarlierTrim(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
+  TestInsertedOfInput(MakeMesh("sheet2"), MakeSurface("scurve", mesh.Box, Placement()));
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }
