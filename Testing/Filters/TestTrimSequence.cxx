@@ -60,36 +60,47 @@ int RunSequence(const char* meshName, int correction, int optimization)
   return failures;
 }
 
+/// Calls action(kind, surface) for one of each kind that cuts the mesh.
+template <typename Action>
+void ForSurfaces(const Mesh& mesh, const Action& action)
+{
+  for (const std::string& kind : AllSurfaceKinds())
+  {
+    Placement at;
+    at.Size = 0.6;
+    action(kind, MakeSurface(kind, mesh.Box, at));
+  }
+}
+
 // Where the first trim had nothing to tell: all its nodes are on the surface, as the mesh stores
 // their places.
 int TrimAgain(const char* meshName)
 {
   const Mesh mesh = MakeMesh(meshName);
   int failures = 0, compared = 0;
-  for (const std::string& kind : AllSurfaceKinds())
-  {
-    Placement at;
-    at.Size = 0.6;
-    const Surface surface = MakeSurface(kind, mesh.Box, at);
-    const Outcome first = RunTrim(mesh, surface, TrimOptions());
-    if (!first.Clean() || !first.Warnings.empty())
+  ForSurfaces(mesh,
+    [&](const std::string& kind, const Surface& surface)
     {
-      continue;
-    }
-    ++compared;
-    Mesh trimmed = mesh;
-    trimmed.Grid = first.Case.Trimmed;
-    const Outcome again = RunTrim(trimmed, surface, TrimOptions());
-    const auto number = [&again](const char* name) { return Number(again.Case.Trimmed, name); };
-    const bool onlyTouches = again.Warnings.size() == 1 &&
-      again.Warnings[0].find("touches the grid, but does not part it") != std::string::npos;
-    if (!again.Clean() || !onlyTouches || number("Eliminated") > 0 || number("MovedNodes") > 0)
-    {
-      std::printf("FAIL %s by %s again: %g elements eliminated, %g nodes moved, %zu warnings\n",
-        meshName, kind.c_str(), number("Eliminated"), number("MovedNodes"), again.Warnings.size());
-      ++failures;
-    }
-  }
+      const Outcome first = RunTrim(mesh, surface, TrimOptions());
+      if (!first.Clean() || !first.Warnings.empty())
+      {
+        return;
+      }
+      ++compared;
+      Mesh trimmed = mesh;
+      trimmed.Grid = first.Case.Trimmed;
+      const Outcome again = RunTrim(trimmed, surface, TrimOptions());
+      const auto number = [&again](const char* name) { return Number(again.Case.Trimmed, name); };
+      const bool onlyTouches = again.Warnings.size() == 1 &&
+        again.Warnings[0].find("touches the grid, but does not part it") != std::string::npos;
+      if (!again.Clean() || !onlyTouches || number("Eliminated") > 0 || number("MovedNodes") > 0)
+      {
+        std::printf("FAIL %s by %s again: %g elements eliminated, %g nodes moved, %zu warnings\n",
+          meshName, kind.c_str(), number("Eliminated"), number("MovedNodes"),
+          again.Warnings.size());
+        ++failures;
+      }
+    });
   if (compared < 5)
   {
     std::printf("FAIL %s again: compared in %d trims only\n", meshName, compared);
@@ -120,30 +131,28 @@ int TrimConformed(const char* meshName)
 {
   const Mesh mesh = MakeMesh(meshName);
   int failures = 0, compared = 0;
-  for (const std::string& kind : AllSurfaceKinds())
-  {
-    Placement at;
-    at.Size = 0.6;
-    const Surface surface = MakeSurface(kind, mesh.Box, at);
-    TrimOptions options;
-    options.Optimization = 1;
-    options.ProduceOffcut = true;
-    Mesh conformed = mesh;
-    conformed.Grid = Conformed(mesh, RunTrim(mesh, surface, options));
-    const Outcome again = RunTrim(conformed, surface, options);
-    if (Number(again.Case.Trimmed, "MovedNodes") > 0)
+  ForSurfaces(mesh,
+    [&](const std::string& kind, const Surface& surface)
     {
-      continue;
-    }
-    ++compared;
-    const double touched = Number(again.Case.Trimmed, "TouchedElements");
-    if (touched > 0)
-    {
-      std::printf("FAIL %s by %s conformed: %g elements touched though no node moved\n", meshName,
-        kind.c_str(), touched);
-      ++failures;
-    }
-  }
+      TrimOptions options;
+      options.Optimization = 1;
+      options.ProduceOffcut = true;
+      Mesh conformed = mesh;
+      conformed.Grid = Conformed(mesh, RunTrim(mesh, surface, options));
+      const Outcome again = RunTrim(conformed, surface, options);
+      if (Number(again.Case.Trimmed, "MovedNodes") > 0)
+      {
+        return;
+      }
+      ++compared;
+      const double touched = Number(again.Case.Trimmed, "TouchedElements");
+      if (touched > 0)
+      {
+        std::printf("FAIL %s by %s conformed: %g elements touched though no node moved\n", meshName,
+          kind.c_str(), touched);
+        ++failures;
+      }
+    });
   if (compared < 5)
   {
     std::printf("FAIL %s conformed: compared in %d trims only\n", meshName, compared);
