@@ -5,7 +5,7 @@
  *
  * TestTrimOffcut [mesh|corners|all [all|some]]: with "some" two surfaces and two treatments only.
  */
-#include "RunTrim.h"
+#include "WarnedFindings.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -322,40 +322,6 @@ void RunAlongFolds(Totals& totals)
   }
 }
 
-/// How much less both parts have together than the whole, as it is told of, in cut elements.
-double MissingTold(const Outcome& outcome)
-{
-  for (const std::string& warning : outcome.Warnings)
-  {
-    const std::string phrase = "have the volume of ";
-    const auto at = warning.find(phrase);
-    if (at != std::string::npos)
-    {
-      const bool more = warning.find(" elements more together") != std::string::npos;
-      return (more ? -1 : 1) * std::stod(warning.substr(at + phrase.size()));
-    }
-  }
-  return 0;
-}
-
-/// The mean volume of the elements that were cut, as they came.
-double MeanCutVolume(const Outcome& outcome)
-{
-  const Model model(outcome.Case.Input->Grid);
-  vtkDataArray* status = outcome.Case.Whole->GetCellData()->GetArray("ElementStatus");
-  double volume = 0;
-  int count = 0;
-  for (Id c = 0; c < static_cast<Id>(model.Elements.size()); ++c)
-  {
-    if (status->GetComponent(c, 0) == 2)
-    {
-      volume += VolumeOf(model.Corners(c), model.Elements[c].Size);
-      ++count;
-    }
-  }
-  return volume / count;
-}
-
 /// Cuts through a block beside an earlier cut, where faces of the elements are warped: what is told
 /// to be missing is what is missing.
 void RunOnTrimmed(Totals& totals)
@@ -370,10 +336,8 @@ void RunOnTrimmed(Totals& totals)
     options.ProduceOffcut = true;
     const Outcome outcome =
       RunTrim(mesh, PlaneThrough(mesh.Box.Centre - (0.6 + 0.2 * i) * first, second, 200), options);
-    const double missing = (VolumeOf(Model(mesh.Grid)) - VolumeOf(Model(outcome.Case.Trimmed)) -
-                             VolumeOf(Model(outcome.Offcut))) /
-      MeanCutVolume(outcome);
-    const double told = MissingTold(outcome);
+    const double missing = MeasureMissing(mesh, outcome);
+    const double told = ToldMissing(outcome);
     if (std::abs(missing) < 1 || std::abs(missing - told) > 0.05 * std::abs(missing))
     {
       std::printf("FAIL on trimmed: %g elements are missing, told of are %g\n", missing, told);

@@ -132,6 +132,40 @@ int NumberAfter(const std::string& words, const Outcome& outcome)
   return 0;
 }
 
+double MeasureMissing(const Mesh& mesh, const Outcome& outcome)
+{
+  const Model model(mesh.Grid);
+  vtkDataArray* const status = outcome.Case.Whole->GetCellData()->GetArray("ElementStatus");
+  double cut = 0;
+  int count = 0;
+  for (Id c = 0; c < static_cast<Id>(model.Elements.size()); ++c)
+  {
+    if (status->GetComponent(c, 0) == 2)
+    {
+      cut += VolumeOf(model.Corners(c), model.Elements[c].Size);
+      ++count;
+    }
+  }
+  const double missing =
+    VolumeOf(model) - VolumeOf(Model(outcome.Case.Trimmed)) - VolumeOf(Model(outcome.Offcut));
+  return count > 0 ? missing / cut * count : 0;
+}
+
+double ToldMissing(const Outcome& outcome)
+{
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::string phrase = "both have the volume of ";
+    const auto at = warning.find(phrase);
+    if (at != std::string::npos)
+    {
+      const std::string text = warning.substr(at + phrase.size());
+      return std::atof(text.c_str()) * (text.find("more") < text.find("less") ? -1 : 1);
+    }
+  }
+  return 0;
+}
+
 bool IsTold(const Outcome& outcome, const std::string& words)
 {
   return std::any_of(outcome.Warnings.begin(), outcome.Warnings.end(),

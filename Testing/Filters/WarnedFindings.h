@@ -47,6 +47,12 @@ void ExpectNothing(
 /// Number that a warning gives after these words; 0 without it.
 int NumberAfter(const std::string& words, const Outcome& outcome);
 
+/// Of the whole less both parts, in elements as large as those that were cut; more: negative.
+double MeasureMissing(const Mesh& mesh, const Outcome& outcome);
+
+/// The same as a warning tells of it; 0 without one.
+double ToldMissing(const Outcome& outcome);
+
 /// Whether a warning has these words.
 bool IsTold(const Outcome& outcome, const std::string& words);
 
