@@ -12,6 +12,7 @@
 #include "Samples.h"
 #include "Tally.h"
 
+#include "SurfaceGaps.h"
 #include "TrimmingSurface.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include <unistd.h>
 
@@ -63,19 +65,41 @@ bool IsOneLine(const std::string& message)
   return colon != std::string::npos && message.find('\n', colon) + 2 >= message.size();
 }
 
-/// The kernel takes the surfaces and answers with finite numbers.
+nurbs::Box3 BoxOf(const NurbsSurface& surface)
+{
+  nurbs::Box3 box;
+  for (const nurbs::Vec4& point : surface.ControlPoints)
+  {
+    box.extend(Vec3(point.head<3>()));
+  }
+  return box;
+}
+
+/// Of all faces' sizes the middle one.
+double MiddleSize(const std::vector<NurbsSurface>& surfaces)
+{
+  std::vector<double> sizes;
+  for (const NurbsSurface& surface : surfaces)
+  {
+    sizes.push_back(BoxOf(surface).diagonal().norm());
+  }
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle;
+}
+
+/// The kernel takes the surfaces and answers with finite numbers. The grid that they would trim is
+/// taken to be as large as a face: a damaged place can be 1e9 away, and by the size of the whole
+/// all other faces would lie in one gap.
 bool KernelAccepts(const std::vector<NurbsSurface>& surfaces)
 {
   nurbs::Box3 box;
   for (const NurbsSurface& surface : surfaces)
   {
-    for (const nurbs::Vec4& point : surface.ControlPoints)
-    {
-      box.extend(Vec3(point.head<3>()));
-    }
+    box.extend(BoxOf(surface));
   }
-  const double size = box.diagonal().norm();
-  const nurbs::TrimmingSurface model(surfaces, 1e-6 * size);
+  const double size = nurbs::SizeForGaps(box.diagonal().norm(), MiddleSize(surfaces));
+  const nurbs::TrimmingSurface model(surfaces, 0.1 * nurbs::GapShare * size);
   bool good = true;
   for (const double share : { 0.1, 0.45, 0.8 })
   {
