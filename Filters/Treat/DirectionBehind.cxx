@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <set>
 
 namespace trim
 {
@@ -69,55 +71,78 @@ Vec3 NearestOf(const Vec3& a, const Vec3& b, const Vec3& c)
   return isInside(a, b) && isInside(b, c) && isInside(c, a) ? nearest : Vec3(Vec3::Zero());
 }
 
-/// The nearest point of the hull, found when no other one lies before the plane through it.
-class HullSearch
+/// Whether no point lies before the plane through the nearest one.
+bool IsNearest(const std::vector<Vec3>& points, const Vec3& nearest)
 {
-public:
-  explicit HullSearch(const std::vector<Vec3>& points)
-    : Points(points)
-  {
-  }
+  const double squared = nearest.squaredNorm();
+  return squared > Rounding &&
+    std::all_of(points.begin(), points.end(),
+      [&](const Vec3& point) { return point.dot(nearest) > squared - Rounding; });
+}
 
-  Vec3 Run()
+/// The point of the hull of a few points that is nearest to the origin, zero if it is the origin.
+Vec3 NearestOfFew(const std::vector<Vec3>& points)
+{
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const std::size_t count = this->Points.size();
-    for (std::size_t i = 0; i < count; ++i)
+    if (Vec3 nearest = NearestOf(points[i]); IsNearest(points, nearest))
     {
-      if (this->IsIt(NearestOf(this->Points[i])))
+      return nearest;
+    }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (Vec3 nearest = NearestOf(points[i], points[j]); IsNearest(points, nearest))
       {
-        return this->Found;
+        return nearest;
       }
-      for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
       {
-        if (this->IsIt(NearestOf(this->Points[i], this->Points[j])))
+        if (Vec3 nearest = NearestOf(points[i], points[j], points[k]); IsNearest(points, nearest))
         {
-          return this->Found;
-        }
-        for (std::size_t k = 0; k < j; ++k)
-        {
-          if (this->IsIt(NearestOf(this->Points[i], this->Points[j], this->Points[k])))
-          {
-            return this->Found;
-          }
+          return nearest;
         }
       }
     }
-    return Vec3::Zero(); // it is the origin
   }
+  return Vec3::Zero();
+}
 
-private:
-  bool IsIt(const Vec3& nearest)
+/// The same of any number of points, by the simplex that comes nearer point by point (Gilbert,
+/// Johnson, Keerthi 1988): hundreds of facets meet at the axis of a disc of wedges.
+Vec3 NearestOfHull(const std::vector<Vec3>& points)
+{
+  if (points.empty())
   {
-    this->Found = nearest;
-    const double squared = nearest.squaredNorm();
-    return squared > Rounding &&
-      std::all_of(this->Points.begin(), this->Points.end(),
-        [&](const Vec3& point) { return point.dot(nearest) > squared - Rounding; });
+    return Vec3::Zero();
   }
-
-  const std::vector<Vec3>& Points;
-  Vec3 Found = Vec3::Zero();
-};
+  const auto shortest = std::min_element(points.begin(), points.end(),
+    [](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); });
+  std::set<std::ptrdiff_t> simplex{ shortest - points.begin() };
+  for (std::size_t round = 0; round < 4 * points.size(); ++round)
+  {
+    std::vector<Vec3> few;
+    for (const std::ptrdiff_t i : simplex)
+    {
+      few.push_back(points[i]);
+    }
+    const Vec3 nearest = NearestOfFew(few);
+    if (nearest.isZero(0.0) || IsNearest(points, nearest))
+    {
+      return nearest;
+    }
+    const auto along = [&](const Vec3& point) { return point.dot(nearest); };
+    const auto before = std::min_element(points.begin(), points.end(),
+      [&](const Vec3& a, const Vec3& b) { return along(a) < along(b); });
+    for (auto i = simplex.begin(); i != simplex.end();)
+    {
+      const bool spans = along(points[*i]) < nearest.squaredNorm() + Rounding;
+      i = spans ? std::next(i) : simplex.erase(i);
+    }
+    simplex.insert(before - points.begin());
+  }
+  return Vec3::Zero(); // only rounding can tell it from the origin
+}
 
 }
 
@@ -130,7 +155,7 @@ DirectionBehind FindDirectionBehind(
   {
     points.emplace_back(projection * normal);
   }
-  const Vec3 nearest = HullSearch(points).Run();
+  const Vec3 nearest = NearestOfHull(points);
   const double sine = nearest.norm();
   return sine > 0.0 ? DirectionBehind{ -nearest / sine, sine } : DirectionBehind();
 }

@@ -53,23 +53,23 @@ bool LayerRoom::PartElsewhere(
 std::vector<int> LayerRoom::FindBest(
   int node, std::vector<char>& kept, const std::vector<Fate>& fates) const
 {
-  const std::vector<int> free = this->FreeColumnsAt(node, fates);
-  std::vector<int> best;
-  std::pair<bool, double> least;
-  const auto offer = [&](const std::vector<int>& turned)
+  struct Offer
   {
-    std::pair<bool, double> price(!this->GivesRoom(turned, kept), 0.0);
+    double Price;
+    std::vector<int> Turned;
+  };
+  std::vector<Offer> offers;
+  const auto offer = [&](std::vector<int> turned)
+  {
+    double price = 0.0;
     for (const int e : turned)
     {
       const double reach = this->Reach.Column[e];
-      price.second += kept[e] ? 1.0 - reach : reach;
+      price += kept[e] ? 1.0 - reach : reach;
     }
-    if (best.empty() || price < least)
-    {
-      best = turned;
-      least = price;
-    }
+    offers.push_back({ price, std::move(turned) });
   };
+  const std::vector<int> free = this->FreeColumnsAt(node, fates);
   for (std::size_t i = 0; i < free.size(); ++i)
   {
     offer({ free[i] });
@@ -78,7 +78,15 @@ std::vector<int> LayerRoom::FindBest(
       offer({ free[j], free[i] });
     }
   }
-  return best;
+  if (offers.empty())
+  {
+    return {};
+  }
+  std::stable_sort(
+    offers.begin(), offers.end(), [](const Offer& a, const Offer& b) { return a.Price < b.Price; });
+  const auto best = std::find_if(
+    offers.begin(), offers.end(), [&](const Offer& o) { return this->GivesRoom(o.Turned, kept); });
+  return best != offers.end() ? best->Turned : offers.front().Turned;
 }
 
 /// An element of each column at a node that may change its fate.

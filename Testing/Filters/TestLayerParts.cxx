@@ -44,7 +44,7 @@ void CheckDirectionBehind()
   for (int trial = 0; trial < 200; ++trial)
   {
     std::vector<Vec3> normals;
-    for (int i = 0; i < 2 + trial % 5; ++i)
+    for (int i = 0; i < 2 + trial % 5 + (trial % 20 == 0 ? 60 : 0); ++i)
     {
       normals.push_back((direction() + 0.8 * x).normalized());
     }
