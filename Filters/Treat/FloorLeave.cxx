@@ -3,6 +3,8 @@
 #include "FloorClimb.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace trim
 {
@@ -15,6 +17,9 @@ constexpr double FloorMargin = 1.1;
 /// much of their way; then all of a column stay where they were.
 constexpr int GradualRounds = 8;
 constexpr double GradualWay = 0.7;
+/// Rounds anew in which no fewer elements of a layer come to be below the floor, before it is given
+/// up: of 330 layers seven gained anew, after six rounds in vain at most.
+constexpr int MostVainRounds = 6;
 
 class FloorLeave
 {
@@ -26,7 +31,8 @@ public:
 
   /// What is below the floor all the same: of the nodes of such a column one pillar is left off
   /// the surface, that which helps most, or all of them, little by little, if none does. An element
-  /// that the nodes behind the cut spoil keeps its own where they were.
+  /// that the nodes behind the cut spoil keeps its own where they were. Without a layer that ends
+  /// with none below it; with one, whose elements were not good before, with the fewest.
   void LeaveBelowFloor(TrimmedBand& trimmed)
   {
     bool anew = false;
@@ -34,6 +40,10 @@ public:
     for (int round = 0; !this->TheChoices.Aborted(); ++round)
     {
       const std::vector<int> below = this->TheChoices.Quality.FindBelowFloor(trimmed);
+      if (this->IsInVain(below.size(), round, anew, trimmed))
+      {
+        break;
+      }
       bool changed = false;
       std::vector<char> seen(this->TheChoices.TheBand.NumberOfNodes(), 0);
       for (const int e : below)
@@ -47,7 +57,7 @@ public:
       }
       if (!changed && (anew || below.empty()))
       {
-        return;
+        break;
       }
       // Places that were relaxed for other choices may keep an element below the floor: then from
       // the start.
@@ -56,9 +66,37 @@ public:
         this->TheChoices.At.Set, this->TheChoices.Aimed, anew ? nullptr : &trimmed);
       this->TheChoices.LeaveInvalid(this->TheChoices.Aimed, anew, trimmed);
     }
+    if (this->Fewest)
+    {
+      trimmed = std::move(this->Fewest->Trimmed);
+      this->TheChoices.At = std::move(this->Fewest->At);
+    }
   }
 
 private:
+  struct Found
+  {
+    std::size_t Below;
+    int Round;
+    TrimmedBand Trimmed;
+    LadderPosition At;
+  };
+
+  /// Keeps what has the fewest elements below the floor where there is a layer; true if more rounds
+  /// hardly find fewer.
+  bool IsInVain(std::size_t below, int round, bool anew, const TrimmedBand& trimmed)
+  {
+    if (!this->TheChoices.TheBand.BeforeLayer)
+    {
+      return false;
+    }
+    if (!this->Fewest || below < this->Fewest->Below)
+    {
+      this->Fewest = { below, round, trimmed, this->TheChoices.At };
+    }
+    return anew && round - this->Fewest->Round > MostVainRounds;
+  }
+
   /// Leaves elements below the floor as they were; false if all are. One may help the others: it
   /// is one at first, but of hundreds ever more, as each takes a trial.
   bool LeaveSome(const std::vector<int>& below, int most)
@@ -104,6 +142,7 @@ private:
   }
 
   ColumnChoices& TheChoices;
+  std::optional<Found> Fewest;
 };
 
 }
