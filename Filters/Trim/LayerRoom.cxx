@@ -84,8 +84,9 @@ std::vector<int> LayerRoom::FindBest(
   }
   std::stable_sort(
     offers.begin(), offers.end(), [](const Offer& a, const Offer& b) { return a.Price < b.Price; });
-  const auto best = std::find_if(
-    offers.begin(), offers.end(), [&](const Offer& o) { return this->GivesRoom(o.Turned, kept); });
+  std::map<int, bool> lacking;
+  const auto best = std::find_if(offers.begin(), offers.end(),
+    [&](const Offer& o) { return this->GivesRoom(o.Turned, kept, lacking); });
   return best != offers.end() ? best->Turned : offers.front().Turned;
 }
 
@@ -107,26 +108,36 @@ std::vector<int> LayerRoom::FreeColumnsAt(int node, const std::vector<Fate>& fat
   return free;
 }
 
+bool LayerRoom::LacksRoom(const std::vector<char>& kept, int node) const
+{
+  return !IsManifoldAt(this->TheBand, kept, node) || !HasRoomForLayer(this->TheBand, kept, node);
+}
+
 /// Whether fewer nodes have no room when the columns of elements are turned round.
-bool LayerRoom::GivesRoom(const std::vector<int>& turned, std::vector<char>& kept) const
+/// @param lacking by node, whether it has none now; grows.
+bool LayerRoom::GivesRoom(
+  const std::vector<int>& turned, std::vector<char>& kept, std::map<int, bool>& lacking) const
 {
   const std::vector<int> nodes = this->NodesOf(turned);
-  const auto count = [&]
+  std::ptrdiff_t fewer = 0; // than now, while none is found that lacks room then
+  for (const int node : nodes)
   {
-    return std::count_if(nodes.begin(), nodes.end(),
-      [&](int node)
-      {
-        return !IsManifoldAt(this->TheBand, kept, node) ||
-          !HasRoomForLayer(this->TheBand, kept, node);
-      });
-  };
+    const auto [at, isNew] = lacking.try_emplace(node, false);
+    if (isNew)
+    {
+      at->second = this->LacksRoom(kept, node);
+    }
+    fewer += at->second;
+  }
   const auto turn = [&]
   { std::for_each(turned.begin(), turned.end(), [&](int e) { this->Turn(e, kept); }); };
-  const auto before = count();
   turn();
-  const auto after = count();
+  for (auto node = nodes.begin(); fewer > 0 && node != nodes.end(); ++node)
+  {
+    fewer -= this->LacksRoom(kept, *node);
+  }
   turn();
-  return after < before;
+  return fewer > 0;
 }
 
 std::vector<int> LayerRoom::NodesOf(const std::vector<int>& columns) const

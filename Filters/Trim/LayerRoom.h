@@ -8,6 +8,7 @@
 #include "Columns.h"
 #include "Decision.h"
 
+#include <map>
 #include <vector>
 
 namespace trim
@@ -34,7 +35,9 @@ private:
   std::vector<int> FindBest(
     int node, std::vector<char>& kept, const std::vector<Fate>& fates) const;
   std::vector<int> FreeColumnsAt(int node, const std::vector<Fate>& fates) const;
-  bool GivesRoom(const std::vector<int>& turned, std::vector<char>& kept) const;
+  bool LacksRoom(const std::vector<char>& kept, int node) const;
+  bool GivesRoom(
+    const std::vector<int>& turned, std::vector<char>& kept, std::map<int, bool>& lacking) const;
   std::vector<int> NodesOf(const std::vector<int>& columns) const;
   Band::Range Members(int e) const;
   void Turn(int e, std::vector<char>& kept) const;
