@@ -40,7 +40,7 @@ public:
     for (int round = 0; !this->TheChoices.Aborted(); ++round)
     {
       const std::vector<int> below = this->TheChoices.Quality.FindBelowFloor(trimmed);
-      if (this->IsInVain(below.size(), round, anew, trimmed))
+      if (this->IsInVain(below.size(), anew, trimmed))
       {
         break;
       }
@@ -77,14 +77,13 @@ private:
   struct Found
   {
     std::size_t Below;
-    int Round;
     TrimmedBand Trimmed;
     LadderPosition At;
   };
 
   /// Keeps what has the fewest elements below the floor where there is a layer; true if more rounds
   /// hardly find fewer.
-  bool IsInVain(std::size_t below, int round, bool anew, const TrimmedBand& trimmed)
+  bool IsInVain(std::size_t below, bool anew, const TrimmedBand& trimmed)
   {
     if (!this->TheChoices.TheBand.BeforeLayer)
     {
@@ -92,9 +91,14 @@ private:
     }
     if (!this->Fewest || below < this->Fewest->Below)
     {
-      this->Fewest = { below, round, trimmed, this->TheChoices.At };
+      this->Fewest = { below, trimmed, this->TheChoices.At };
+      this->RoundsInVain = 0;
     }
-    return anew && round - this->Fewest->Round > MostVainRounds;
+    else if (anew)
+    {
+      ++this->RoundsInVain;
+    }
+    return this->RoundsInVain > MostVainRounds;
   }
 
   /// Leaves elements below the floor as they were; false if all are. One may help the others: it
@@ -143,6 +147,7 @@ private:
 
   ColumnChoices& TheChoices;
   std::optional<Found> Fewest;
+  int RoundsInVain = 0; ///< anew, since there were fewer
 };
 
 }
