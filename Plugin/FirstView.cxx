@@ -1,5 +1,6 @@
 #include "FirstView.h"
 
+#include "ArrayNames.h"
 #include "FadingEdges.h"
 
 #include "vtkCallbackCommand.h"
@@ -20,8 +21,6 @@
 
 namespace
 {
-const char* const Statuses = "ElementStatus";
-
 /// The source whose output a new representation shows, nullptr if there is none.
 vtkSMSourceProxy* ShownSource(vtkSMProxy* representation, unsigned int& port)
 {
@@ -39,11 +38,12 @@ void ShowTrim(vtkSMProxy* representation, vtkSMSourceProxy* trim, unsigned int p
 {
   vtkSMPropertyHelper(representation, "ShaderReplacements").Set(FadingEdges().c_str());
   vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
-  if (trim->GetDataInformation(port)->GetArrayInformation(Statuses, vtkDataObject::CELL))
+  if (trim->GetDataInformation(port)->GetArrayInformation(
+        trim::names::ElementStatus, vtkDataObject::CELL))
   {
     // The color map is set by whoever registers the representation, right after this.
     vtkSMPropertyHelper(representation, "ColorArrayName")
-      .SetInputArrayToProcess(vtkDataObject::CELL, Statuses);
+      .SetInputArrayToProcess(vtkDataObject::CELL, trim::names::ElementStatus);
   }
   representation->UpdateVTKObjects();
 }

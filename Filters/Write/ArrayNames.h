@@ -1,7 +1,7 @@
 /**
  * @file ArrayNames.h
- * @brief The names of the arrays that the trim writes, and of the entries of its summary that are
- * asked for elsewhere: scripts and saved states rely on them.
+ * @brief The names of the arrays that the trim writes, and of the entries of its summary: scripts
+ * and saved states rely on them.
  */
 #ifndef ArrayNames_h
 #define ArrayNames_h
@@ -34,6 +34,21 @@ inline constexpr const char* Shortfall = "Shortfall";
 
 // Of both.
 inline constexpr const char* Inserted = "Inserted";
+
+// Of the summary.
+inline constexpr const char* Kept = "Kept";
+inline constexpr const char* Eliminated = "Eliminated";
+inline constexpr const char* Treated = "Treated";
+inline constexpr const char* MovedNodes = "MovedNodes";
+inline constexpr const char* Pentahedra = "Pentahedra";
+inline constexpr const char* Wedges = "Wedges";
+inline constexpr const char* RescuedByRelaxation = "RescuedByRelaxation";
+inline constexpr const char* RescuedByTreatment = "RescuedByTreatment";
+inline constexpr const char* RescuedByCorrection = "RescuedByCorrection";
+inline constexpr const char* RescuedByFate = "RescuedByFate";
+inline constexpr const char* RescuedByLeaving = "RescuedByLeaving";
+inline constexpr const char* InsertedElements = "InsertedElements";
+inline constexpr const char* MaximumDistanceToSurface = "MaximumDistanceToSurface";
 
 // Of the summary, those that the offcut has, too.
 inline constexpr const char* TouchedElements = "TouchedElements";

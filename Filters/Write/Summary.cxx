@@ -30,24 +30,24 @@ void Summary::AddTo(vtkFieldData* fieldData) const
   { AddEntry<vtkIdTypeArray>(entries, name, value); };
   const auto measure = [&entries](const char* name, double value)
   { AddEntry<vtkDoubleArray>(entries, name, value); };
-  count("Kept", this->Kept);
-  count("Eliminated", this->Eliminated);
-  count("Treated", this->Treated);
-  count("MovedNodes", this->MovedNodes);
-  count("Pentahedra", this->Pentahedra);
-  count("Wedges", this->Wedges);
+  count(names::Kept, this->Kept);
+  count(names::Eliminated, this->Eliminated);
+  count(names::Treated, this->Treated);
+  count(names::MovedNodes, this->MovedNodes);
+  count(names::Pentahedra, this->Pentahedra);
+  count(names::Wedges, this->Wedges);
   count(names::TouchedElements, this->TouchedElements);
   count(names::CertifiedElements, this->CertifiedElements);
-  count("RescuedByRelaxation", this->RescuedByRelaxation);
-  count("RescuedByTreatment", this->RescuedByTreatment);
-  count("RescuedByCorrection", this->RescuedByCorrection);
-  count("RescuedByFate", this->RescuedByFate);
-  count("RescuedByLeaving", this->RescuedByLeaving);
-  count("InsertedElements", this->InsertedElements);
+  count(names::RescuedByRelaxation, this->RescuedByRelaxation);
+  count(names::RescuedByTreatment, this->RescuedByTreatment);
+  count(names::RescuedByCorrection, this->RescuedByCorrection);
+  count(names::RescuedByFate, this->RescuedByFate);
+  count(names::RescuedByLeaving, this->RescuedByLeaving);
+  count(names::InsertedElements, this->InsertedElements);
   count(names::NodeBandwidth, this->NodeBandwidth);
   measure(names::MinimumScaledJacobian, this->MinimumScaledJacobian);
   measure(names::MinimumIntegrationPointJacobian, this->MinimumIntegrationPointJacobian);
-  measure("MaximumDistanceToSurface", this->MaximumDistanceToSurface);
+  measure(names::MaximumDistanceToSurface, this->MaximumDistanceToSurface);
   measure(names::Volume, this->Volume);
   PutFirst(entries, fieldData);
 }

@@ -1,5 +1,6 @@
 #include "vtkHexahedralSkinFilter.h"
 
+#include "ArrayNames.h"
 #include "ArrayRanges.h"
 #include "ElementTopology.h"
 #include "GatherAttributes.h"
@@ -164,8 +165,8 @@ void MakeSkin(vtkUnstructuredGrid* grid, const trim::HexMesh& mesh,
   trim::GatherAttributes(
     grid->GetCellData(), cells.data(), static_cast<vtkIdType>(cells.size()), output->GetCellData());
   // In place of those of the input, which are ids in what the trim began with.
-  AddIds("vtkOriginalPointIds", points.Ids, output->GetPointData());
-  AddIds("vtkOriginalCellIds", cells, output->GetCellData());
+  AddIds(trim::names::OriginalPoints, points.Ids, output->GetPointData());
+  AddIds(trim::names::OriginalCells, cells, output->GetCellData());
 }
 }
 

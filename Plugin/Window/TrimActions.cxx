@@ -1,5 +1,6 @@
 #include "TrimActions.h"
 
+#include "ArrayNames.h"
 #include "CorrectionComparison.h"
 #include "TrimLineDrawing.h"
 #include "TrimSelection.h"
@@ -35,7 +36,7 @@
 
 namespace
 {
-constexpr const char* StatusArray = "ElementStatus"; ///< the array of the first view
+constexpr const char* StatusArray = trim::names::ElementStatus; ///< of the first view
 constexpr const char* NotApplied = "Click Apply first: there are values that were not applied yet.";
 constexpr const char* NoPlugin = "The server has not loaded the plugin NURBSTrim: Tools > Manage "
                                  "Plugins, Remote Plugins.";

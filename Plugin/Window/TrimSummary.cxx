@@ -1,5 +1,6 @@
 #include "TrimSummary.h"
 
+#include "ArrayNames.h"
 #include "TrimSelection.h"
 
 #include "pqApplicationCore.h"
@@ -27,6 +28,8 @@
 
 namespace
 {
+namespace names = trim::names;
+
 struct Entry
 {
   const char* Array;
@@ -34,25 +37,25 @@ struct Entry
 };
 
 const std::vector<Entry> Entries = {
-  { "Kept", "elements that stayed" },
-  { "Eliminated", "elements that went" },
-  { "Treated", "elements crossed by the surface" },
-  { "MovedNodes", "nodes that were moved" },
-  { "TouchedElements", "elements at moved nodes" },
-  { "CertifiedElements", "touched elements proved valid everywhere" },
-  { "Pentahedra", "elements pressed to five sides" },
-  { "Wedges", "of these, now six-node wedges" },
-  { "MinimumScaledJacobian", "worst touched element, at its corners" },
-  { "MinimumIntegrationPointJacobian", "worst touched element, at integration points" },
-  { "MaximumDistanceToSurface", "of the nodes of the new border" },
-  { "Volume", "of what is left" },
-  { "NodeBandwidth", "largest difference of node numbers in an element" },
-  { "RescuedByRelaxation", "elements saved by moving nodes round them" },
-  { "RescuedByTreatment", "columns saved by the other treatment" },
-  { "RescuedByCorrection", "columns saved by the other correction type" },
-  { "RescuedByFate", "columns kept or eliminated against their volume" },
-  { "RescuedByLeaving", "columns with nodes left off the surface" },
-  { "InsertedElements", "elements that the input does not have" },
+  { names::Kept, "elements that stayed" },
+  { names::Eliminated, "elements that went" },
+  { names::Treated, "elements crossed by the surface" },
+  { names::MovedNodes, "nodes that were moved" },
+  { names::TouchedElements, "elements at moved nodes" },
+  { names::CertifiedElements, "touched elements proved valid everywhere" },
+  { names::Pentahedra, "elements pressed to five sides" },
+  { names::Wedges, "of these, now six-node wedges" },
+  { names::MinimumScaledJacobian, "worst touched element, at its corners" },
+  { names::MinimumIntegrationPointJacobian, "worst touched element, at integration points" },
+  { names::MaximumDistanceToSurface, "of the nodes of the new border" },
+  { names::Volume, "of what is left" },
+  { names::NodeBandwidth, "largest difference of node numbers in an element" },
+  { names::RescuedByRelaxation, "elements saved by moving nodes round them" },
+  { names::RescuedByTreatment, "columns saved by the other treatment" },
+  { names::RescuedByCorrection, "columns saved by the other correction type" },
+  { names::RescuedByFate, "columns kept or eliminated against their volume" },
+  { names::RescuedByLeaving, "columns with nodes left off the surface" },
+  { names::InsertedElements, "elements that the input does not have" },
 };
 
 std::vector<pqPipelineSource*> AllTrims()
