@@ -26,7 +26,6 @@ public:
     : Model(model)
     , Distance(std::min(model.Gap, Rounding * model.Scale))
     , First(model.Faces.size())
-    , Twice(model.Faces.size(), false)
   {
     std::iota(this->First.begin(), this->First.end(), 0);
     for (int face = 0; face < static_cast<int>(this->First.size()); ++face)
@@ -38,7 +37,6 @@ public:
     }
   }
 
-  bool IsTwice(int face) const { return this->Twice[face]; }
   bool IsFirst(int face) const { return this->First[face] == face; }
   int FirstOf(int face) const { return this->First[face]; }
 
@@ -72,7 +70,6 @@ private:
       this->HasBordersOf(b, a))
     {
       this->First[b] = this->First[a];
-      this->Twice[a] = this->Twice[b] = true;
     }
   }
 
@@ -100,8 +97,7 @@ private:
 
   const SurfaceModel& Model;
   double Distance;
-  std::vector<int> First;
-  std::vector<bool> Twice;
+  std::vector<int> First; ///< by face, the first of those at its place
 };
 
 }
@@ -111,11 +107,13 @@ std::vector<int> FindDoubledFaces(const SurfaceModel& model)
   const int count = static_cast<int>(model.Faces.size());
   const FacesAtOnePlace places(model);
   std::vector<int> doubled;
+  std::vector<char> isTwice(count, 0); // by face: another one is at its place
   for (int face = 0; face < count; ++face)
   {
     if (!places.IsFirst(face))
     {
       doubled.push_back(face);
+      isTwice[face] = isTwice[places.FirstOf(face)] = 1;
     }
   }
   if (doubled.empty())
@@ -127,7 +125,7 @@ std::vector<int> FindDoubledFaces(const SurfaceModel& model)
   ForBorders(model,
     [&](const BezierPatch& patch, int, const Vec2& place)
     {
-      if (!places.IsTwice(patch.Face))
+      if (!isTwice[patch.Face])
       {
         return;
       }
@@ -135,7 +133,7 @@ std::vector<int> FindDoubledFaces(const SurfaceModel& model)
       for (const Sector& sector : FindSectors(model, x, model.WidestGap))
       {
         shells.Unite(patch.Face, sector.Face);
-        once[sector.Face] = once[sector.Face] || !places.IsTwice(sector.Face);
+        once[sector.Face] = once[sector.Face] || !isTwice[sector.Face];
       }
     });
   for (int face = 0; face < count; ++face)
