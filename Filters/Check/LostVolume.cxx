@@ -15,12 +15,6 @@ namespace trim
 namespace
 {
 
-template <typename Test>
-bool HasNode(const BandElement& element, const Test& test)
-{
-  return std::any_of(element.begin(), element.end(), test);
-}
-
 /// Elements that went or stayed although some of them, or all, lies on the other side, and that
 /// share no node with one of the other fate: no border reaches them.
 std::vector<char> FindUnreached(const TrimBand& near)
@@ -32,8 +26,10 @@ std::vector<char> FindUnreached(const TrimBand& near)
   {
     const bool kept = near.Trimmed.Kept[e] != 0;
     const auto& others = has[kept ? 0 : 1];
+    const BandElement& element = band.Elements[e];
     unreached[e] = band.ElementStatus[e] != (kept ? ElementKeep : ElementEliminate) &&
-      !band.IsInserted(e) && !HasNode(band.Elements[e], [&](int n) { return others[n] != 0; });
+      !band.IsInserted(e) &&
+      std::none_of(element.begin(), element.end(), [&](int n) { return others[n] != 0; });
   }
   return unreached;
 }

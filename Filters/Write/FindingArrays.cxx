@@ -40,13 +40,12 @@ void AddListed(const char* name, const std::vector<std::pair<Id, Value>>& listed
 void AddFlags(
   const char* name, const std::vector<Id>& listed, const Selection& ids, vtkDataSetAttributes* data)
 {
-  std::vector<Id> places;
+  std::vector<std::pair<Id, int>> ones;
   for (const Id id : listed)
   {
-    ids.ForPlaces(id, [&places](Id place) { places.push_back(place); });
+    ones.emplace_back(id, 1);
   }
-  AddSparseArray<vtkUnsignedCharArray>(
-    name, ids.size(), 1, places, [](Id, unsigned char* value) { *value = 1; }, data);
+  AddListed<vtkUnsignedCharArray>(name, ones, ids, data);
 }
 
 }

@@ -91,7 +91,8 @@ bool IsDivided(const TrimResult& result)
 }
 
 /// By place in the offcut.
-std::vector<std::pair<Id, Shortfall>> ShortfallsAt(const TrimResult& result, const GridPart& part)
+std::vector<std::pair<Id, Shortfall>> ShortfallsOfCells(
+  const TrimResult& result, const GridPart& part)
 {
   std::vector<std::pair<Id, Shortfall>> found;
   for (Id i = 0; i < part.Cells.size(); ++i)
@@ -146,7 +147,7 @@ void WriteOffcutGrid(const WriteInput& from, vtkUnstructuredGrid* output)
   const BandShapes shapes = ShapesOfOffcut(result);
   Summary summary;
   WritePart(from, part, MovedNodesOfOffcut(result), shapes, nodesOf, renumbered, summary, output);
-  AddShortfalls(ShortfallsAt(result, part), part.Cells.size(), output->GetCellData());
+  AddShortfalls(ShortfallsOfCells(result, part), part.Cells.size(), output->GetCellData());
   if (IsDivided(result))
   {
     ForgetGlobalIds(output->GetCellData());
