@@ -15,11 +15,12 @@ using Progress = std::function<bool(double)>;
 
 /// Asked by any thread of long work: true if the work is to end, and its result is of no use then.
 using AbortCheck = std::function<bool()>;
-/// For work that nobody ends.
-inline bool NeverAborted()
+/// For work that nobody follows or ends.
+inline bool NobodyAsks(double)
 {
   return false;
 }
+/// Must not outlive the progress.
 inline AbortCheck AbortOf(const Progress& progress)
 {
   return [&progress] { return progress(-1.0); };

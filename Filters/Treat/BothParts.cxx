@@ -100,8 +100,7 @@ Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const Trim
   return FitOffcut(given, mover, kept, quality, goal);
 }
 
-BothParts ClimbForBothParts(
-  const TrimCase& alone, const LadderOptions& options, const Progress& progress)
+BothParts ClimbForBothParts(const TrimCase& alone, const LadderOptions& options)
 {
   const Band& band = alone.TheBand;
   TrimCase given = alone;
@@ -124,9 +123,10 @@ BothParts ClimbForBothParts(
   {
     // Mostly there is one round; each takes half of what is left.
     const double next = 0.5 * (done + 1.0);
-    parts.Kept = ClimbLadder(given, demanding, Part(progress, done, next), parts.Made.End);
+    given.Tell = Part(alone.Tell, done, next);
+    parts.Kept = ClimbLadder(given, demanding, parts.Made.End);
     done = next;
-    if (progress(done))
+    if (alone.Tell(done))
     {
       return parts;
     }

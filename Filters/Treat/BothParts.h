@@ -26,8 +26,7 @@ struct BothParts
 Offcut FitOffcut(const TrimCase& given, const LadderOptions& options, const TrimmedBand& kept);
 
 /// See ClimbLadder.
-BothParts ClimbForBothParts(
-  const TrimCase& given, const LadderOptions& options, const Progress& progress);
+BothParts ClimbForBothParts(const TrimCase& given, const LadderOptions& options);
 
 }
 

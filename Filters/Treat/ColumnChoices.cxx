@@ -12,7 +12,7 @@ ColumnChoices::ColumnChoices(
   , TheColumns(given.TheColumns)
   , Shares(given.Shares)
   , Options(options)
-  , Aborted(given.Aborted)
+  , Aborted(AbortOf(given.Tell))
   , Quality(given.TheBand, options.Treatment, options.QualityFloor)
   , Aimed(this->Quality.With(options.AimedQuality(), Measure::Worth))
   , Trial(given, options)

@@ -107,7 +107,7 @@ struct ColumnChoices
   const Columns& TheColumns;
   const VolumeShares& Shares;
   const LadderOptions& Options;
-  const AbortCheck& Aborted;
+  AbortCheck Aborted;
   BandQuality Quality;
   BandQuality Aimed; ///< at what is aimed at short of leaving nodes off
   TrialTrim Trial;

@@ -47,7 +47,7 @@ public:
     this->TakeInsideForFloor(trimmed);
     Tried tried;
     tried.Columns.assign(this->TheChoices.TheBand.NumberOfElements(), 0);
-    while (!this->Given.Aborted())
+    while (!this->TheChoices.Aborted())
     {
       const std::vector<Step> steps = this->StepsFrom(trimmed, tried);
       const std::size_t taken = this->TakeFirst(steps, trimmed);
@@ -174,7 +174,7 @@ private:
   std::size_t TakeFirst(const std::vector<Step>& steps, TrimmedBand& trimmed)
   {
     const std::size_t atOnce = ThreadsForLoops();
-    for (std::size_t next = 0; next < steps.size() && !this->Given.Aborted();)
+    for (std::size_t next = 0; next < steps.size() && !this->TheChoices.Aborted();)
     {
       std::vector<std::size_t> trials;
       for (; next < steps.size() && trials.size() < atOnce; ++next)

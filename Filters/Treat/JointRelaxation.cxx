@@ -56,6 +56,7 @@ class JointRelaxation : private RelaxedMesh
 public:
   JointRelaxation(const RelaxationCase& given, const RelaxationGoal& goal, Moves& moves)
     : RelaxedMesh(given, moves)
+    , Aborted(given.Aborted)
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
     , EndsEarly(goal.Effort.EndsEarly)
@@ -227,7 +228,9 @@ private:
     double damping = FirstDamping;
     std::vector<double> worth = this->WorthOf(part.Elements);
     std::optional<Linearisation> now;
-    for (int step = 0; step < MostSteps && this->Work < MostWork && !this->Budget.IsSpent(); ++step)
+    for (int step = 0;
+         step < MostSteps && this->Work < MostWork && !this->Budget.IsSpent() && !this->Aborted();
+         ++step)
     {
       const double lowest = this->LowestWanted(part, worth);
       if (lowest >= this->Goal * Reached / GoalMargin)
@@ -546,6 +549,7 @@ private:
     }
   }
 
+  const AbortCheck& Aborted;
   double Floor;
   double Goal;
   bool EndsEarly;

@@ -63,7 +63,7 @@ bool TakePlaces(const Band& layered, const Moves& moves, BandCells& cells)
 }
 
 bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality,
-  double goal, const std::vector<char>& bare, BandCells& cells)
+  double goal, const std::vector<char>& bare, const AbortCheck& aborted, BandCells& cells)
 {
   std::vector<RelaxedElement> elements;
   std::vector<int> below;
@@ -88,7 +88,6 @@ bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& 
       std::any_of(faces.begin(), faces.end(), [&](int f) { return layered.Faces[f].Exterior; }));
   }
   const std::vector<char> onCut(fixed.size(), 0);
-  const AbortCheck aborted = NeverAborted;
   const RelaxationCase given{ layered, mover, elements, fixed, onCut, aborted };
   Moves moves = MoveNodes(layered, mover, onCut, Correction::None, {}); // none
   Relax(given, below, { goal, 0.0, Thorough }, moves);

@@ -7,6 +7,7 @@
 
 #include "BandQuality.h"
 #include "NodeMover.h"
+#include "Progress.h"
 
 namespace trim
 {
@@ -25,7 +26,7 @@ namespace trim
  * @return false if none moved.
  */
 bool RelaxLayer(const Band& layered, const NodeMover& mover, const BandQuality& quality,
-  double goal, const std::vector<char>& bare, BandCells& cells);
+  double goal, const std::vector<char>& bare, const AbortCheck& aborted, BandCells& cells);
 
 }
 

@@ -30,7 +30,7 @@ public:
     const BandQuality& quality, double goal)
     : TheBand(given.TheBand)
     , TheColumns(given.TheColumns)
-    , Aborted(given.Aborted)
+    , Aborted(AbortOf(given.Tell))
     , Mover(mover)
     , Trimmed(trimmed)
     , Quality(quality)
@@ -472,7 +472,7 @@ private:
 
   const Band& TheBand;
   const Columns& TheColumns;
-  const AbortCheck& Aborted;
+  AbortCheck Aborted;
   const NodeMover& Mover;
   const TrimmedBand& Trimmed;
   const BandQuality& Quality;

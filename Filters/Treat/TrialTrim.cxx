@@ -34,7 +34,7 @@ TrialTrim::TrialTrim(const TrimCase& given, const LadderOptions& options)
   , TheColumns(given.TheColumns)
   , Surface(given.Surface)
   , Options(options)
-  , Aborted(given.Aborted)
+  , Aborted(AbortOf(given.Tell))
   , Quality(
       BandQuality(given.TheBand, options.Treatment, options.QualityFloor).WithBorder(given.Surface))
   , Mover(given.TheBand, given.TheColumns, given.Surface, given.Precision, options.SlidesBehind,

@@ -167,7 +167,7 @@ private:
   const Columns& TheColumns;
   const nurbs::TrimmingSurface& Surface;
   const LadderOptions& Options;
-  const AbortCheck& Aborted;
+  AbortCheck Aborted;
   BandQuality Quality;
   NodeMover Mover;
   Decision TheDecision;

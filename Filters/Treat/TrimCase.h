@@ -28,7 +28,7 @@ struct TrimCase
   double Precision; ///< absolute distance up to which a node is on the surface
   /// Of other trials of the same band, columns and surface; null: there are none.
   std::shared_ptr<MoverMemory> Memory = nullptr;
-  AbortCheck Aborted = NeverAborted;
+  Progress Tell = NobodyAsks; ///< where it ends the work, the result is of no use
 };
 
 }

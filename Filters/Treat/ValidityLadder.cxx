@@ -24,8 +24,9 @@ public:
   {
   }
 
-  TrimmedBand Climb(const Progress& progress, const ClimbPromises& promises)
+  TrimmedBand Climb(const ClimbPromises& promises)
   {
+    const Progress& progress = this->Given.Tell;
     TrimmedBand trimmed =
       this->TheChoices.Trial.Make(this->TheChoices.At.Set, this->TheChoices.Quality);
     int climb = 0;
@@ -79,11 +80,10 @@ public:
   }
 
   /// See FindCloser.
-  std::shared_ptr<const TrimmedBand> ReturnToFloor(
-    const TrimmedBand& trimmed, const Progress& progress) const
+  std::shared_ptr<const TrimmedBand> ReturnToFloor(const TrimmedBand& trimmed) const
   {
     const auto closer =
-      this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, progress, trimmed);
+      this->TheChoices.Trial.ReturnLeftToFloor(this->TheChoices.At.Set, this->Given.Tell, trimmed);
     if (closer)
     {
       this->Finish(*closer);
@@ -365,13 +365,13 @@ private:
 }
 
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position, const ClimbPromises& promises)
+  LadderPosition& position, const ClimbPromises& promises)
 {
-  return Ladder(given, options, position).Climb(progress, promises);
+  return Ladder(given, options, position).Climb(promises);
 }
 
 std::shared_ptr<const TrimmedBand> FindCloser(
-  TrimCase given, const ClimbMade& made, const Progress& progress, const TrimmedBand& trimmed)
+  TrimCase given, const ClimbMade& made, const TrimmedBand& trimmed)
 {
   if (!trimmed.Unpolished)
   {
@@ -379,7 +379,7 @@ std::shared_ptr<const TrimmedBand> FindCloser(
   }
   given.Memory = made.Memory;
   LadderPosition end = made.End;
-  return Ladder(given, made.Options, end).ReturnToFloor(*trimmed.Unpolished, progress);
+  return Ladder(given, made.Options, end).ReturnToFloor(*trimmed.Unpolished);
 }
 
 bool FollowCreases(TrimCase given, const ClimbMade& made, TrimmedBand& trimmed)

@@ -18,7 +18,6 @@
 #define ValidityLadder_h
 
 #include "ColumnChoices.h"
-#include "Progress.h"
 
 #include <memory>
 
@@ -33,12 +32,9 @@ struct ClimbPromises
   Promise Returned; ///< when nodes that were left have returned, before all is polished
 };
 
-/**
- * @param progress where it ends the work, the result is of no use.
- * @param[in,out] position where the climb starts, and where it ended.
- */
+/// @param[in,out] position where the climb starts, and where it ended.
 TrimmedBand ClimbLadder(const TrimCase& given, const LadderOptions& options,
-  const Progress& progress, LadderPosition& position, const ClimbPromises& promises = {});
+  LadderPosition& position, const ClimbPromises& promises = {});
 
 /// How a climb went that is completed later, if at all: most of those that are made to find the
 /// best one are not taken.
@@ -57,7 +53,7 @@ struct ClimbMade
  * @param given as for the climb.
  */
 std::shared_ptr<const TrimmedBand> FindCloser(
-  TrimCase given, const ClimbMade& made, const Progress& progress, const TrimmedBand& trimmed);
+  TrimCase given, const ClimbMade& made, const TrimmedBand& trimmed);
 
 /**
  * Takes nodes of the new boundary to the sharp edges of the surface that it passes, where the

@@ -38,11 +38,11 @@ constexpr double SquaresAslant = 0.02;
 constexpr std::size_t ManyLeft = 50;
 
 /// @param memory see TrimCase.
-TrimCase CaseOf(const TrimBand& near, const BandTask& task, AbortCheck aborted,
+TrimCase CaseOf(const TrimBand& near, const BandTask& task, const Progress& progress,
   std::shared_ptr<MoverMemory> memory = nullptr)
 {
   return { near.Mesh, near.Structure, near.Shares, task.Surface, task.Precision, std::move(memory),
-    std::move(aborted) };
+    progress };
 }
 
 ElementsAstray FindAstray(const TrimBand& near, const BandTask& task)
@@ -259,7 +259,7 @@ std::size_t CountCutAslant(const TrimBand& near, const BandTask& task, const Pro
   {
     return 0;
   }
-  const TrimCase given = CaseOf(near, task, AbortOf(progress));
+  const TrimCase given = CaseOf(near, task, progress);
   LadderPosition foot;
   ColumnChoices choices(given, task.Options.Ladder, foot);
   return choices.Trial.Make(choices.At.Set, choices.Quality).Invalid.size();
@@ -274,10 +274,10 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
   {
     memory = std::make_shared<MoverMemory>(near.Mesh);
   }
-  const TrimCase given = CaseOf(near, task, AbortOf(progress), memory);
+  const TrimCase given = CaseOf(near, task, progress, memory);
   if (task.Options.ProduceOffcut)
   {
-    BothParts parts = ClimbForBothParts(given, task.Options.Ladder, progress);
+    BothParts parts = ClimbForBothParts(given, task.Options.Ladder);
     near.Trimmed = std::move(parts.Kept);
     near.Rest = std::move(parts.Rest);
     near.Made = std::make_shared<ClimbMade>(std::move(parts.Made));
@@ -287,7 +287,7 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
     auto made = std::make_shared<ClimbMade>();
     made->Options = task.Options.Ladder;
     made->Memory = std::move(memory);
-    near.Trimmed = ClimbLadder(given, made->Options, progress, made->End, promises);
+    near.Trimmed = ClimbLadder(given, made->Options, made->End, promises);
     near.Made = std::move(made);
   }
   near.NodesLeft = FindNodesLeft(near, task.Surface, task.Precision);
@@ -295,8 +295,8 @@ void ClimbBand(TrimBand& near, const BandTask& task, const Progress& progress,
 
 void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const TrimCase given = CaseOf(near, task, AbortOf(progress));
-  const auto closer = FindCloser(given, *near.Made, progress, near.Trimmed);
+  const TrimCase given = CaseOf(near, task, progress);
+  const auto closer = FindCloser(given, *near.Made, near.Trimmed);
   near.Trimmed.Unpolished = nullptr;
   if (!closer)
   {
@@ -321,7 +321,7 @@ void TakeCloser(TrimBand& near, const BandTask& task, const Progress& progress)
 
 void FollowCreases(TrimBand& near, const BandTask& task, const Progress& progress)
 {
-  const TrimCase given = CaseOf(near, task, AbortOf(progress));
+  const TrimCase given = CaseOf(near, task, progress);
   const auto made = std::exchange(near.Made, nullptr);
   if (FollowCreases(given, *made, near.Trimmed))
   {

@@ -50,12 +50,13 @@ Columns ColumnsForLayer(const Band& band, bool isSheet)
 }
 
 LayerSearch::LayerSearch(const TrimBand& near, const std::shared_ptr<const Band>& before,
-  bool isSheet, const LayerKind& kind, const BandTask& task)
+  bool isSheet, const LayerKind& kind, const BandTask& task, AbortCheck aborted)
   : Near(near)
   , Before(before)
   , IsSheet(isSheet)
   , Kind(kind)
   , Task(task)
+  , Aborted(std::move(aborted))
   , TheColumns(ColumnsForLayer(near.Mesh, isSheet))
   , Reach(LargestOfColumns(near.Shares, this->TheColumns))
   , TheDecision(near.Mesh, this->TheColumns, this->Reach, task.Surface, kind.LargestShare, false)
@@ -195,8 +196,8 @@ Band LayerSearch::Relaxed(BandCells cells) const
   const LadderOptions& options = this->Task.Options.Ladder;
   const NodeMover mover(layered, columns, this->Task.Surface, this->Task.Precision, false, nullptr,
     options.StaysInside);
-  return RelaxLayer(
-           layered, mover, this->QualityOf(layered), options.QualityFloor, this->Bare, cells)
+  return RelaxLayer(layered, mover, this->QualityOf(layered), options.QualityFloor, this->Bare,
+           this->Aborted, cells)
     ? this->MakeBand(cells)
     : layered;
 }

@@ -37,7 +37,7 @@ public:
   /// @param near, before see TrimWithLayer.
   /// @param isSheet whether all of it has a thickness direction.
   LayerSearch(const TrimBand& near, const std::shared_ptr<const Band>& before, bool isSheet,
-    const LayerKind& kind, const BandTask& task);
+    const LayerKind& kind, const BandTask& task, AbortCheck aborted);
 
   LayerSearch(const LayerSearch&) = delete; // the members refer to each other
   void operator=(const LayerSearch&) = delete;
@@ -79,6 +79,7 @@ private:
   bool IsSheet;
   LayerKind Kind;
   const BandTask& Task;
+  AbortCheck Aborted;
   Columns TheColumns;
   VolumeShares Reach; ///< of each element the largest share in its column
   Decision TheDecision;

@@ -198,7 +198,7 @@ std::unique_ptr<TrimBand> TrimWithLayer(const TrimBand& near,
   const BandTask& task, const Progress& progress)
 {
   const bool isSheet = near.Structure.AllHaveThickness() && near.Structure.ChosenByCut.empty();
-  LayerSearch search(near, before, isSheet, kind, task);
+  LayerSearch search(near, before, isSheet, kind, task, AbortOf(progress));
   std::unique_ptr<TrimBand> best;
   std::size_t fewest = 0;
   for (int climb = 0; climb < MostClimbs && !progress(-1.0); ++climb)

@@ -8,6 +8,7 @@
 #include "Decision.h"
 #include "Expect.h"
 #include "InsertedLayer.h"
+#include "LayerSearch.h"
 #include "MoverMemory.h"
 #include "NodeMover.h"
 #include "SampleSurfaces.h"
@@ -17,6 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace judge
@@ -70,6 +73,19 @@ public:
       this->Mesh, this->Structure, this->MoverTo(this->Surface), kept, bare, cells);
   }
 
+  /// The band with a layer before any correction; none: there is no room.
+  std::optional<Band> FindLayer(double qualityFloor, AbortCheck aborted) const
+  {
+    TrimBand near(this->Mesh);
+    near.Structure = this->Structure;
+    near.Shares = this->Shares;
+    BandOptions options;
+    options.Ladder.QualityFloor = qualityFloor;
+    const BandTask task{ this->Surface, 1e-8, options };
+    const auto before = std::make_shared<const Band>(this->Mesh);
+    return LayerSearch(near, before, false, { 0.5, false }, task, std::move(aborted)).Find();
+  }
+
   TrimCase Case() const
   {
     return { this->Mesh, this->Structure, this->Shares, this->Surface, 1e-8 };
@@ -79,8 +95,7 @@ public:
   {
     const TrimCase given = this->Case();
     LadderPosition position;
-    return ClimbLadder(
-      given, LadderOptions(), [](double) { return false; }, position, { promises, {} });
+    return ClimbLadder(given, LadderOptions(), position, { promises, {} });
   }
 
   const Band Mesh;

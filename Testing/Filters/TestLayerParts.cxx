@@ -1,7 +1,7 @@
 /**
  * @file TestLayerParts.cxx
  * @brief What an inserted layer is made by: the way behind several planes, nodes where it is left
- * out, elements of it that are.
+ * out, elements of it that are, and how it is told to end.
  */
 #include "CutBlock.h"
 #include "DirectionBehind.h"
@@ -207,6 +207,21 @@ void CheckPits()
     "an element of the mesh stays");
 }
 
+/// Who presses the red x does not wait for a layer that is relaxed.
+void CheckAbort()
+{
+  const CutBlock block;
+  const auto placesWith = [&block](double floor, bool stop)
+  {
+    const auto layered = block.FindLayer(floor, [stop] { return stop; });
+    Expect(layered.has_value(), "the layer has room");
+    return layered ? layered->Point : std::vector<Vec3>();
+  };
+  const std::vector<Vec3> unrelaxed = placesWith(0.0, false);
+  Expect(placesWith(0.6, false) != unrelaxed, "abort: nothing to relax in the layer");
+  Expect(placesWith(0.6, true) == unrelaxed, "abort: the layer is relaxed all the same");
+}
+
 }
 
 int main()
@@ -214,6 +229,7 @@ int main()
   CheckDirectionBehind();
   CheckBareNodes();
   CheckPits();
+  CheckAbort();
   std::printf("%d wrong\n", Wrong);
   return Wrong > 0;
 }

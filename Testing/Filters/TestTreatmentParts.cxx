@@ -122,7 +122,7 @@ void CheckAbort()
   for (const bool stop : { false, true })
   {
     TrimCase given = block.Case();
-    given.Aborted = [stop] { return stop; };
+    given.Tell = [stop](double) { return stop; };
     const LadderOptions options;
     LadderPosition foot;
     ColumnChoices choices(given, options, foot);
