@@ -1,14 +1,14 @@
 /**
  * @file TestChecks.cxx
- * @brief The judge must pass a trim that is right on paper and report every way of breaking it.
+ * @brief The judge must pass a trim that is right on paper, and its offcut, and report every way of
+ * breaking them.
  *
  * The right one is a sheet of 6 x 4 x 2 elements cut by the plane x = 3.4: the elements of the
  * fourth column lose 60 % and go, those of the first three stay, and their last nodes are pulled
- * out from x = 3 to 3.4.
+ * out from x = 3 to 3.4. The offcut is the other half, with the side inverted.
  */
 #include "Checks.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -49,34 +49,35 @@ void Fill(vtkFieldData* data, const char* name, int components, vtkIdType tuples
 
 // Statuses as both ports carry them; ids map to the input.
 void AddStatuses(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* input,
-  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells)
+  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, bool isOffcut)
 {
+  const double side = isOffcut ? -1 : 1;
   const auto x = [&](vtkIdType i) { return input->GetPoint(points[i])[0]; };
   const auto cellX = [&](vtkIdType c) { return double(cells[c] % 6); };
   const auto n = static_cast<vtkIdType>(points.size()), m = static_cast<vtkIdType>(cells.size());
   vtkPointData* pd = grid->GetPointData();
   vtkCellData* cd = grid->GetCellData();
   Fill<vtkUnsignedCharArray>(
-    pd, "NodeStatus", 1, n, [&](vtkIdType i, int) { return x(i) > CutAt; });
+    pd, "NodeStatus", 1, n, [&](vtkIdType i, int) { return side * (x(i) - CutAt) > 0; });
   Fill<vtkFloatArray>(pd, "SignedDistance", 1, n,
-    [&](vtkIdType i, int) { return std::abs(x(i) - CutAt) < 1.5 ? x(i) - CutAt : std::nan(""); });
+    [&](vtkIdType i, int)
+    { return std::abs(x(i) - CutAt) < 1.5 ? side * (x(i) - CutAt) : std::nan(""); });
   Fill<vtkFloatArray>(pd, "Displacement", 3, n,
     [&](vtkIdType i, int k) { return x(i) == LastColumn && k == 0 ? CutAt - LastColumn : 0; });
   Fill<vtkUnsignedCharArray>(
     pd, "CorrectionApplied", 1, n, [&](vtkIdType i, int) { return x(i) == LastColumn ? 2 : 0; });
-  Fill<vtkUnsignedCharArray>(cd, "ElementStatus", 1, m,
-    [&](vtkIdType c, int) { return cellX(c) < 3 ? 0
-                              : cellX(c) > 3    ? 1
-                                                : 2; });
+  const auto byColumn = [&](vtkIdType c, double kept, double cut, double eliminated) {
+    return cellX(c) == LastColumn ? cut : side * (cellX(c) - LastColumn) < 0 ? kept : eliminated;
+  };
+  Fill<vtkUnsignedCharArray>(
+    cd, "ElementStatus", 1, m, [&](vtkIdType c, int) { return byColumn(c, 0, 2, 1); });
   Fill<vtkFloatArray>(cd, "EliminatedFraction", 1, m,
-    [&](vtkIdType c, int) { return cellX(c) < 3 ? 0
-                              : cellX(c) > 3    ? 1
-                                                : 0.6; });
+    [&](vtkIdType c, int) { return byColumn(c, 0, isOffcut ? 0.4 : 0.6, 1); });
   Fill<vtkUnsignedCharArray>(
     cd, "Rescue", 1, m, [&](vtkIdType c, int) { return cells[c] == 2 || cells[c] == 3; });
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
+vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input, bool isOffcut)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   std::vector<vtkIdType> points, cells, number(input->GetNumberOfPoints(), -1);
@@ -86,7 +87,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
   {
     double p[3];
     input->GetPoint(i, p);
-    if (p[0] > LastColumn)
+    if (isOffcut ? p[0] < LastColumn : p[0] > LastColumn)
     {
       continue;
     }
@@ -99,7 +100,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = 0; c < input->GetNumberOfCells(); ++c)
   {
-    if (c % 6 >= LastColumn)
+    if ((c % 6 >= LastColumn) != isOffcut)
     {
       continue;
     }
@@ -125,7 +126,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
     grid->GetCellData()->CopyData(input->GetCellData(), cells[c], c);
   }
   grid->GetFieldData()->ShallowCopy(input->GetFieldData());
-  AddStatuses(grid, input, points, cells);
+  AddStatuses(grid, input, points, cells, isOffcut);
   Fill<vtkIdTypeArray>(
     grid->GetPointData(), "vtkOriginalPointIds", 1, n, [&](vtkIdType i, int) { return points[i]; });
   Fill<vtkIdTypeArray>(
@@ -136,14 +137,17 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
     [&](vtkIdType i, int) { return positions->GetPoint(i)[0] == CutAt; });
   Fill<vtkUnsignedCharArray>(grid->GetCellData(), "Shortfall", 1, m, zero);
   Fill<vtkFloatArray>(grid->GetCellData(), "ScaledJacobian", 1, m,
-    [&](vtkIdType c, int) {
-      return cells[c] % 6 == 2 ? vtkMeshQuality::HexScaledJacobian(grid->GetCell(c)) : std::nan("");
+    [&](vtkIdType c, int)
+    {
+      return cells[c] % 6 == (isOffcut ? 3 : 2)
+        ? vtkMeshQuality::HexScaledJacobian(grid->GetCell(c))
+        : std::nan("");
     });
   const std::map<std::string, double> summary = { { "Kept", 24 }, { "Eliminated", 24 },
     { "InsertedElements", 0 }, { "Treated", 8 }, { "MovedNodes", 15 }, { "Pentahedra", 0 },
     { "Wedges", 0 }, { "CertifiedElements", 8 }, { "TouchedElements", 8 },
     { "MinimumScaledJacobian", 1 }, { "MinimumIntegrationPointJacobian", 1 },
-    { "MaximumDistanceToSurface", 0 }, { "Volume", CutAt * 4 * 0.8 },
+    { "MaximumDistanceToSurface", 0 }, { "Volume", (isOffcut ? 6 - CutAt : CutAt) * 4 * 0.8 },
     { "NodeBandwidth", 20 + 4 + 1 }, { "RescuedByRelaxation", 2 }, { "RescuedByTreatment", 0 },
     { "RescuedByCorrection", 0 }, { "RescuedByFate", 0 }, { "RescuedByLeaving", 0 } };
   for (const auto& entry : summary)
@@ -154,7 +158,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RightTrim(vtkUnstructuredGrid* input)
   return grid;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> RightWhole(vtkUnstructuredGrid* input)
+vtkSmartPointer<vtkUnstructuredGrid> RightWhole(vtkUnstructuredGrid* input, bool isOffcut)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->ShallowCopy(input);
@@ -167,7 +171,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RightWhole(vtkUnstructuredGrid* input)
   {
     cells.push_back(c);
   }
-  AddStatuses(grid, input, points, cells);
+  AddStatuses(grid, input, points, cells, isOffcut);
   return grid;
 }
 
@@ -194,6 +198,7 @@ struct Fault
   const char* Check; ///< that must report it
   const char* What;
   std::function<void(vtkUnstructuredGrid* trimmed, vtkUnstructuredGrid* whole)> Break;
+  std::function<void(TrimOptions&)> Ask = [](TrimOptions&) {}; ///< for other things
 };
 
 using Grid = vtkUnstructuredGrid;
@@ -304,8 +309,10 @@ std::vector<Fault> GeometryFaults()
   };
 }
 
-// Removes cells of the trimmed grid (and the points they alone used stay: also a fault).
-void DropCell(Grid* t, vtkIdType cell)
+/// Makes the cells anew, with their data and all points.
+/// @param change change(cell, type, ids) says what becomes of each; false: it goes.
+void ChangeCells(
+  Grid* t, const std::function<bool(vtkIdType cell, int& type, vtkIdList* ids)>& change)
 {
   vtkNew<vtkUnstructuredGrid> old;
   old->DeepCopy(t);
@@ -316,14 +323,150 @@ void DropCell(Grid* t, vtkIdType cell)
   t->GetCellData()->CopyAllocate(old->GetCellData());
   for (vtkIdType c = 0; c < old->GetNumberOfCells(); ++c)
   {
-    if (c == cell)
-    {
-      continue;
-    }
     old->GetCellPoints(c, ids);
-    const vtkIdType n = t->InsertNextCell(old->GetCellType(c), ids);
-    t->GetCellData()->CopyData(old->GetCellData(), c, n);
+    int type = old->GetCellType(c);
+    if (change(c, type, ids))
+    {
+      t->GetCellData()->CopyData(old->GetCellData(), c, t->InsertNextCell(type, ids));
+    }
   }
+}
+
+void DropCell(Grid* t, vtkIdType cell)
+{
+  ChangeCells(t, [cell](vtkIdType c, int&, vtkIdList*) { return c != cell; });
+}
+
+/// Gives a cell these of its own points, by number, as a hexahedron or a wedge.
+void RenewCell(Grid* t, vtkIdType cell, const std::vector<int>& points)
+{
+  ChangeCells(t,
+    [&](vtkIdType c, int& type, vtkIdList* ids)
+    {
+      vtkNew<vtkIdList> before;
+      before->DeepCopy(ids);
+      for (std::size_t i = 0; c == cell && i < points.size(); ++i)
+      {
+        ids->SetId(static_cast<vtkIdType>(i), before->GetId(points[i]));
+      }
+      if (c == cell)
+      {
+        ids->Resize(static_cast<vtkIdType>(points.size()));
+        type = points.size() == 8 ? VTK_HEXAHEDRON : VTK_WEDGE;
+      }
+      return true;
+    });
+}
+
+/// Numbers two points the other way round.
+void SwapPoints(Grid* t, vtkIdType a, vtkIdType b)
+{
+  vtkPointData* data = t->GetPointData();
+  std::vector<vtkAbstractArray*> arrays{ t->GetPoints()->GetData() };
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    arrays.push_back(data->GetAbstractArray(i));
+  }
+  for (vtkAbstractArray* array : arrays)
+  {
+    const auto before = vtk::TakeSmartPointer(array->NewInstance());
+    before->DeepCopy(array);
+    array->SetTuple(a, b, before);
+    array->SetTuple(b, a, before);
+  }
+  ChangeCells(t,
+    [=](vtkIdType, int&, vtkIdList* ids)
+    {
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        const vtkIdType id = ids->GetId(i);
+        ids->SetId(i, id == a ? b : id == b ? a : id);
+      }
+      return true;
+    });
+}
+
+std::vector<Fault> ElementFaults()
+{
+  return {
+    { "cell types", "a cell of another type",
+      [](Grid* t, Grid*)
+      {
+        ChangeCells(t,
+          [](vtkIdType c, int& type, vtkIdList*)
+          {
+            type = c == 3 ? VTK_VOXEL : type;
+            return true;
+          });
+      } },
+    { "port 1", "a cell less on it",
+      [](Grid*, Grid* w)
+      { ChangeCells(w, [](vtkIdType c, int&, vtkIdList*) { return c != 3; }); } },
+    { "distinct nodes", "a node twice in an element",
+      [](Grid* t, Grid*) {
+        RenewCell(t, 0, { 0, 0, 2, 3, 4, 5, 6, 7 });
+      } },
+    { "nodes of an element are those it had", "a node of another element",
+      [](Grid* t, Grid*)
+      {
+        ChangeCells(t,
+          [t](vtkIdType c, int&, vtkIdList* ids)
+          {
+            ids->SetId(0, c == 0 ? t->GetNumberOfPoints() - 1 : ids->GetId(0));
+            return true;
+          });
+      } },
+    { "nodes of an untouched element", "in another order",
+      [](Grid* t, Grid*) {
+        RenewCell(t, 0, { 1, 2, 3, 0, 5, 6, 7, 4 });
+      } },
+    { "no wedge without treatment", "a wedge",
+      [](Grid* t, Grid*) {
+        RenewCell(t, 2, { 0, 1, 3, 4, 5, 7 });
+      },
+      [](TrimOptions& options) { options.Optimization = 0; } },
+    { "unused points", "those of an element that is missing",
+      [](Grid* t, Grid*) { DropCell(t, 0); } },
+    { "no element collapses", "pressed to nothing",
+      [](Grid* t, Grid*)
+      {
+        for (vtkIdType i = 0; i < t->GetNumberOfPoints(); ++i)
+        {
+          Shift(t, i, t->GetPoint(i)[0] == CutAt ? LastColumn - 1 + 1e-7 - CutAt : 0, 0, 0);
+        }
+      } },
+    { "quality floor", "a corner that is nearly straight",
+      [](Grid* t, Grid*) { Shift(t, PointAt(t, CutAt, 2, 0), -0.9, -0.9, 0); } },
+    { "in the mesh's box", "a corner outside",
+      [](Grid* t, Grid*) { Shift(t, PointAt(t, 0, 0, 0.4), 0, 0, 0.1); } },
+    { "DistanceLeft", "of a node that is on the surface",
+      [](Grid* t, Grid*)
+      { SetValue(t->GetPointData(), "DistanceLeft", PointAt(t, CutAt, 2, 0), 0.1); } },
+    { "volume cut by a plane", "the border before the surface",
+      [](Grid* t, Grid*)
+      {
+        for (vtkIdType i = 0; i < t->GetNumberOfPoints(); ++i)
+        {
+          Shift(t, i, t->GetPoint(i)[0] == CutAt ? -1e-6 : 0, 0, 0);
+        }
+      } },
+    { "type I moves nothing", "it does", [](Grid*, Grid*) {},
+      [](TrimOptions& options) { options.CorrectionType = 1; } },
+    { "type III stays on a mesh edge", "a node beside it",
+      [](Grid* t, Grid*)
+      {
+        const vtkIdType node = PointAt(t, CutAt, 2, 0);
+        Shift(t, node, 0, 1e-6, 0);
+        SetValue(t->GetPointData(), "CorrectionApplied", node, 3);
+      },
+      [](TrimOptions& options)
+      {
+        options.CorrectionType = 3;
+        options.Optimization = 0;
+      } },
+    { "numbering", "numbers far apart", [](Grid* t, Grid*) { SwapPoints(t, 0, 50); },
+      [](TrimOptions& options) { options.RenumberNodes = true; } },
+  };
 }
 
 std::vector<Fault> OtherFaults()
@@ -362,40 +505,90 @@ std::vector<Fault> OtherFaults()
   };
 }
 
-int Run(const Mesh& mesh, const Surface& cut, const Fault* fault)
+/// Of the kept part, and of the offcut in place of the whole input.
+std::vector<Fault> PairFaults()
+{
+  return {
+    { "kept part or offcut", "an element in both",
+      [](Grid*, Grid* offcut) { SetValue(offcut->GetCellData(), "vtkOriginalCellIds", 1, 2); } },
+    { "kept part and offcut add up", "a gap between them",
+      [](Grid* kept, Grid*)
+      {
+        for (vtkIdType i = 0; i < kept->GetNumberOfPoints(); ++i)
+        {
+          Shift(kept, i, kept->GetPoint(i)[0] == CutAt ? -1e-6 : 0, 0, 0);
+        }
+      } },
+    { "parts fit node by node", "a node elsewhere in one of them",
+      [](Grid* kept, Grid*) { Shift(kept, PointAt(kept, CutAt, 2, 0), 0, 1e-6, 0); } },
+  };
+}
+
+Trial RightTrial(const Mesh& mesh, const Surface& cut, bool isOffcut)
 {
   Trial trial;
   trial.Input = &mesh;
   trial.Cut = &cut;
   trial.Options.RenumberNodes = false;
-  trial.Trimmed = RightTrim(mesh.Grid);
-  trial.Whole = RightWhole(mesh.Grid);
-  if (fault)
-  {
-    fault->Break(trial.Trimmed, trial.Whole);
-  }
-  Report report("right trim", fault != nullptr);
-  const Evidence evidence(trial, report);
-  JudgeAll(evidence, report);
-  if (evidence.Usable)
-  {
-    CheckPlaneVolume(evidence, Vec3(CutAt, 0, 0), Vec3::UnitX(), report);
-    CheckKeptVolume(evidence, 0.15, report);
-  }
+  trial.Options.InvertSide = isOffcut;
+  trial.Trimmed = RightTrim(mesh.Grid, isOffcut);
+  trial.Whole = RightWhole(mesh.Grid, isOffcut);
+  return trial;
+}
+
+/// @return how often the report is not what it should be.
+int CountWrong(const Report& report, const Fault* fault)
+{
   if (!fault)
   {
     return report.Failures();
   }
-  if (report.Failures(fault->Check) == 0)
+  if (report.Failures(fault->Check) > 0)
   {
-    std::printf("FAIL not reported by '%s': %s\n", fault->Check, fault->What);
-    for (const auto& other : report.ByCheck())
-    {
-      std::printf("     but by '%s'\n", other.first.c_str());
-    }
-    return 1;
+    return 0;
   }
-  return 0;
+  std::printf("FAIL not reported by '%s': %s\n", fault->Check, fault->What);
+  for (const auto& other : report.ByCheck())
+  {
+    std::printf("     but by '%s'\n", other.first.c_str());
+  }
+  return 1;
+}
+
+int Run(const Mesh& mesh, const Surface& cut, bool isOffcut, const Fault* fault)
+{
+  Trial trial = RightTrial(mesh, cut, isOffcut);
+  if (fault)
+  {
+    fault->Break(trial.Trimmed, trial.Whole);
+    fault->Ask(trial.Options);
+  }
+  Report report(isOffcut ? "right offcut" : "right trim", fault != nullptr);
+  const Evidence evidence(trial, report);
+  JudgeAll(evidence, report);
+  if (evidence.Usable)
+  {
+    CheckPlaneVolume(evidence, Vec3(CutAt, 0, 0), (isOffcut ? -1 : 1) * Vec3::UnitX(), report);
+    CheckKeptVolume(evidence, 0.15, report);
+  }
+  return CountWrong(report, fault);
+}
+
+int RunPair(const Mesh& mesh, const Surface& cut, const Fault* fault)
+{
+  const Trial kept = RightTrial(mesh, cut, false), offcut = RightTrial(mesh, cut, true);
+  for (const Trial* trial : { &kept, &offcut })
+  {
+    // Nothing is asked of parts that a rescue made.
+    SetValue(trial->Trimmed->GetFieldData(), "RescuedByRelaxation", 0, 0);
+  }
+  if (fault)
+  {
+    fault->Break(kept.Trimmed, offcut.Trimmed);
+  }
+  Report report("right pair", fault != nullptr);
+  CheckPair(Evidence(kept, report), Evidence(offcut, report), report);
+  return CountWrong(report, fault);
 }
 }
 
@@ -403,18 +596,24 @@ int main()
 {
   const Mesh mesh = Sheet(6, 4, 2, Vec3(1, 1, 0.4));
   const Surface cut = PlaneThrough(Vec3(CutAt, 2, 0), Vec3::UnitX(), 100);
-  int wrong = Run(mesh, cut, nullptr);
+  int wrong = Run(mesh, cut, false, nullptr) + Run(mesh, cut, true, nullptr);
+  wrong += RunPair(mesh, cut, nullptr);
   int faults = 0;
-  for (const auto& list : { StatusFaults(), GeometryFaults(), OtherFaults() })
+  for (const auto& list : { StatusFaults(), GeometryFaults(), ElementFaults(), OtherFaults() })
   {
     for (const Fault& fault : list)
     {
-      wrong += Run(mesh, cut, &fault);
+      wrong += Run(mesh, cut, false, &fault);
       ++faults;
     }
   }
+  for (const Fault& fault : PairFaults())
+  {
+    wrong += RunPair(mesh, cut, &fault);
+    ++faults;
+  }
   // The same bits, and not.
-  const auto a = RightTrim(mesh.Grid), b = RightTrim(mesh.Grid);
+  const auto a = RightTrim(mesh.Grid, false), b = RightTrim(mesh.Grid, false);
   wrong += !FirstDifference(a, b).empty();
   Shift(b, 7, 0, 0, 1e-15);
   wrong += FirstDifference(a, b).empty();
