@@ -142,7 +142,7 @@ int main(int argc, char* argv[])
           std::to_string(treatment.Optimization));
         const double lowest = JudgeBothSides(mesh, surface, options, report);
         const bool ordinary = IsOrdinary(name, mesh, options);
-        const auto left = report.Notes().find(LeftOff);
+        const auto left = report.Notes().find(NodesLeftOff);
         if (ordinary && left != report.Notes().end())
         {
           report.Fail("left off the surface on an ordinary trim", "points", left->second, 0);

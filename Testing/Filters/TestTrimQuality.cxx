@@ -300,7 +300,8 @@ void CheckShortEdges()
       Report report(std::string("short edges, ") + c.Mesh + ", " + c.Kind);
       const Outcome outcome = RunAndJudge(mesh, surface, options, report);
       Expect(report.Failures() == 0, "short edges: the trim is not as it should be");
-      Expect(floor == 0.0 || report.Notes().count(LeftOff) == 0, "a node was left for an edge");
+      Expect(
+        floor == 0.0 || report.Notes().count(NodesLeftOff) == 0, "a node was left for an edge");
       edges[floor > 0.0] = MeasureEdges(outcome.Case.Trimmed, mesh).Any;
     }
     std::printf("%s, %s: edges keep %.4f of their lengths without a floor, %.4f with one\n", c.Mesh,

@@ -112,7 +112,7 @@ public:
       row.Failed += !good;
       row.Good += good;
       row.Rescued += good && !Rescues(outcome.Case.Trimmed).empty();
-      row.Left += good && report.Notes().count(LeftOff) > 0;
+      row.Left += good && report.Notes().count(NodesLeftOff) > 0;
       row.Warned += good && !outcome.Warnings.empty();
       if (wedges && draw.Options.MinimumScaledJacobian == 0.2)
       {

@@ -29,7 +29,8 @@ double Longest(const std::array<Vec3, 8>& corners, int size)
   return longest;
 }
 
-void Expect(const Evidence& e, const char* name, double expected, double limit, Report& report)
+void ExpectNumber(
+  const Evidence& e, const char* name, double expected, double limit, Report& report)
 {
   const double given = e.Number(name);
   if (!(std::abs(given - expected) <= limit))
@@ -57,7 +58,7 @@ std::vector<int> PartsOf(const Model& model)
 
 void CheckCoincidence(const Evidence& e, Report& report)
 {
-  // Two nodes at one place: closer than a millionth of the shortest element.
+  // Two nodes at one place.
   const double tolerance = 1e-9 * e.Diagonal;
   std::vector<Id> order(e.Out.Points.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -80,8 +81,7 @@ void CheckCoincidence(const Evidence& e, Report& report)
       const bool touching = part[e.PointOf[order[j]]] != part[e.PointOf[order[i]]];
       if (d <= tolerance && !before && !touching)
       {
-        report.Fail("coincident nodes",
-          "points " + std::to_string(order[i]) + " and " + std::to_string(order[j]), d, tolerance);
+        report.Fail("coincident nodes", Point(order[i]) + " and " + Point(order[j]), d, tolerance);
       }
     }
   }
@@ -108,85 +108,106 @@ bool IsTurned(const Evidence& e, Id c)
   }
   return turned;
 }
+
+/// An element has nodes of that which it was; an untouched one all of them, in their order.
+void CheckNodesOf(const Evidence& e, Id c, bool touched, Report& report)
+{
+  const Element& element = e.Out.Elements[c];
+  const Element& input = e.In.Elements[e.CellOf[c]];
+  std::set<Id> distinct;
+  for (int i = 0; i < element.Size; ++i)
+  {
+    distinct.insert(e.PointOf[element.Node[i]]);
+  }
+  const std::set<Id> before(input.Node.begin(), input.Node.begin() + input.Size);
+  if (!e.InsertedCell[c] && static_cast<int>(distinct.size()) != element.Size)
+  {
+    report.Fail("distinct nodes", Cell(c), distinct.size(), element.Size);
+  }
+  if (!std::includes(before.begin(), before.end(), distinct.begin(), distinct.end()))
+  {
+    report.Fail("nodes of an element are those it had", Cell(c), c, 0);
+  }
+  if (!e.InsertedCell[c] && element.Size != input.Size && e.Case.Options.Optimization == 0 &&
+    e.Number("Wedges") == 0)
+  {
+    report.Fail("no wedge without treatment", Cell(c), element.Size, input.Size);
+  }
+  const auto isSame = [&](Id own, Id node) { return e.PointOf[own] == node; };
+  if (!touched &&
+    !std::equal(
+      element.Node.begin(), element.Node.begin() + element.Size, input.Node.begin(), isSame) &&
+    !IsTangledWedge(e.In, e.CellOf[c]) && !IsTurned(e, c))
+  {
+    report.Fail("nodes of an untouched element", Cell(c) + " are in another order");
+  }
+}
+
+/// A touched element is valid if it came so.
+void CheckShapeOf(const Evidence& e, Id c, Report& report)
+{
+  const int size = e.Out.Elements[c].Size, inputSize = e.In.Elements[e.CellOf[c]].Size;
+  const auto corners = e.Out.Corners(c);
+  const double volume = VolumeOf(corners, size);
+  const auto inputCorners = e.In.Corners(e.CellOf[c]);
+  const double was = VolumeOf(inputCorners, inputSize);
+  const auto inputBezier = BezierJacobians(inputCorners, inputSize);
+  if (was <= 0 || *std::min_element(inputBezier.begin(), inputBezier.end()) <= 0)
+  {
+    return; // invalid as it came
+  }
+  if (!(volume > 1e-6 * was) || Longest(corners, size) == 0)
+  {
+    report.Fail("no element collapses", Cell(c), volume / was, 1e-6);
+  }
+  const std::string what = Cell(c) + (size == 6 ? " wedge" : "");
+  const auto gauss = IntegrationPointJacobians(corners, size);
+  const double least = *std::min_element(gauss.begin(), gauss.end());
+  if (!(least > 0))
+  {
+    report.Fail("Jacobian at integration points", what, least / std::abs(volume), 0);
+  }
+  // Wedges are valid everywhere, and with their treatment hexahedra too; else only at the points.
+  const auto bezier = BezierJacobians(corners, size);
+  const double lowest = *std::min_element(bezier.begin(), bezier.end());
+  if ((e.Case.Options.Optimization == 2 || size == 6) && e.Case.Options.CorrectionType != 1 &&
+    !(lowest > 0))
+  {
+    report.Fail("Bezier certificate", what, lowest / std::abs(volume), 0);
+  }
+}
+
+/// False for points that no element has.
+std::vector<char> FindUsed(const Model& model)
+{
+  std::vector<char> used(model.Points.size(), 0);
+  for (const Element& element : model.Elements)
+  {
+    for (int i = 0; i < element.Size; ++i)
+    {
+      used[element.Node[i]] = 1;
+    }
+  }
+  return used;
+}
 }
 
 void CheckElements(const Evidence& e, Report& report)
 {
-  std::vector<char> used(e.Out.Points.size(), 0);
   for (Id c = 0; c < static_cast<Id>(e.Out.Elements.size()); ++c)
   {
-    const Element& element = e.Out.Elements[c];
-    const Element& input = e.In.Elements[e.CellOf[c]];
-    std::set<Id> distinct, before;
-    for (int i = 0; i < element.Size; ++i)
+    const bool touched = e.Touched(c) || e.Out.Elements[c].Size != e.In.Elements[e.CellOf[c]].Size;
+    CheckNodesOf(e, c, touched, report);
+    if (touched)
     {
-      distinct.insert(e.PointOf[element.Node[i]]);
-      used[element.Node[i]] = 1;
-    }
-    before.insert(input.Node.begin(), input.Node.begin() + input.Size);
-    if (!e.InsertedCell[c] && static_cast<int>(distinct.size()) != element.Size)
-    {
-      report.Fail("distinct nodes", Cell(c), distinct.size(), element.Size);
-    }
-    if (!std::includes(before.begin(), before.end(), distinct.begin(), distinct.end()))
-    {
-      report.Fail("nodes of an element are those it had", Cell(c), c, 0);
-    }
-    if (!e.InsertedCell[c] && element.Size != input.Size && e.Case.Options.Optimization == 0 &&
-      e.Number("Wedges") == 0)
-    {
-      report.Fail("no wedge without treatment", Cell(c), element.Size, input.Size);
-    }
-    const bool touched = e.Touched(c) || element.Size != input.Size;
-    if (!touched)
-    {
-      const auto isSame = [&](Id own, Id node) { return e.PointOf[own] == node; };
-      if (!std::equal(element.Node.begin(), element.Node.begin() + element.Size, input.Node.begin(),
-            isSame) &&
-        !IsTangledWedge(e.In, e.CellOf[c]) && !IsTurned(e, c))
-      {
-        report.Fail("nodes of an untouched element", Cell(c) + " are in another order");
-      }
-      continue;
-    }
-    const auto corners = e.Out.Corners(c);
-    const double volume = VolumeOf(corners, element.Size);
-    const double longest = Longest(corners, element.Size);
-    const auto inputCorners = e.In.Corners(e.CellOf[c]);
-    const double was = VolumeOf(inputCorners, input.Size);
-    const auto inputBezier = BezierJacobians(inputCorners, input.Size);
-    if (was <= 0 || *std::min_element(inputBezier.begin(), inputBezier.end()) <= 0)
-    {
-      continue; // invalid as it came
-    }
-    if (!(volume > 1e-6 * was) || longest == 0)
-    {
-      report.Fail("no element collapses", Cell(c), volume / was, 1e-6);
-    }
-    const auto gauss = IntegrationPointJacobians(corners, element.Size);
-    const double least = *std::min_element(gauss.begin(), gauss.end());
-    if (!(least > 0))
-    {
-      report.Fail("Jacobian at integration points", Cell(c) + (element.Size == 6 ? " wedge" : ""),
-        least / std::abs(volume), 0);
-    }
-    // Wedges are valid everywhere, and with their treatment hexahedra too; else only at the points.
-    const auto bezier = BezierJacobians(corners, element.Size);
-    const double lowest = *std::min_element(bezier.begin(), bezier.end());
-    if ((e.Case.Options.Optimization == 2 || element.Size == 6) &&
-      e.Case.Options.CorrectionType != 1 && !(lowest > 0))
-    {
-      report.Fail("Bezier certificate", Cell(c) + (element.Size == 6 ? " wedge" : ""),
-        lowest / std::abs(volume), 0);
+      CheckShapeOf(e, c, report);
     }
   }
-  for (Id p = 0; p < static_cast<Id>(used.size()); ++p)
+  const std::vector<char> used = FindUsed(e.Out);
+  const auto unused = std::find(used.begin(), used.end(), 0);
+  if (unused != used.end())
   {
-    if (!used[p])
-    {
-      report.Fail("unused points", "point " + std::to_string(p), 0, 1);
-      break;
-    }
+    report.Fail("unused points", Point(unused - used.begin()), 0, 1);
   }
   CheckCoincidence(e, report);
 }
@@ -241,12 +262,12 @@ void CheckQuality(const Evidence& e, Report& report)
     certified += lowest > 0;
     doubtful += std::abs(lowest) < 1e-7;
   }
-  Expect(e, "TouchedElements", touchedCells, 0, report);
-  Expect(e, "CertifiedElements", certified, doubtful, report);
+  ExpectNumber(e, "TouchedElements", touchedCells, 0, report);
+  ExpectNumber(e, "CertifiedElements", certified, doubtful, report);
   if (touchedCells > 0)
   {
-    Expect(e, "MinimumScaledJacobian", least, 1e-5, report);
-    Expect(e, "MinimumIntegrationPointJacobian", leastGauss, 1e-4, report);
+    ExpectNumber(e, "MinimumScaledJacobian", least, 1e-5, report);
+    ExpectNumber(e, "MinimumIntegrationPointJacobian", leastGauss, 1e-4, report);
   }
 }
 }
@@ -292,10 +313,10 @@ void CheckSummary(const Evidence& e, Report& report)
   const auto inserted =
     static_cast<double>(std::count(e.InsertedCell.begin(), e.InsertedCell.end(), 1));
   const double kept = static_cast<double>(e.Out.Elements.size()) - inserted;
-  Expect(e, "InsertedElements", inserted, 0, report);
-  Expect(e, "Kept", kept, 0, report);
-  Expect(e, "Eliminated", static_cast<double>(e.In.Elements.size()) - kept, 0, report);
-  Expect(e, "Treated",
+  ExpectNumber(e, "InsertedElements", inserted, 0, report);
+  ExpectNumber(e, "Kept", kept, 0, report);
+  ExpectNumber(e, "Eliminated", static_cast<double>(e.In.Elements.size()) - kept, 0, report);
+  ExpectNumber(e, "Treated",
     static_cast<double>(std::count(e.ElementStatus.begin(), e.ElementStatus.end(), 2)), 0, report);
   double moved = 0, farthest = 0, volume = 0, wedges = 0;
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
@@ -311,18 +332,18 @@ void CheckSummary(const Evidence& e, Report& report)
     volume += VolumeOf(e.Out.Corners(c), e.Out.Elements[c].Size);
     wedges += e.Out.Elements[c].Size == 6 && e.In.Elements[e.CellOf[c]].Size == 8;
   }
-  Expect(e, "MovedNodes", moved, 0, report);
+  ExpectNumber(e, "MovedNodes", moved, 0, report);
   // Single precision: rounded after it was summed.
   const double skin = e.Rounding / e.Case.Input->Box.ElementSize;
-  Expect(e, "Volume", volume, (1e-9 + 10 * skin) * volume, report);
-  Expect(e, "Wedges", wedges, 0, report);
+  ExpectNumber(e, "Volume", volume, (1e-9 + 10 * skin) * volume, report);
+  ExpectNumber(e, "Wedges", wedges, 0, report);
   // Type I leaves the staircase, whose nodes lie about an element away.
   const double size = e.Case.Input->Box.ElementSize;
   if (farthest < 2.5 * size)
   {
-    Expect(e, "MaximumDistanceToSurface", farthest, 1e-6 * size + 1.1 * e.Exact, report);
+    ExpectNumber(e, "MaximumDistanceToSurface", farthest, 1e-6 * size + 1.1 * e.Exact, report);
   }
-  Expect(e, "NodeBandwidth", static_cast<double>(Bandwidth(e.Out.Elements)), 0, report);
+  ExpectNumber(e, "NodeBandwidth", static_cast<double>(Bandwidth(e.Out.Elements)), 0, report);
   CheckQuality(e, report);
 }
 

@@ -16,11 +16,6 @@ namespace judge
 {
 namespace
 {
-std::string Point(Id p)
-{
-  return "point " + std::to_string(p);
-}
-
 std::string Where(const Vec3& p)
 {
   char text[80];
@@ -116,6 +111,63 @@ Vec3 Tuple(vtkDataArray* array, Id i)
 {
   return Vec3(array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2));
 }
+
+/// What is said of the move of a point of port 0 against its coordinates.
+void CheckMove(const Evidence& e, Id p, const Vec3& displacement, int correction, Report& report)
+{
+  const Vec3 real = e.Out.Points[p] - e.In.Points[e.PointOf[p]];
+  const double off = (real - displacement).norm();
+  const double limit = 1e-6 * real.norm() + 1e-12 * e.Diagonal + 4 * e.Rounding;
+  if (!(off <= limit))
+  {
+    report.Fail("Displacement", Point(p) + " against the coordinates", off, limit);
+  }
+  if ((real.norm() > 0) != (correction != 0) || (real.norm() == 0 && displacement.norm() != 0))
+  {
+    report.Fail("CorrectionApplied",
+      Point(p) + " moved by " + std::to_string(real.norm()) + " says", correction,
+      real.norm() > 0 ? e.Case.Options.CorrectionType : 0);
+  }
+  if (e.Case.Options.CorrectionType == 1 && real.norm() > 0)
+  {
+    report.Fail("type I moves nothing", Point(p), real.norm(), 0);
+  }
+}
+
+/// Points of type III are on mesh edges, unless distribution moved them off by intent, or a layer,
+/// whose edges they may slide along.
+void CheckSlide(const Evidence& e, Id p, const std::vector<char>& skin, Report& report)
+{
+  const Id o = e.PointOf[p];
+  const auto place = e.Border.PlaceOf(o);
+  const bool inner =
+    place == Exterior::Place::Inside || (place == Exterior::Place::Face && skin[o]);
+  if (e.Case.Options.InsertLayer || e.Case.Options.Optimization != 0 || !inner)
+  {
+    return;
+  }
+  const double away = DistanceToSlides(e, o, e.Out.Points[p]);
+  if (away > e.Exact)
+  {
+    report.Fail("type III stays on a mesh edge",
+      Point(p) + " of the input's " + std::to_string(o) + Where(e.In.Points[o]) + " now" +
+        Where(e.Out.Points[p]),
+      away, e.Exact);
+  }
+}
+
+void CheckWholePoints(const Evidence& e, Report& report)
+{
+  for (Id o = 0; o < static_cast<Id>(e.In.Points.size()); ++o)
+  {
+    const Vec3 given(e.Case.Whole->GetPoint(o));
+    if (given != e.In.Points[o])
+    {
+      report.Fail(
+        "port 1 has the input's coordinates", Point(o), (given - e.In.Points[o]).norm(), 0);
+    }
+  }
+}
 }
 
 void CheckMoves(const Evidence& e, Report& report)
@@ -133,23 +185,12 @@ void CheckMoves(const Evidence& e, Report& report)
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];
-    const Vec3 real = e.Out.Points[p] - e.In.Points[o], given = Tuple(displacement, p);
+    const Vec3 given = Tuple(displacement, p);
     const int correction = static_cast<int>(applied->GetComponent(p, 0));
-    const double limit = 1e-6 * real.norm() + 1e-12 * e.Diagonal + 4 * e.Rounding;
-    if (!((real - given).norm() <= limit))
+    CheckMove(e, p, given, correction, report);
+    if (correction == 3)
     {
-      report.Fail(
-        "Displacement", Point(p) + " against the coordinates", (real - given).norm(), limit);
-    }
-    if ((real.norm() > 0) != (correction != 0) || (real.norm() == 0 && given.norm() != 0))
-    {
-      report.Fail("CorrectionApplied",
-        Point(p) + " moved by " + std::to_string(real.norm()) + " says", correction,
-        real.norm() > 0 ? e.Case.Options.CorrectionType : 0);
-    }
-    if (e.Case.Options.CorrectionType == 1 && real.norm() > 0)
-    {
-      report.Fail("type I moves nothing", Point(p), real.norm(), 0);
+      CheckSlide(e, p, skin, report);
     }
     if (!e.InsertedPoint[p] && (Tuple(whole, o) - given).norm() > 0)
     {
@@ -161,37 +202,14 @@ void CheckMoves(const Evidence& e, Report& report)
       report.Fail("NodeStatus", Point(p) + " differs between the ports", status->GetComponent(p, 0),
         e.NodeStatus[o]);
     }
-    // Distribution moves a node off its edge by intent.
-    const auto place = e.Border.PlaceOf(o);
-    const bool inner =
-      place == Exterior::Place::Inside || (place == Exterior::Place::Face && skin[o]);
-    // With a layer the edges that nodes slide along may be those of its elements.
-    if (correction == 3 && !e.Case.Options.InsertLayer && e.Case.Options.Optimization == 0 && inner)
-    {
-      const double away = DistanceToSlides(e, o, e.Out.Points[p]);
-      if (away > e.Exact)
-      {
-        report.Fail("type III stays on a mesh edge",
-          Point(p) + " of the input's " + std::to_string(o) + Where(e.In.Points[o]) + " now" +
-            Where(e.Out.Points[p]),
-          away, e.Exact);
-      }
-    }
   }
-  for (Id o = 0; o < static_cast<Id>(e.In.Points.size()); ++o)
-  {
-    if (Vec3(e.Case.Whole->GetPoint(o)) != e.In.Points[o])
-    {
-      report.Fail("port 1 has the input's coordinates", Point(o),
-        (Vec3(e.Case.Whole->GetPoint(o)) - e.In.Points[o]).norm(), 0);
-    }
-  }
+  CheckWholePoints(e, report);
 }
 
 namespace
 {
 /// Points of the input where facets of kept elements meet in a ridge.
-std::vector<char> RidgesOfKept(const Evidence& e, const std::vector<char>& kept)
+std::vector<char> RidgesOfKept(const Evidence& e)
 {
   const double cosine = std::cos(Exterior::SureAngle * std::acos(-1.0) / 180);
   std::vector<char> ridge(e.In.Points.size(), 0);
@@ -200,7 +218,7 @@ std::vector<char> RidgesOfKept(const Evidence& e, const std::vector<char>& kept)
   {
     const auto at = [&](int i) { return e.In.Points[facet.Node[i]]; };
     const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
-    for (int i = 0; kept[facet.Owner] && i < facet.Size(); ++i)
+    for (int i = 0; e.KeptCell[facet.Owner] && i < facet.Size(); ++i)
     {
       auto& others = normals[facet.Node[i]];
       ridge[facet.Node[i]] |= std::any_of(others.begin(), others.end(),
@@ -213,23 +231,18 @@ std::vector<char> RidgesOfKept(const Evidence& e, const std::vector<char>& kept)
 
 void CheckPlaces(const Evidence& e, Report& report)
 {
-  std::vector<char> kept(e.In.Elements.size(), 0);
-  for (const Id cell : e.CellOf)
-  {
-    kept[cell] = 1;
-  }
   const auto stays = [&](const Facet& facet)
   {
     const auto end = facet.Node.begin() + facet.Size();
-    return kept[facet.Owner] &&
+    return e.KeptCell[facet.Owner] &&
       std::any_of(facet.Node.begin(), end, [&](Id node) { return e.NodeStatus[node] != 1; });
   };
   const std::vector<char> skin = SkinPoints(e, stays);
   // A layer divides the facets of the skin, which changes the shape of twisted ones.
   const double exact = e.Case.Options.InsertLayer ? std::max(e.Exact, 1e-4 * e.Diagonal) : e.Exact;
-  const std::vector<char> ridges = RidgesOfKept(e, kept);
+  const std::vector<char> ridges = RidgesOfKept(e);
   const std::vector<char> ofKept =
-    ExteriorPoints(e, [&kept](const Facet& facet) { return kept[facet.Owner] != 0; });
+    ExteriorPoints(e, [&e](const Facet& facet) { return e.KeptCell[facet.Owner] != 0; });
   for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
   {
     const Id o = e.PointOf[p];
@@ -273,10 +286,7 @@ void CheckPlaces(const Evidence& e, Report& report)
     }
   }
 }
-}
 
-namespace
-{
 /// Points of port 0 of which all elements hold a cut-out that is not opened, as the filter says.
 std::vector<char> InShutHoles(const Evidence& e)
 {
@@ -293,10 +303,7 @@ std::vector<char> InShutHoles(const Evidence& e)
   }
   return inside;
 }
-}
 
-namespace
-{
 /// No node sticks out of the mesh's box to be seen: out of a block, or of a flat sheet by its skin.
 void CheckBox(const Evidence& e, Report& report)
 {
@@ -318,61 +325,60 @@ void CheckBox(const Evidence& e, Report& report)
     }
   }
 }
+
+/// How far points that should be on the surface are off it, against what is said of it.
+void CheckDistances(const Evidence& e, Report& report)
+{
+  const std::vector<char> skin = SkinPoints(e);
+  const std::vector<char> shut = InShutHoles(e);
+  vtkDataArray* distanceLeft = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
+  for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
+  {
+    const bool beyond = e.NodeStatus[e.PointOf[p]] == 1 && !e.InsertedPoint[p];
+    if (!e.OnNewBoundary[p] && !beyond)
+    {
+      continue;
+    }
+    const double signedDistance = e.Signed(e.Out.Points[p]);
+    const double d = std::abs(signedDistance);
+    const auto place = e.Border.PlaceOf(e.PointOf[p]);
+    const bool corner =
+      place == Exterior::Place::Corner || (place == Exterior::Place::Ridge && !skin[e.PointOf[p]]);
+    const double left = distanceLeft ? distanceLeft->GetComponent(p, 0) : 0;
+    if (!e.OnNewBoundary[p] && left == 0 && signedDistance < -e.Exact && e.Moved(p))
+    {
+      continue; // behind the cut: it came to lie inside
+    }
+    if (!e.OnNewBoundary[p] && left == 0 && shut[p])
+    {
+      continue; // there is no border
+    }
+    // Where it was, a node may be as far from the surface as the tolerance says.
+    const bool stayed = e.NodeStatus[e.PointOf[p]] == 2 && !e.Moved(p);
+    const double exact =
+      stayed ? std::max(e.Exact, e.Case.Options.Tolerance * e.Diagonal) : e.Exact;
+    if (!(std::abs(left - (d <= exact ? 0 : d)) <= 1e-6 * d + e.Exact))
+    {
+      report.Fail("DistanceLeft", Point(p), left, d);
+    }
+    if (!(d <= exact) && left > 0)
+    {
+      // Corners of the model must stay, even where the surface passes beside them.
+      report.Note(corner && !e.Moved(p) ? "corners of the model beside the surface" : NodesLeftOff);
+    }
+    else if (!(d <= exact))
+    {
+      report.Fail("new boundary on the surface",
+        Point(p) + (beyond ? " (eliminate)" : " (keep)") + (e.Moved(p) ? " moved" : " not moved") +
+          (e.OnNewBoundary[p] ? "" : ", not on the new boundary"),
+        d, exact);
+    }
+  }
 }
 
-void CheckBoundary(const Evidence& e, Report& report)
+/// The result is a closed manifold if the input is.
+void CheckManifold(const Evidence& e, Report& report)
 {
-  CheckBox(e, report);
-  if (e.Case.Options.CorrectionType != 1)
-  {
-    const std::vector<char> skin = SkinPoints(e);
-    const std::vector<char> shut = InShutHoles(e);
-    vtkDataArray* distanceLeft = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
-    for (Id p = 0; p < static_cast<Id>(e.Out.Points.size()); ++p)
-    {
-      const bool beyond = e.NodeStatus[e.PointOf[p]] == 1 && !e.InsertedPoint[p];
-      if (!e.OnNewBoundary[p] && !beyond)
-      {
-        continue;
-      }
-      const double signedDistance = e.Signed(e.Out.Points[p]);
-      const double d = std::abs(signedDistance);
-      const auto place = e.Border.PlaceOf(e.PointOf[p]);
-      const bool corner = place == Exterior::Place::Corner ||
-        (place == Exterior::Place::Ridge && !skin[e.PointOf[p]]);
-      const double left = distanceLeft ? distanceLeft->GetComponent(p, 0) : 0;
-      if (!e.OnNewBoundary[p] && left == 0 && signedDistance < -e.Exact && e.Moved(p))
-      {
-        continue; // behind the cut: it came to lie inside
-      }
-      if (!e.OnNewBoundary[p] && left == 0 && shut[p])
-      {
-        continue; // there is no border
-      }
-      // Where it was, a node may be as far from the surface as the tolerance says.
-      const bool stayed = e.NodeStatus[e.PointOf[p]] == 2 && !e.Moved(p);
-      const double exact =
-        stayed ? std::max(e.Exact, e.Case.Options.Tolerance * e.Diagonal) : e.Exact;
-      if (!(std::abs(left - (d <= exact ? 0 : d)) <= 1e-6 * d + e.Exact))
-      {
-        report.Fail("DistanceLeft", Point(p), left, d);
-      }
-      if (!(d <= exact) && left > 0)
-      {
-        // Corners of the model must stay, even where the surface passes beside them.
-        report.Note(corner && !e.Moved(p) ? "corners of the model beside the surface" : LeftOff);
-      }
-      else if (!(d <= exact))
-      {
-        report.Fail("new boundary on the surface",
-          Point(p) + (beyond ? " (eliminate)" : " (keep)") +
-            (e.Moved(p) ? " moved" : " not moved") +
-            (e.OnNewBoundary[p] ? "" : ", not on the new boundary"),
-          d, exact);
-      }
-    }
-    CheckPlaces(e, report);
-  }
   const FacetTable table(e.Out);
   const int came = e.Border.Facets().OverUsed;
   if (table.OverUsed > came)
@@ -389,6 +395,18 @@ void CheckBoundary(const Evidence& e, Report& report)
   {
     report.Fail("manifold", "boundary vertices at " + Point(after.VertexPoint), after.Vertices, 0);
   }
+}
+}
+
+void CheckBoundary(const Evidence& e, Report& report)
+{
+  CheckBox(e, report);
+  if (e.Case.Options.CorrectionType != 1)
+  {
+    CheckDistances(e, report);
+    CheckPlaces(e, report);
+  }
+  CheckManifold(e, report);
 }
 
 void CheckNewBoundary(const Evidence& e, Report& report)

@@ -15,11 +15,6 @@ namespace judge
 {
 namespace
 {
-std::string Point(Id p)
-{
-  return "point " + std::to_string(p);
-}
-
 void RequireArray(vtkDataSetAttributes* data, const char* port, const char* name, int type,
   int components, Report& report)
 {

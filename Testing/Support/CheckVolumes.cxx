@@ -54,7 +54,7 @@ double NegativePart(const std::array<Vec3, 4>& p, const std::array<double, 4>& f
   return volume * (a * b + b * c * (1 - a) + c * d * (1 - b));
 }
 
-/// Whether nodes of the new boundary are off the surface; CheckMoves judges whether rightly.
+/// Whether nodes of the new boundary are off the surface; CheckBoundary judges whether rightly.
 bool HasNodesLeft(const Evidence& e)
 {
   vtkDataArray* left = e.Case.Trimmed->GetPointData()->GetArray("DistanceLeft");
@@ -134,8 +134,9 @@ namespace
 {
 bool IsRelaxed(const Evidence& e, Id point)
 {
+  constexpr double Relaxed = 4; // of CorrectionApplied
   vtkDataArray* applied = e.Case.Trimmed->GetPointData()->GetArray("CorrectionApplied");
-  return applied && applied->GetComponent(point, 0) == 4;
+  return applied && applied->GetComponent(point, 0) == Relaxed;
 }
 
 /// Whether some place where a part without the elements that both have hangs together by an edge or
@@ -187,14 +188,15 @@ void CheckInBoth(
     }
     else
     {
-      report.Fail(
-        "kept part or offcut", "input cell " + std::to_string(c) + " is in that many", 2, 1);
+      report.Fail("kept part or offcut", "input's " + Cell(c) + " is in that many", 2, 1);
     }
   }
 }
-}
 
-void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
+/// Each element is in one part; where a rescue says otherwise, or its share is the limit itself, it
+/// may be in both or none.
+/// @return whether there is such a share.
+bool CheckFates(const Evidence& kept, const Evidence& offcut, Report& report)
 {
   // An element in neither part went from both for the sake of its shape: its neighbours have to
   // fill its place. In both: the parts overlap.
@@ -222,10 +224,12 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
     }
   }
   CheckInBoth(kept, offcut, inBoth, report);
-  if (kept.Case.Options.CorrectionType == 1 || HasNodesLeft(kept) || HasNodesLeft(offcut))
-  {
-    return;
-  }
+  return tie;
+}
+
+/// The volumes of both parts are that of the input, but for the corners of curved surfaces.
+void CheckSum(const Evidence& kept, const Evidence& offcut, Report& report)
+{
   const double parts = VolumeOf(kept.Out) + VolumeOf(offcut.Out), whole = VolumeOf(kept.In);
   // Where one part has a chord (a dropped or distributed node), the other has a corner: on a
   // plane the same, on a curved surface a triangle of area L^3 / 16 R between them.
@@ -236,18 +240,16 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
   const double limit = (1e-9 + 10 * kept.Rounding / box.ElementSize) * whole +
     BorderAllowance(*kept.Case.Input) +
     pentahedra * depth * chord * chord * chord / (16 * kept.Case.Cut->MinimumRadius);
-  const bool comparable = kept.Case.Input->Flat && !kept.HasOrphans() && !offcut.HasOrphans();
-  if (comparable && !(std::abs(parts - whole) <= limit))
+  if (!(std::abs(parts - whole) <= limit))
   {
     report.Fail(
       "kept part and offcut add up", "volume against " + std::to_string(whole), parts, limit);
   }
-  if (kept.Case.Options.Optimization == 1 || !kept.Case.Cut->HasPlane || kept.Rescued() ||
-    offcut.Rescued() || tie || !comparable)
-  {
-    return; // a node may be distributed in one part alone
-  }
-  // Along the cut: a node that both parts have is at the same place in both.
+}
+
+/// A node that both parts have is at the same place in both.
+void CheckFit(const Evidence& kept, const Evidence& offcut, Report& report)
+{
   std::map<Id, Id> other;
   for (Id p = 0; p < static_cast<Id>(offcut.Out.Points.size()); ++p)
   {
@@ -267,9 +269,28 @@ void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
     }
     else if (gap > kept.Exact)
     {
-      report.Fail("parts fit node by node", "input point " + std::to_string(kept.PointOf[p]), gap,
-        kept.Exact);
+      report.Fail("parts fit node by node", "input's " + Point(kept.PointOf[p]), gap, kept.Exact);
     }
+  }
+}
+}
+
+void CheckPair(const Evidence& kept, const Evidence& offcut, Report& report)
+{
+  const bool tie = CheckFates(kept, offcut, report);
+  const bool comparable = kept.Case.Input->Flat && !kept.HasOrphans() && !offcut.HasOrphans();
+  if (kept.Case.Options.CorrectionType == 1 || HasNodesLeft(kept) || HasNodesLeft(offcut) ||
+    !comparable)
+  {
+    return;
+  }
+  CheckSum(kept, offcut, report);
+  // With distribution a node may be elsewhere in one part alone.
+  const bool fits = kept.Case.Options.Optimization != 1 && kept.Case.Cut->HasPlane &&
+    !kept.Rescued() && !offcut.Rescued() && !tie;
+  if (fits)
+  {
+    CheckFit(kept, offcut, report);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "Checks.h"
+#include "Evidence.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -83,8 +83,8 @@ Evidence::Evidence(const Trial& trial, Report& report)
   }
   if (this->Out.BadCell >= 0)
   {
-    report.Fail("cell types",
-      "cell " + std::to_string(this->Out.BadCell) + " of port 0 is neither hexahedron nor wedge");
+    report.Fail(
+      "cell types", Cell(this->Out.BadCell) + " of port 0 is neither hexahedron nor wedge");
     return;
   }
   this->Usable = this->ReadOrigins(report) && this->ReadStatuses(report);
@@ -273,27 +273,6 @@ bool Evidence::Rescued() const
     }
   }
   return false;
-}
-
-void JudgeAll(const Evidence& evidence, Report& report)
-{
-  CheckArrays(evidence.Case, report);
-  if (!evidence.Usable)
-  {
-    return;
-  }
-  CheckStatuses(evidence, report);
-  CheckRescues(evidence, report);
-  CheckFractions(evidence, report);
-  CheckMoves(evidence, report);
-  CheckBoundary(evidence, report);
-  CheckElements(evidence, report);
-  CheckFloor(evidence, report);
-  CheckShortfalls(evidence, report);
-  CheckNewBoundary(evidence, report);
-  CheckCarriedArrays(evidence, report);
-  CheckSummary(evidence, report);
-  CheckNumbering(evidence, report);
 }
 
 }

@@ -19,6 +19,19 @@ Edge EdgeOf(const Facet& facet, int i)
   return a < b ? Edge(a, b) : Edge(b, a);
 }
 
+std::map<Edge, std::vector<Id>> FacetsOfEdges(const std::vector<Facet>& facets)
+{
+  std::map<Edge, std::vector<Id>> facetsOfEdge;
+  for (Id f = 0; f < static_cast<Id>(facets.size()); ++f)
+  {
+    for (int i = 0; i < facets[f].Size(); ++i)
+    {
+      facetsOfEdge[EdgeOf(facets[f], i)].push_back(f);
+    }
+  }
+  return facetsOfEdge;
+}
+
 Vec3 NormalOf(const Facet& facet, const std::vector<Vec3>& points)
 {
   const Vec3& p0 = points[facet.Node[0]];
@@ -45,7 +58,7 @@ double DistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
     { DistanceToSegment(p, a, b), DistanceToSegment(p, b, c), DistanceToSegment(p, c, a) });
 }
 
-// Gauss-Newton with clamping from several starts: the patch is small and nearly flat.
+// Newton's method with clamping from several starts: the patch is small and nearly flat.
 double DistanceToBilinear(
   const Vec3& p, const Vec3& p00, const Vec3& p10, const Vec3& p11, const Vec3& p01)
 {
@@ -79,16 +92,8 @@ double DistanceToBilinear(
   }
   return best;
 }
-}
 
-double DistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-  const Vec3 d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0 ? std::clamp(d.dot(p - a) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
-
+/// Distance to a triangle or bilinear quadrilateral.
 double DistanceToFacet(const Vec3& p, const Facet& facet, const std::vector<Vec3>& points)
 {
   const Vec3 &a = points[facet.Node[0]], &b = points[facet.Node[1]], &c = points[facet.Node[2]];
@@ -97,6 +102,15 @@ double DistanceToFacet(const Vec3& p, const Facet& facet, const std::vector<Vec3
     return DistanceToTriangle(p, a, b, c);
   }
   return DistanceToBilinear(p, a, b, c, points[facet.Node[3]]);
+}
+}
+
+double DistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+  const Vec3 d = b - a;
+  const double length2 = d.squaredNorm();
+  const double t = length2 > 0 ? std::clamp(d.dot(p - a) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - t * d).norm();
 }
 
 FacetTable::FacetTable(const Model& model)
@@ -124,14 +138,13 @@ FacetTable::FacetTable(const Model& model)
 ManifoldDefects FindManifoldDefects(const FacetTable& table)
 {
   ManifoldDefects defects;
-  std::map<Edge, std::vector<Id>> facetsOfEdge;
+  auto facetsOfEdge = FacetsOfEdges(table.Exterior);
   std::map<Id, std::vector<Id>> facetsOfPoint;
   for (Id f = 0; f < static_cast<Id>(table.Exterior.size()); ++f)
   {
     const Facet& facet = table.Exterior[f];
     for (int i = 0; i < facet.Size(); ++i)
     {
-      facetsOfEdge[EdgeOf(facet, i)].push_back(f);
       facetsOfPoint[facet.Node[i]].push_back(f);
     }
   }
@@ -199,15 +212,8 @@ void Exterior::FindPatches()
       ridges.emplace(ridge.A, ridge.B);
     }
   }
-  std::map<Edge, std::vector<Id>> facetsOfEdge;
+  auto facetsOfEdge = FacetsOfEdges(this->Table.Exterior);
   const auto count = static_cast<Id>(this->Table.Exterior.size());
-  for (Id f = 0; f < count; ++f)
-  {
-    for (int i = 0; i < this->Table.Exterior[f].Size(); ++i)
-    {
-      facetsOfEdge[EdgeOf(this->Table.Exterior[f], i)].push_back(f);
-    }
-  }
   this->FacetPatch.assign(count, -1);
   this->PointPatch.assign(this->Mesh.Points.size(), -1);
   int patches = 0;
@@ -243,16 +249,7 @@ void Exterior::FindPatches()
 
 void Exterior::FindRidges()
 {
-  std::map<Edge, std::vector<Id>> facetsOfEdge;
-  for (Id f = 0; f < static_cast<Id>(this->Table.Exterior.size()); ++f)
-  {
-    const Facet& facet = this->Table.Exterior[f];
-    for (int i = 0; i < facet.Size(); ++i)
-    {
-      facetsOfEdge[EdgeOf(facet, i)].push_back(f);
-    }
-  }
-  for (const auto& edge : facetsOfEdge)
+  for (const auto& edge : FacetsOfEdges(this->Table.Exterior))
   {
     double angle = 180;
     if (edge.second.size() == 2)

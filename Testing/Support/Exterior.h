@@ -8,10 +8,11 @@
 
 #include "Model.h"
 
+#include <array>
 #include <map>
 #include <set>
 #include <unordered_map>
-#include <utility>
+#include <vector>
 
 namespace judge
 {
@@ -93,9 +94,6 @@ private:
   Vec3 Low = Vec3::Zero();
   double BinSize = 1;
 };
-
-/// Distance from a point to a triangle or bilinear quadrilateral.
-double DistanceToFacet(const Vec3& p, const Facet& facet, const std::vector<Vec3>& points);
 
 /// Distance from a point to a segment.
 double DistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);

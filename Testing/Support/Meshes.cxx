@@ -10,7 +10,6 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -60,6 +59,38 @@ RawMesh Permute(const RawMesh& raw, unsigned seed)
     Turn(element, random);
   }
   return out;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> ToGrid(const RawMesh& input, const MeshOptions& options)
+{
+  const RawMesh raw = options.Permuted ? Permute(input, options.Seed) : input;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(options.Float ? VTK_FLOAT : VTK_DOUBLE);
+  for (const Vec3& p : raw.Points)
+  {
+    const Vec3 q = options.Scale * p + options.Shift;
+    points->InsertNextPoint(q.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  options.Short ? cells->Use32BitStorage() : cells->Use64BitStorage();
+  vtkNew<vtkUnsignedCharArray> types;
+  for (const Element& element : raw.Elements)
+  {
+    cells->InsertNextCell(element.Size);
+    for (int i = 0; i < element.Size; ++i)
+    {
+      cells->InsertCellPoint(element.Node[i]);
+    }
+    types->InsertNextValue(element.Size == 8 ? VTK_HEXAHEDRON : VTK_WEDGE);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetCells(types, cells);
+  if (options.Data)
+  {
+    AddData(grid, options.Seed);
+  }
+  return grid;
 }
 
 }
@@ -114,38 +145,6 @@ void RawMesh::Add(int size, std::initializer_list<Id> nodes)
   element.Size = size;
   std::copy(nodes.begin(), nodes.end(), element.Node.begin());
   this->Elements.push_back(element);
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> ToGrid(const RawMesh& input, const MeshOptions& options)
-{
-  const RawMesh raw = options.Permuted ? Permute(input, options.Seed) : input;
-  vtkNew<vtkPoints> points;
-  points->SetDataType(options.Float ? VTK_FLOAT : VTK_DOUBLE);
-  for (const Vec3& p : raw.Points)
-  {
-    const Vec3 q = options.Scale * p + options.Shift;
-    points->InsertNextPoint(q.data());
-  }
-  vtkNew<vtkCellArray> cells;
-  options.Short ? cells->Use32BitStorage() : cells->Use64BitStorage();
-  vtkNew<vtkUnsignedCharArray> types;
-  for (const Element& element : raw.Elements)
-  {
-    cells->InsertNextCell(element.Size);
-    for (int i = 0; i < element.Size; ++i)
-    {
-      cells->InsertCellPoint(element.Node[i]);
-    }
-    types->InsertNextValue(element.Size == 8 ? VTK_HEXAHEDRON : VTK_WEDGE);
-  }
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(points);
-  grid->SetCells(types, cells);
-  if (options.Data)
-  {
-    AddData(grid, options.Seed);
-  }
-  return grid;
 }
 
 Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& options)

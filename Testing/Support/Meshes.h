@@ -11,7 +11,9 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <functional>
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace judge
 {
@@ -32,7 +34,7 @@ struct MeshOptions
   bool Permuted = false; ///< points and cells numbered at random
   double Perturbed = 0;  ///< inner columns moved in the plane, in element sizes
   bool Data = true;      ///< arrays of all kinds
-  double Scale = 1;      ///< applied last but one
+  double Scale = 1;      ///< of the whole mesh, before the shift
   Vec3 Shift = Vec3::Zero();
   unsigned Seed = 1;
 };
@@ -46,7 +48,7 @@ struct Mesh
   bool Sheet = true;          ///< has a thickness direction
   double BorderTurn = 0;      ///< angle at the vertices of a polygonal border, radians
   bool Regular = false;       ///< rectangular sheet of equal elements, not permuted or perturbed
-  int Nx = 0, Ny = 0, Nz = 0; ///< of regular ones
+  int Nx = 0, Ny = 0, Nz = 0; ///< elements of a rectangular sheet; 0: it is none
 };
 
 /// Plain points and elements, before they become a grid.
@@ -62,8 +64,6 @@ Frame BoxOf(const RawMesh& raw, double elementSize);
 
 /// The grid of a mesh, scaled and shifted with its frame.
 Mesh Finish(const std::string& name, const RawMesh& raw, Frame frame, const MeshOptions& options);
-
-vtkSmartPointer<vtkUnstructuredGrid> ToGrid(const RawMesh& raw, const MeshOptions& options);
 
 /// Puts each point elsewhere, and says so.
 void MovePoints(vtkPointSet* data, const std::function<Vec3(const Vec3&)>& to);
@@ -103,8 +103,8 @@ Mesh PatchedSheet(int nx, int ny, int nz, const MeshOptions& options = {});
 /// two sides meet there in a thin edge.
 Mesh Segment(int nr, int nz, double angle, const MeshOptions& options = {});
 
-/// A cube of n^3 cubes of 1 x 1 x 1, each divided into six tetrahedra, and these into four hexahedra
-/// each, as some meshers make hexahedra.
+/// A cube of n^3 cubes of 1 x 1 x 1, each divided into six tetrahedra, and these into four
+/// hexahedra each, as some meshers make hexahedra.
 /// @param bulge of the cube's faces; its edges are straight.
 Mesh DividedTetrahedra(int n, double bulge, const MeshOptions& options = {});
 
@@ -116,11 +116,11 @@ Mesh ReadMesh(const std::string& path);
 Mesh MakeMesh(const std::string& name);
 std::vector<std::string> MeshNames();
 
-/// Others by name: tubes, bars, ribs, sheets of changing thickness, and two with odd corners. The
+/// Others by name: tubes, bars, ribs, sheets of changing thickness, and some with odd corners. The
 /// matrix does not have them.
 Mesh MakePart(const std::string& name);
 
-/// These too, but for the two.
+/// MeshNames() and these, but for those with odd corners.
 std::vector<std::string> AllMeshNames();
 
 }

@@ -9,6 +9,8 @@
 #include "Meshes.h"
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace judge
 {

@@ -8,6 +8,9 @@
 
 #include "Model.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace judge
 {
 class Profile

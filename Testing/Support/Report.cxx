@@ -1,4 +1,4 @@
-#include "Checks.h"
+#include "Report.h"
 
 #include <cstdio>
 

@@ -13,20 +13,11 @@ namespace judge
 {
 namespace
 {
-void AddDoubles(
-  vtkPolyData* data, const char* name, int components, const std::vector<double>& values)
+template <typename Array>
+void Add(vtkPolyData* data, const char* name, int components,
+  const std::vector<typename Array::ValueType>& values)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  data->GetFieldData()->AddArray(array);
-}
-
-void AddInts(vtkPolyData* data, const char* name, int components, const std::vector<int>& values)
-{
-  vtkNew<vtkIntArray> array;
+  vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
@@ -156,16 +147,16 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const SplineSurface& s)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   Tessellate(s, data);
-  AddInts(data, "NURBSDegrees", 2, { s.DegreeU, s.DegreeV });
-  AddInts(data, "NURBSControlNetSize", 2, { s.CountU, s.CountV });
+  Add<vtkIntArray>(data, "NURBSDegrees", 2, { s.DegreeU, s.DegreeV });
+  Add<vtkIntArray>(data, "NURBSControlNetSize", 2, { s.CountU, s.CountV });
   std::vector<double> control;
   for (const auto& c : s.Control)
   {
     control.insert(control.end(), c.data(), c.data() + 4);
   }
-  AddDoubles(data, "NURBSControlPoints", 4, control);
-  AddDoubles(data, "NURBSKnotsU", 1, s.KnotsU);
-  AddDoubles(data, "NURBSKnotsV", 1, s.KnotsV);
+  Add<vtkDoubleArray>(data, "NURBSControlPoints", 4, control);
+  Add<vtkDoubleArray>(data, "NURBSKnotsU", 1, s.KnotsU);
+  Add<vtkDoubleArray>(data, "NURBSKnotsV", 1, s.KnotsV);
   if (!s.Loops.empty())
   {
     std::vector<double> points;
@@ -178,8 +169,8 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const SplineSurface& s)
       }
       offsets.push_back(static_cast<int>(points.size() / 2));
     }
-    AddDoubles(data, "NURBSTrimLoops", 2, points);
-    AddInts(data, "NURBSTrimLoopOffsets", 1, offsets);
+    Add<vtkDoubleArray>(data, "NURBSTrimLoops", 2, points);
+    Add<vtkIntArray>(data, "NURBSTrimLoopOffsets", 1, offsets);
   }
   return data;
 }

@@ -11,6 +11,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <vector>
+
 namespace judge
 {
 struct SplineSurface

@@ -12,7 +12,9 @@
 #include <vtkSmartPointer.h>
 
 #include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace judge
 {
@@ -78,6 +80,7 @@ Surface RoundHole(const Mesh& sheet, double x, double y, double radius, double l
 /// narrow for elements, and makes a hole in the first one, too small to be opened. Without an
 /// oracle.
 Surface StripAndHole(const Mesh& sheets);
+
 /// Two as one trimming surface, of which no truth is known.
 Surface Together(vtkDataObject* one, vtkDataObject* other);
 

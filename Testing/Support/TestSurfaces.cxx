@@ -67,7 +67,7 @@ struct Seen
   double Distance = 1e300, Side = 0;
 };
 
-// The closest point over all faces; seen[i].Side is the sign by face i's own normal.
+// The closest point over all faces, and the side of that face.
 Seen Ask(const std::vector<Handle(Geom_BSplineSurface)>& faces, const Vec3& p)
 {
   Seen best;
@@ -114,7 +114,7 @@ int Compare(const std::string& kind, const Frame& frame, const Placement& at)
       frame.Axes *
         Vec3(frame.HalfX * any(random), frame.HalfY * any(random), frame.HalfZ * any(random));
     const double signedDistance = surface.Signed(p);
-    // Near, and where the foot's normal is that of one face alone.
+    // Near: farther away the oracle's distance is not exact.
     if (std::abs(signedDistance) > 2 * frame.ElementSize)
     {
       continue;
@@ -122,6 +122,7 @@ int Compare(const std::string& kind, const Frame& frame, const Placement& at)
     ++compared;
     const Seen seen = Ask(faces, p);
     const double limit = 1e-7 * frame.ElementSize + 1e-9 * frame.Centre.norm();
+    // The faces of a shell are turned at random.
     const bool side = faces.size() > 1 || std::abs(signedDistance) < limit ||
       (seen.Side > 0) == (signedDistance > 0);
     const bool rough = std::abs(signedDistance) < 1e-3 * frame.HalfX ||
