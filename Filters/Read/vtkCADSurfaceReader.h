@@ -103,8 +103,9 @@ public:
   ///@{
   /**
    * Processor seconds after which a file is given up, as damaged ones can keep OpenCASCADE busy
-   * for ever, or ten times as many by the clock; 0 (the default): 10, and 100 more for each megabyte
-   * of the file. Where joining its bodies takes too long they are read without, in as much again.
+   * for ever, or ten times as many by the clock; 0 (the default): 10, and 100 more for each
+   * megabyte of the file. Where joining its bodies takes too long they are read without, in as much
+   * again.
    */
   vtkSetClampMacro(TimeLimit, double, 0.0, 1e9);
   vtkGetMacro(TimeLimit, double);

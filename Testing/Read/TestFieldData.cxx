@@ -57,8 +57,7 @@ bool Equal(const NurbsSurface& a, const NurbsSurface& b)
 {
   return a.DegreeU == b.DegreeU && a.DegreeV == b.DegreeV && a.CountU == b.CountU &&
     a.CountV == b.CountV && a.KnotsU == b.KnotsU && a.KnotsV == b.KnotsV &&
-    a.ControlPoints == b.ControlPoints && a.TrimLoops == b.TrimLoops &&
-    a.Tolerance == b.Tolerance;
+    a.ControlPoints == b.ControlPoints && a.TrimLoops == b.TrimLoops && a.Tolerance == b.Tolerance;
 }
 
 void TestRoundTrip()

@@ -40,7 +40,8 @@ struct CADEdge
 struct CADModel
 {
   std::vector<CADFace> Faces;
-  std::vector<TopoDS_Shape> Bodies; ///< solids, of the file or sewn, in millimetres, with location and orientation
+  /// Solids, of the file or sewn, in millimetres, with location and orientation.
+  std::vector<TopoDS_Shape> Bodies;
   std::vector<CADEdge> Edges;
   int Unjoined = 0;                    ///< bodies near each other that could not be joined
   int Untransferred = 0;               ///< surfaces in the file of which OpenCASCADE made no face
