@@ -125,7 +125,7 @@ void CheckNothingKept(const Evidence& e, Report& report)
   const auto whole = std::count(e.ElementStatus.begin(), e.ElementStatus.end(), 0);
   if (e.Out.Elements.empty() && whole > 0)
   {
-    report.Fail("volume kept", "no element, of those that lie whole on the kept side",
+    report.Fail("nothing kept", "of the elements that lie whole on the kept side",
       static_cast<double>(whole), 0);
   }
 }

@@ -425,6 +425,8 @@ std::vector<Fault> ElementFaults()
         RenewCell(t, 2, { 0, 1, 3, 4, 5, 7 });
       },
       [](TrimOptions& options) { options.Optimization = 0; } },
+    { "nothing kept", "no element left",
+      [](Grid* t, Grid*) { ChangeCells(t, [](vtkIdType, int&, vtkIdList*) { return false; }); } },
     { "unused points", "those of an element that is missing",
       [](Grid* t, Grid*) { DropCell(t, 0); } },
     { "no element collapses", "pressed to nothing",
@@ -570,6 +572,7 @@ int Run(const Mesh& mesh, const Surface& cut, bool isOffcut, const Fault* fault)
   {
     CheckPlaneVolume(evidence, Vec3(CutAt, 0, 0), (isOffcut ? -1 : 1) * Vec3::UnitX(), report);
     CheckKeptVolume(evidence, 0.15, report);
+    CheckNothingKept(evidence, report);
   }
   return CountWrong(report, fault);
 }
