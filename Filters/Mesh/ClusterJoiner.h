@@ -11,8 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <utility>
-#include <vector>
 
 namespace trim
 {

@@ -5,7 +5,7 @@
 #ifndef CountBytes_h
 #define CountBytes_h
 
-#include "HexMesh.h"
+#include "Types.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #ifndef FollowingIds_h
 #define FollowingIds_h
 
-#include "HexMesh.h"
+#include "Types.h"
 
 #include <type_traits>
 

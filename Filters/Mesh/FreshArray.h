@@ -5,8 +5,8 @@
 #ifndef FreshArray_h
 #define FreshArray_h
 
-#include "HexMesh.h"
 #include "PageVector.h"
+#include "Types.h"
 
 #include <vtkSmartPointer.h>
 

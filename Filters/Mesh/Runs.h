@@ -5,8 +5,8 @@
 #ifndef Runs_h
 #define Runs_h
 
-#include "HexMesh.h"
 #include "Team.h"
+#include "Types.h"
 
 #include <algorithm>
 #include <vector>

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <numeric>
+#include <thread>
+#include <utility>
 
 namespace trim
 {

@@ -6,6 +6,7 @@
 #define Selection_h
 
 #include "FollowingIds.h"
+#include "HexMesh.h"
 #include "IdList.h"
 
 #include <algorithm>
