@@ -7,13 +7,6 @@
 
 namespace nurbs
 {
-
-int KnotSpans::Find(double u) const
-{
-  const auto it = std::upper_bound(this->Breaks.begin() + 1, this->Breaks.end() - 1, u);
-  return static_cast<int>(it - this->Breaks.begin()) - 1;
-}
-
 namespace
 {
 
@@ -40,8 +33,8 @@ std::vector<SpanToBezier> ConvertSpans(
   int degree, const std::vector<double>& knots, const KnotSpans& spans)
 {
   std::vector<SpanToBezier> converters;
-  converters.reserve(spans.Breaks.size() - 1);
-  for (std::size_t k = 0; k + 1 < spans.Breaks.size(); ++k)
+  converters.reserve(spans.Count());
+  for (int k = 0; k < spans.Count(); ++k)
   {
     converters.emplace_back(degree, knots, spans.Breaks[k], spans.Breaks[k + 1]);
   }
@@ -102,13 +95,11 @@ private:
 /// Whether all points along a side are within the tolerance of its first.
 bool IsCollapsed(const BezierPatch& patch, const Vec4* net, int side, double tolerance)
 {
-  const int p = patch.DegreeU, q = patch.DegreeV, nu = p + 1;
-  const int first = side == 1 ? p : (side == 3 ? q * nu : 0);
-  const int step = side < 2 ? nu : 1, count = side < 2 ? q : p;
-  const Vec3 start = CartesianPoint(net[first]);
-  for (int k = 1; k <= count; ++k)
+  const NetSide points(patch, side);
+  const Vec3 start = CartesianPoint(net[points.First]);
+  for (int k = 1; k <= points.Degree; ++k)
   {
-    if (!((CartesianPoint(net[first + k * step]) - start).squaredNorm() <= tolerance * tolerance))
+    if (!((CartesianPoint(net[points.At(k)]) - start).squaredNorm() <= tolerance * tolerance))
     {
       return false;
     }
@@ -148,17 +139,15 @@ void FindCollapsedSides(BezierPatch& patch, const Vec4* net, double reach)
 void FindSharpSides(BezierPatch& patch, const Vec4* net, double reach)
 {
   constexpr double Share = 1e-10;
-  const int p = patch.DegreeU, q = patch.DegreeV, nu = p + 1;
-  const int first[] = { 0, p, 0, q * nu }, inwards[] = { 1, -1, nu, -nu };
   for (int side = 0; side < 4; ++side)
   {
-    const int step = side < 2 ? nu : 1, count = side < 2 ? q : p;
+    const NetSide points(patch, side);
     bool sharp = patch.Sides[side] == SideKind::Smooth;
-    for (int k = 0; k <= count && sharp; ++k)
+    for (int k = 0; k <= points.Degree && sharp; ++k)
     {
-      const Vec4* point = net + first[side] + k * step;
+      const Vec4* point = net + points.At(k);
       sharp =
-        (CartesianPoint(point[0]) - CartesianPoint(point[inwards[side]])).cwiseAbs().maxCoeff() <=
+        (CartesianPoint(point[0]) - CartesianPoint(point[points.Inwards])).cwiseAbs().maxCoeff() <=
         Share * reach;
     }
     patch.Sides[side] = sharp ? SideKind::Sharp : patch.Sides[side];
@@ -184,6 +173,21 @@ double ReachOf(const NurbsSurface& surface, const Vec3& origin)
   return 4 * farthest;
 }
 
+/// The patch between knots, without its net.
+BezierPatch PatchBetween(const KnotSpans& spansU, int u, const KnotSpans& spansV, int v)
+{
+  BezierPatch patch;
+  patch.U0 = spansU.Breaks[u];
+  patch.U1 = spansU.Breaks[u + 1];
+  patch.V0 = spansV.Breaks[v];
+  patch.V1 = spansV.Breaks[v + 1];
+  patch.Sides[0] = spansU.Kinds[u];
+  patch.Sides[1] = spansU.Kinds[u + 1];
+  patch.Sides[2] = spansV.Kinds[v];
+  patch.Sides[3] = spansV.Kinds[v + 1];
+  return patch;
+}
+
 /// At least twice the room each time: a shell's faces come one by one.
 template <typename Value>
 void MakeRoom(UnsetVector<Value>& list, std::size_t added)
@@ -205,8 +209,7 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
   spansU = FindSpans(p, surface.CountU, surface.KnotsU);
   spansV = FindSpans(q, surface.CountV, surface.KnotsV);
   DivideByWeights(surface, spansU, spansV);
-  const int countU = static_cast<int>(spansU.Breaks.size()) - 1;
-  const int countV = static_cast<int>(spansV.Breaks.size()) - 1;
+  const int countU = spansU.Count(), countV = spansV.Count();
 
   const bool equalWeights = HasEqualWeights(surface);
   BezierRows rows(surface, equalWeights, spansU, origin);
@@ -226,18 +229,10 @@ void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSp
     }
     for (int spanU = 0; spanU < countU; ++spanU)
     {
-      BezierPatch patch;
+      BezierPatch patch = PatchBetween(spansU, spanU, spansV, spanV);
       patch.Face = face;
       patch.DegreeU = p;
       patch.DegreeV = q;
-      patch.U0 = spansU.Breaks[spanU];
-      patch.U1 = spansU.Breaks[spanU + 1];
-      patch.V0 = spansV.Breaks[spanV];
-      patch.V1 = spansV.Breaks[spanV + 1];
-      patch.Sides[0] = spansU.Kinds[spanU];
-      patch.Sides[1] = spansU.Kinds[spanU + 1];
-      patch.Sides[2] = spansV.Kinds[spanV];
-      patch.Sides[3] = spansV.Kinds[spanV + 1];
       patch.Net = nets.size();
       nets.resize(nets.size() + size);
       Vec4* net = nets.data() + patch.Net;

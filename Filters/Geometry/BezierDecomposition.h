@@ -17,6 +17,8 @@ namespace nurbs
  * Appends the Bezier patches of a surface (blossoming; NURBS Book, chapter 5.3), row by row,
  * u running fastest. Each is one of a span between knots, or of a part of it: see WeightSpans.h.
  *
+ * @param origin what the nets are about.
+ * @param[out] spansU, spansV the rows and columns of patches.
  * @param visit is told of each as it is made.
  */
 void Decompose(const NurbsSurface& surface, int face, const Vec3& origin, KnotSpans& spansU,

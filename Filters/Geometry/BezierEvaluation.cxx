@@ -288,12 +288,10 @@ Vec3 MiddleOfPoints(int degree, const Vec4* points, int stride)
 
 Vec3 MiddleOfSide(const BezierPatch& patch, const Vec4* net, int side)
 {
-  const bool alongV = side < 2;
-  const int width = patch.DegreeU + 1, degree = alongV ? patch.DegreeV : patch.DegreeU;
-  const int first = side == 1 ? patch.DegreeU : (side == 3 ? patch.DegreeV * width : 0);
-  const int stride = alongV ? width : 1;
-  return degree == 3 ? MiddleOfPoints<3>(degree, net + first, stride)
-                     : MiddleOfPoints<-1>(degree, net + first, stride);
+  const NetSide points(patch, side);
+  const Vec4* first = net + points.First;
+  return points.Degree == 3 ? MiddleOfPoints<3>(points.Degree, first, points.Stride)
+                            : MiddleOfPoints<-1>(points.Degree, first, points.Stride);
 }
 
 }

@@ -37,9 +37,10 @@ struct BezierPatch
   bool Curve = false;  ///< a piece of a trim loop: (U0, V0) to (U1, V1) over s
   std::size_t Net = 0; ///< index of the first control point in the pool of nets
   double U0 = 0, U1 = 1, V0 = 0, V1 = 1;
-  SideKind Sides[4] = {}; ///< at s = 0, s = 1, t = 0, t = 1
-  bool Collapsed[4] = {}; ///< the side is one point (a pole)
-  int GridU = 1, GridV = 1, FirstLeaf = -1;
+  SideKind Sides[4] = {};       ///< at s = 0, s = 1, t = 0, t = 1
+  bool Collapsed[4] = {};       ///< the side is one point (a pole)
+  int GridU = 1, GridV = 1;     ///< leaves along s and t
+  int FirstLeaf = -1;           ///< of these, by row; the others follow
   int Loop = -1, LoopEdge = -1; ///< of a trim curve: which loop and which edge of it
 
   double U(double s, double) const { return this->U0 + (this->U1 - this->U0) * s; }
@@ -54,6 +55,26 @@ struct BezierPatch
     return Vec2(
       (uv.x() - this->U0) / (this->U1 - this->U0), (uv.y() - this->V0) / (this->V1 - this->V0));
   }
+};
+
+/// The control points along a side of a patch, in the order of BezierPatch::Sides.
+struct NetSide
+{
+  NetSide(const BezierPatch& patch, int side)
+  {
+    const int p = patch.DegreeU, q = patch.DegreeV, row = p + 1;
+    const bool alongV = side < 2, atStart = side % 2 == 0;
+    this->First = atStart ? 0 : (alongV ? p : q * row);
+    this->Stride = alongV ? row : 1;
+    this->Degree = alongV ? q : p;
+    this->Inwards = (atStart ? 1 : -1) * (alongV ? 1 : row);
+  }
+
+  int At(int k) const { return this->First + k * this->Stride; } ///< of point k in the net
+
+  int First, Stride;
+  int Degree;  ///< of the side: it has one point more
+  int Inwards; ///< from one of its points to the next one within the patch
 };
 
 /// The place of a homogeneous point.

@@ -1,5 +1,7 @@
 #include "Binomials.h"
 
+#include "BezierPatch.h"
+
 namespace nurbs
 {
 namespace

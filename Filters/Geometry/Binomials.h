@@ -5,8 +5,6 @@
 #ifndef Binomials_h
 #define Binomials_h
 
-#include "BezierPatch.h"
-
 namespace nurbs
 {
 /**

@@ -200,7 +200,7 @@ BlockRange SurfaceBlocks::RingAbout(const SurfaceModel& model, int index, double
 {
   const SurfaceBlock& block = this->BlockOf(model, index);
   const Grid& grid = this->Grids[block.Face];
-  const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
+  const int i = grid.ColumnOf(index), j = grid.RowOf(index);
   const double sizeU = block.Xu, sizeV = std::hypot(block.Xv, block.Yv);
   const double wide = width * std::max(sizeU, sizeV);
   BlockRange ring;
@@ -221,7 +221,7 @@ double SurfaceBlocks::ConvexClearance(
   {
     for (int i = ring.FirstU; i < ring.EndU; ++i)
     {
-      const int other = grid.First + i + j * grid.CountU;
+      const int other = grid.ItemAt(i, j);
       const SurfaceBlock& around = this->BlockOf(model, other);
       const BlockReach reach = this->ReachOf(model, other);
       const Extents extents(around, around.X, block);
@@ -251,13 +251,13 @@ double SurfaceBlocks::ClearanceOfOthers(
   const Extents extents(block, block.X, block);
   const double radius = (extents.Middle.cwiseAbs() + extents.Half).norm();
   // Those right behind the ring leave the least, mostly; then most nodes need not be opened.
-  const int own[2] = { (index - grid.First) % grid.CountU, (index - grid.First) / grid.CountU };
+  const int own[2] = { grid.ColumnOf(index), grid.RowOf(index) };
   for (const auto& [i, j] : { std::pair(ring.FirstU - 1, own[1]), std::pair(ring.EndU, own[1]),
          std::pair(own[0], ring.FirstV - 1), std::pair(own[0], ring.EndV) })
   {
     if (i >= 0 && i < grid.CountU && j >= 0 && j < grid.CountV)
     {
-      const SurfaceBlock& other = this->BlockOf(model, grid.First + i + j * grid.CountU);
+      const SurfaceBlock& other = this->BlockOf(model, grid.ItemAt(i, j));
       clearance = std::min(clearance, distance.To(other));
     }
   }
@@ -281,8 +281,7 @@ double SurfaceBlocks::ClearanceOfOthers(
         continue;
       }
       const SurfaceBlock& other = this->BlockOf(model, ~child);
-      const int i = (~child - grid.First) % grid.CountU, j = (~child - grid.First) / grid.CountU;
-      if (other.Face != block.Face || !ring.Holds(i, j))
+      if (other.Face != block.Face || !ring.Holds(grid.ColumnOf(~child), grid.RowOf(~child)))
       {
         clearance = std::min(clearance, distance.To(other));
       }

@@ -18,7 +18,7 @@ int SurfaceBlocks::BlockAt(int face, int spanU, int spanV, double s, double t) c
   const int nu = grid.DivisionsU[spanU], nv = grid.DivisionsV[spanV];
   const int i = grid.BlockU[spanU] + std::clamp(static_cast<int>(s * nu), 0, nu - 1);
   const int j = grid.BlockV[spanV] + std::clamp(static_cast<int>(t * nv), 0, nv - 1);
-  return grid.First + i + j * grid.CountU;
+  return grid.ItemAt(i, j);
 }
 
 /// Down the tree to the nearest child each time: mostly the right block or one beside it.
@@ -92,7 +92,7 @@ struct FacePlace
 /// Moves a parameter that has left its span into the right one; false beyond the last.
 bool EnterSpan(const KnotSpans& spans, int& span, double& x)
 {
-  const int last = static_cast<int>(spans.Breaks.size()) - 2;
+  const int last = spans.Count() - 1;
   if (!(std::abs(x) < 8))
   {
     return false;
@@ -115,7 +115,7 @@ bool EnterSpan(const KnotSpans& spans, int& span, double& x)
 /// The span and the parameter in it of u, held to the face; the search starts from a guess.
 void LocateSpan(const KnotSpans& spans, double u, int& span, double& x)
 {
-  const int last = static_cast<int>(spans.Breaks.size()) - 2;
+  const int last = spans.Count() - 1;
   const double* breaks = spans.Breaks.data();
   const double length = breaks[last + 1] - breaks[0];
   span = std::clamp(static_cast<int>((last + 1) * ((u - breaks[0]) / length)), 0, last);
@@ -143,11 +143,10 @@ bool FollowFace(
   constexpr int MaximumSteps = 10;
   constexpr double Small = 2e-8; // the step after one this small is below rounding
   const FaceData& data = model.Data[face];
-  const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
   double before = 0; // the last step, 0 where it tells nothing
   for (int step = 0; step < MaximumSteps; ++step)
   {
-    const int index = data.FirstPatch + x.SpanV * countU + x.SpanU;
+    const int index = data.PatchOf(x.SpanU, x.SpanV);
     const BezierPatch& patch = model.Patches[index];
     SurfaceJet jet;
     EvaluateBezier(patch, model.Net(patch), x.S, x.T, jet);
@@ -217,9 +216,7 @@ bool SurfaceBlocks::IsClosest(
 {
   const int face = this->BlockOf(model, index).Face;
   const Grid& grid = this->Grids[face];
-  const auto columnOf = [&grid](int block) { return (block - grid.First) % grid.CountU; };
-  const auto rowOf = [&grid](int block) { return (block - grid.First) / grid.CountU; };
-  const int column = columnOf(index), row = rowOf(index);
+  const int column = grid.ColumnOf(index), row = grid.RowOf(index);
   BlockRange range{ column, column + 1, row, row + 1 };
   const auto add = [&](int block)
   {
@@ -232,7 +229,7 @@ bool SurfaceBlocks::IsClosest(
     {
       return false;
     }
-    range.Add(columnOf(block), rowOf(block));
+    range.Add(grid.ColumnOf(block), grid.RowOf(block));
     return true;
   };
   return ForItemsNear(this->Nodes, p, foot.Squared, add) && this->IsSmooth(model, face, range) &&
@@ -249,7 +246,7 @@ bool SurfaceBlocks::IsConvex(const SurfaceModel& model, const Vec3& p, const Vec
   {
     for (int i = range.FirstU; i < range.EndU; ++i)
     {
-      const int index = grid.First + i + j * grid.CountU;
+      const int index = grid.ItemAt(i, j);
       const SurfaceBlock& block = this->BlockOf(model, index);
       const BlockReach reach = this->ReachOf(model, index);
       const Eigen::Vector3f d = (p - block.Center).cast<float>();

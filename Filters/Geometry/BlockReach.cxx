@@ -1,5 +1,7 @@
 #include "BlockReach.h"
 
+#include "NetBounds.h"
+
 #include <algorithm>
 
 namespace nurbs

@@ -5,7 +5,9 @@
 #ifndef BlockReach_h
 #define BlockReach_h
 
-#include "NetBounds.h"
+#include "NurbsSurface.h"
+
+#include <cmath>
 
 namespace nurbs
 {

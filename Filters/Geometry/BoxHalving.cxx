@@ -5,9 +5,9 @@
 namespace nurbs
 {
 
-void HalveBox(const LeafDomain& box, bool acrossS, bool highFirst, LeafDomain* halves)
+void HalveBox(const PartDomain& box, bool acrossS, bool highFirst, PartDomain* halves)
 {
-  LeafDomain low = box, high = box;
+  PartDomain low = box, high = box;
   if (acrossS)
   {
     low.S1 = high.S0 = 0.5 * (box.S0 + box.S1);

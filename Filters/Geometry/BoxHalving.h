@@ -16,16 +16,16 @@ namespace nurbs
  * @param visit takes a box and room for two halves; returns false if the box is decided.
  */
 template <typename Visit>
-void VisitHalves(const LeafDomain& whole, int& budget, const Visit& visit)
+void VisitHalves(const PartDomain& whole, int& budget, const Visit& visit)
 {
   constexpr int StackSize = 128;
-  LeafDomain stack[StackSize];
+  PartDomain stack[StackSize];
   int size = 0;
   stack[size++] = whole;
   for (; size > 0 && budget > 0; --budget)
   {
-    const LeafDomain box = stack[--size];
-    LeafDomain halves[2];
+    const PartDomain box = stack[--size];
+    PartDomain halves[2];
     if (size + 2 <= StackSize && visit(box, halves))
     {
       stack[size++] = halves[1];
@@ -35,7 +35,7 @@ void VisitHalves(const LeafDomain& whole, int& budget, const Visit& visit)
 }
 
 /// Halves a box across s or across t; which half comes first.
-void HalveBox(const LeafDomain& box, bool acrossS, bool highFirst, LeafDomain* halves);
+void HalveBox(const PartDomain& box, bool acrossS, bool highFirst, PartDomain* halves);
 
 /// The longer of the two distances between corners of a net, along s and along t.
 Vec2 MeasureSides(int p, int q, const Vec4* net);

@@ -216,7 +216,7 @@ int HangTile(const GridTile& tile, const std::vector<Eigen::AlignedBox3f>& boxes
 {
   if (tile.Count() == 1)
   {
-    const int item = tile.Grid.First + tile.FirstU + tile.FirstV * tile.Grid.CountU;
+    const int item = tile.Grid.ItemAt(tile.FirstU, tile.FirstV);
     all = boxes[item];
     return ~item;
   }

@@ -38,12 +38,17 @@ std::vector<TreeNode> BuildTree(
 std::vector<TreeNode> BuildTreeOfGroups(std::vector<int>& order, const std::vector<int>& ends,
   const std::vector<Eigen::AlignedBox3f>& boxes);
 
-/// Items in rows: First + i + j * CountU.
+/// Items in rows, numbered one after the other.
 struct ItemGrid
 {
   int First = 0, CountU = 1, CountV = 1;
   double LengthU = 1, LengthV = 1; ///< of an item, in the mean
+
+  int ItemAt(int column, int row) const { return this->First + column + row * this->CountU; }
+  int ColumnOf(int item) const { return (item - this->First) % this->CountU; }
+  int RowOf(int item) const { return (item - this->First) / this->CountU; }
 };
+
 /// The same for boxes of items that lie in grids: if they are many, a tree of tiles of these, and
 /// in each of them one by rows and columns, which asks for no sorting.
 std::vector<TreeNode> BuildTreeOfGrids(

@@ -31,7 +31,7 @@ namespace
 /// The net of a part of a patch about a point, and the box along the axes that it lies in.
 struct PartAbout
 {
-  PartAbout(const BezierPatch& patch, const Vec4* net, const LeafDomain& box, const Vec3& p)
+  PartAbout(const BezierPatch& patch, const Vec4* net, const PartDomain& box, const Vec3& p)
     : P(patch.DegreeU)
     , Q(patch.DegreeV)
   {
@@ -59,7 +59,7 @@ struct PartAbout
 };
 
 /// Halves the box of a part across its longer side.
-void HalveNearerFirst(const PartAbout& part, const LeafDomain& box, LeafDomain* halves)
+void HalveNearerFirst(const PartAbout& part, const PartDomain& box, PartDomain* halves)
 {
   const int p = part.P, q = part.Q;
   Vec2 sides = MeasureSides(p, q, part.Net);
@@ -115,7 +115,7 @@ private:
   }
 
   /// @param domain where the foot is a local minimum
-  void Consider(int patch, const LocalFoot& foot, const LeafDomain& domain)
+  void Consider(int patch, const LocalFoot& foot, const PartDomain& domain)
   {
     if (foot.Squared < this->Best.Squared && IsInsideTrim(this->Model, patch, foot.S, foot.T))
     {
@@ -126,34 +126,34 @@ private:
   }
 
   /// True if the best foot is a local minimum of the domain, as far as its own domain tells.
-  bool BestIsMinimumOf(const LeafDomain& domain) const
+  bool BestIsMinimumOf(const PartDomain& domain) const
   {
     const double s = this->Best.S, t = this->Best.T;
     const bool holds = s >= domain.S0 && s <= domain.S1 && t >= domain.T0 && t <= domain.T1;
-    const LeafDomain& known = this->BestDomain;
+    const PartDomain& known = this->BestDomain;
     return holds && known.S0 <= domain.S0 && known.S1 >= domain.S1 && known.T0 <= domain.T0 &&
       known.T1 >= domain.T1;
   }
 
   void VisitLeaf(int boxIndex);
   void SearchLeaf(int index);
-  bool SearchBox(const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves);
-  bool IsCutAway(const BezierPatch& patch, const LeafDomain& box) const;
-  bool IsDecided(const BezierPatch& patch, int index, const LeafDomain& box, const PartAbout& part);
+  bool SearchBox(const BezierPatch& patch, int index, const PartDomain& box, PartDomain* halves);
+  bool IsCutAway(const BezierPatch& patch, const PartDomain& box) const;
+  bool IsDecided(const BezierPatch& patch, int index, const PartDomain& box, const PartAbout& part);
 
   const SurfaceModel& Model;
   const Vec3 P;
   double Bound = 0;   ///< squared
   int Budget = 50000; ///< of boxes; beyond it the best found so far stands
   bool Walked = false;
-  LeafDomain BestDomain{ 0, 0, 0, 0 };
+  PartDomain BestDomain{ 0, 0, 0, 0 };
 };
 
 void ClosestPointSearch::Walk(int index, double s, double t)
 {
   constexpr int MaximumPatches = 8;
   this->Walked = true;
-  const LeafDomain whole{ 0, 1, 0, 1 };
+  const PartDomain whole{ 0, 1, 0, 1 };
   for (int k = 0; k < MaximumPatches; ++k)
   {
     const BezierPatch& patch = this->Model.Patches[index];
@@ -167,15 +167,14 @@ void ClosestPointSearch::Walk(int index, double s, double t)
     const int stepU = foot.S == 0 ? -1 : (foot.S == 1 ? 1 : 0);
     const int stepV = foot.T == 0 ? -1 : (foot.T == 1 ? 1 : 0);
     const FaceData& data = this->Model.Data[patch.Face];
-    const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
-    const int countV = static_cast<int>(data.SpansV.Breaks.size()) - 1;
+    const int countU = data.SpansU.Count(), countV = data.SpansV.Count();
     const int i = (index - data.FirstPatch) % countU + stepU;
     const int j = (index - data.FirstPatch) / countU + stepV;
     if ((stepU == 0 && stepV == 0) || i < 0 || i >= countU || j < 0 || j >= countV)
     {
       return;
     }
-    index = data.FirstPatch + j * countU + i;
+    index = data.PatchOf(i, j);
     s = stepU == 0 ? foot.S : 0.5 - 0.5 * stepU;
     t = stepV == 0 ? foot.T : 0.5 - 0.5 * stepV;
   }
@@ -242,7 +241,7 @@ void ClosestPointSearch::VisitLeaf(int boxIndex)
   const Leaf& leaf = this->Model.Leaves[index];
   const BezierPatch& patch = this->Model.Patches[leaf.Patch];
   const Vec4* net = this->Model.Net(patch);
-  const LeafDomain domain = DomainOf(patch, index);
+  const PartDomain domain = DomainOf(patch, index);
   const Vec3 d = this->P - leaf.Center;
   const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
   const double z = leaf.Z.cast<double>().dot(d);
@@ -254,8 +253,8 @@ void ClosestPointSearch::VisitLeaf(int boxIndex)
   {
     return; // a local minimum here is the only one
   }
-  const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
-  const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
+  const Vec2 start = leaf.ParametersAt(x, y, domain);
+  const double s = start.x(), t = start.y();
   if (!this->Walked && !patch.Curve)
   {
     // The first leaf is mostly beside the right one: a walk gives a bound that excludes the rest.
@@ -278,13 +277,13 @@ void ClosestPointSearch::SearchLeaf(int index)
   const int patchIndex = this->Model.Leaves[index].Patch;
   const BezierPatch& patch = this->Model.Patches[patchIndex];
   VisitHalves(DomainOf(patch, index), this->Budget,
-    [&](const LeafDomain& box, LeafDomain* halves)
+    [&](const PartDomain& box, PartDomain* halves)
     { return this->SearchBox(patch, patchIndex, box, halves); });
 }
 
 /// False if nothing in the box is closer than the best; else its two halves, the nearer first.
 bool ClosestPointSearch::SearchBox(
-  const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves)
+  const BezierPatch& patch, int index, const PartDomain& box, PartDomain* halves)
 {
   const Vec4* net = this->Model.Net(patch);
   const PartAbout part(patch, net, box, this->P);
@@ -306,7 +305,7 @@ bool ClosestPointSearch::SearchBox(
 }
 
 /// Whether the loops leave nothing of the box.
-bool ClosestPointSearch::IsCutAway(const BezierPatch& patch, const LeafDomain& box) const
+bool ClosestPointSearch::IsCutAway(const BezierPatch& patch, const PartDomain& box) const
 {
   const TrimLoops& loops = this->Model.Data[patch.Face].Loops;
   if (patch.Curve || loops.Empty())
@@ -321,7 +320,7 @@ bool ClosestPointSearch::IsCutAway(const BezierPatch& patch, const LeafDomain& b
 /// True if the form of the distance proves that the box holds nothing closer than the best; where
 /// it proves that there is one minimum, that one is considered first.
 bool ClosestPointSearch::IsDecided(
-  const BezierPatch& patch, int index, const LeafDomain& box, const PartAbout& part)
+  const BezierPatch& patch, int index, const PartDomain& box, const PartAbout& part)
 {
   SquaredDistanceForm form;
   form.Set(part.P, part.Q, part.Net, this->Bound);

@@ -85,8 +85,7 @@ double HeightBeyond(const SurfaceModel& model, const Sector& one, const Sector& 
 {
   const Vec3 normal = model.Data[one.Face].Sign * one.Weighted.normalized();
   const FaceData& data = model.Data[one.Face];
-  const Vec2 first(data.SpansU.Breaks.front(), data.SpansV.Breaks.front());
-  const Vec2 last(data.SpansU.Breaks.back(), data.SpansV.Breaks.back());
+  const Vec2 first = data.Low(), last = data.High();
   for (const Vec2& way : WaysInParameters(one, last - first))
   {
     Vec3 foot;

@@ -9,6 +9,7 @@
 #include "Sectors.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace nurbs
 {

@@ -7,6 +7,7 @@
 
 #include "BezierPatch.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace nurbs
@@ -18,7 +19,15 @@ struct KnotSpans
 {
   std::vector<double> Breaks;  ///< n + 1 values that bound n spans
   std::vector<SideKind> Kinds; ///< one per break
-  int Find(double u) const;    ///< the span that holds u
+
+  int Count() const { return static_cast<int>(this->Breaks.size()) - 1; }
+
+  /// The span that holds u; beyond the ends the first or the last.
+  int Find(double u) const
+  {
+    const auto next = std::upper_bound(this->Breaks.begin() + 1, this->Breaks.end() - 1, u);
+    return static_cast<int>(next - this->Breaks.begin()) - 1;
+  }
 };
 
 }

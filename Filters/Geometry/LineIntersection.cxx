@@ -60,27 +60,27 @@ private:
   bool MeetsBox(const LeafBox& box) const;
   void SearchLeaf(int index);
   bool SearchBox(
-    const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves, bool& touch);
-  void MeasurePart(const BezierPatch& patch, const LeafDomain& box, PartAlong& part) const;
-  bool IsDecided(const BezierPatch& patch, int index, const LeafDomain& box, const PartAlong& part,
+    const BezierPatch& patch, int index, const PartDomain& box, PartDomain* halves, bool& touch);
+  void MeasurePart(const BezierPatch& patch, const PartDomain& box, PartAlong& part) const;
+  bool IsDecided(const BezierPatch& patch, int index, const PartDomain& box, const PartAlong& part,
     double tolerance);
   bool MayGape(const BezierPatch& patch, const std::array<bool, 4>& at) const;
-  bool FindTouch(const BezierPatch& patch, int index, const LeafDomain& box);
-  Solution Solve(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
+  bool FindTouch(const BezierPatch& patch, int index, const PartDomain& box);
+  Solution Solve(const BezierPatch& patch, double s, double t, const PartDomain& box) const;
   double SquaredDistance(const Vec3& point) const;
   bool StepTowards(const SurfaceJet& jet, double damping, Vec2& step) const;
-  Solution Approach(const BezierPatch& patch, double s, double t, const LeafDomain& box) const;
-  bool IsInBox(const Solution& solution, const LeafDomain& box) const;
+  Solution Approach(const BezierPatch& patch, double s, double t, const PartDomain& box) const;
+  bool IsInBox(const Solution& solution, const PartDomain& box) const;
   bool IsTangent(const BezierPatch& patch, const Solution& solution) const;
-  bool IsBesidePatch(const Solution& solution, const LeafDomain& box) const;
+  bool IsBesidePatch(const Solution& solution, const PartDomain& box) const;
   struct Prediction
   {
     double S, T, ReachS, ReachT; ///< a root is this near, if the leaf has one
-    bool MayLieIn(const LeafDomain& box) const;
+    bool MayLieIn(const PartDomain& box) const;
   };
   Prediction Predict(const Leaf& leaf, double s, double t, const Vec3& point, double slope) const;
-  bool FindStart(const Leaf& leaf, const LeafDomain& box, double slope, Prediction& start) const;
-  bool IsSolved(int patch, const Solution& solution, const LeafDomain& box);
+  bool FindStart(const Leaf& leaf, const PartDomain& box, double slope, Prediction& start) const;
+  bool IsSolved(int patch, const Solution& solution, const PartDomain& box);
   bool Report(int patch, const Solution& solution, bool touch);
 
   const SurfaceModel& Model;
@@ -161,7 +161,7 @@ bool LineSearch::MeetsBox(const LeafBox& box) const
 
 /// Newton on eqs. 12-14 with k eliminated: the two distances from the line, unbounded steps.
 LineSearch::Solution LineSearch::Solve(
-  const BezierPatch& patch, double s, double t, const LeafDomain& box) const
+  const BezierPatch& patch, double s, double t, const PartDomain& box) const
 {
   const Vec4* net = this->Model.Net(patch);
   const double marginS = 0.5 * (box.S1 - box.S0), marginT = 0.5 * (box.T1 - box.T0);
@@ -247,7 +247,7 @@ bool LineSearch::StepTowards(const SurfaceJet& jet, double damping, Vec2& step) 
 /// Least distance from the line in the box or near it (Newton, damped): beside a touch there are
 /// too many boxes with a point near the line to wait for the one that holds it.
 LineSearch::Solution LineSearch::Approach(
-  const BezierPatch& patch, double s, double t, const LeafDomain& box) const
+  const BezierPatch& patch, double s, double t, const PartDomain& box) const
 {
   const double aroundS = ApproachRange * (box.S1 - box.S0);
   const double aroundT = ApproachRange * (box.T1 - box.T0);
@@ -297,7 +297,7 @@ LineSearch::Solution LineSearch::Approach(
 }
 
 /// True if the solution lies in this part of the patch; at its rim two parts report it.
-bool LineSearch::IsInBox(const Solution& solution, const LeafDomain& box) const
+bool LineSearch::IsInBox(const Solution& solution, const PartDomain& box) const
 {
   const double rimS = 1e-6 * (box.S1 - box.S0) + 1e-12, rimT = 1e-6 * (box.T1 - box.T0) + 1e-12;
   return solution.S >= box.S0 - rimS && solution.S <= box.S1 + rimS &&
@@ -313,7 +313,7 @@ bool LineSearch::IsTangent(const BezierPatch& patch, const Solution& solution) c
 }
 
 /// A solution beside the patch, which no other part will report: Report decides whether it counts.
-bool LineSearch::IsBesidePatch(const Solution& solution, const LeafDomain& box) const
+bool LineSearch::IsBesidePatch(const Solution& solution, const PartDomain& box) const
 {
   return (solution.S < 0 && box.S0 == 0) || (solution.S > 1 && box.S1 == 1) ||
     (solution.T < 0 && box.T0 == 0) || (solution.T > 1 && box.T1 == 1);
@@ -359,7 +359,7 @@ bool LineSearch::Report(int index, const Solution& solution, bool touch)
 }
 
 /// Reports a solution where the box has no other; false if it has to be searched.
-bool LineSearch::IsSolved(int index, const Solution& solution, const LeafDomain& box)
+bool LineSearch::IsSolved(int index, const Solution& solution, const PartDomain& box)
 {
   if (!solution.Converged)
   {
@@ -391,7 +391,7 @@ LineSearch::Prediction LineSearch::Predict(
     radius * std::sqrt(double(m[2]) * m[2] + double(m[3]) * m[3]) };
 }
 
-bool LineSearch::Prediction::MayLieIn(const LeafDomain& box) const
+bool LineSearch::Prediction::MayLieIn(const PartDomain& box) const
 {
   return this->S >= box.S0 - this->ReachS && this->S <= box.S1 + this->ReachS &&
     this->T >= box.T0 - this->ReachT && this->T <= box.T1 + this->ReachT;
@@ -403,7 +403,7 @@ bool LineSearch::Prediction::MayLieIn(const LeafDomain& box) const
  * it is told from one in it only by the point of the leaf that is nearest to it.
  */
 bool LineSearch::FindStart(
-  const Leaf& leaf, const LeafDomain& box, double slope, Prediction& start) const
+  const Leaf& leaf, const PartDomain& box, double slope, Prediction& start) const
 {
   const BezierPatch& patch = this->Model.Patches[leaf.Patch];
   double s = 0.5 * (box.S0 + box.S1), t = 0.5 * (box.T0 + box.T1);
@@ -440,7 +440,7 @@ void LineSearch::VisitLeaf(int boxIndex)
   {
     return;
   }
-  const LeafDomain box = DomainOf(patch, index);
+  const PartDomain box = DomainOf(patch, index);
   const double slope = std::abs(leaf.Z.cast<double>().dot(this->D));
   // The map to the plane across the line is then a contraction away from an affine one.
   if (leaf.Deviation < 0.3 * slope)
@@ -473,7 +473,7 @@ void LineSearch::SearchLeaf(int index)
   int touches = 0;
   int budget = 8192;
   VisitHalves(DomainOf(patch, index), budget,
-    [&](const LeafDomain& box, LeafDomain* halves)
+    [&](const PartDomain& box, PartDomain* halves)
     {
       bool touch = false;
       const bool halved = this->SearchBox(patch, patchIndex, box, halves, touch);
@@ -487,7 +487,7 @@ void LineSearch::SearchLeaf(int index)
 }
 
 /// Restricts the net to the box and measures it against the line.
-void LineSearch::MeasurePart(const BezierPatch& patch, const LeafDomain& box, PartAlong& part) const
+void LineSearch::MeasurePart(const BezierPatch& patch, const PartDomain& box, PartAlong& part) const
 {
   RestrictNet(patch, this->Model.Net(patch), box.S0, box.S1, box.T0, box.T1, part.Net);
   part.P = patch.DegreeU;
@@ -505,7 +505,7 @@ void LineSearch::MeasurePart(const BezierPatch& patch, const LeafDomain& box, Pa
 }
 
 /// True if the mean gradients prove that the box has no meeting, or one that Newton found.
-bool LineSearch::IsDecided(const BezierPatch& patch, int index, const LeafDomain& box,
+bool LineSearch::IsDecided(const BezierPatch& patch, int index, const PartDomain& box,
   const PartAlong& part, double tolerance)
 {
   const Eigen::Matrix2d m = part.MeanGradients();
@@ -524,7 +524,7 @@ bool LineSearch::IsDecided(const BezierPatch& patch, int index, const LeafDomain
 }
 
 /// Looks for a touch from the middle of the box.
-bool LineSearch::FindTouch(const BezierPatch& patch, int index, const LeafDomain& box)
+bool LineSearch::FindTouch(const BezierPatch& patch, int index, const PartDomain& box)
 {
   const Solution solution =
     this->Approach(patch, 0.5 * (box.S0 + box.S1), 0.5 * (box.T0 + box.T1), box);
@@ -551,7 +551,7 @@ bool LineSearch::MayGape(const BezierPatch& patch, const std::array<bool, 4>& at
 
 /// False if the box is decided; else its two halves.
 bool LineSearch::SearchBox(
-  const BezierPatch& patch, int index, const LeafDomain& box, LeafDomain* halves, bool& touch)
+  const BezierPatch& patch, int index, const PartDomain& box, PartDomain* halves, bool& touch)
 {
   PartAlong part;
   this->MeasurePart(patch, box, part);

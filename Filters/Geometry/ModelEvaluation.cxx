@@ -16,12 +16,11 @@ LocalFoot FootOnLeaf(const SurfaceModel& model, int index, const Vec3& p)
 {
   const Leaf& leaf = model.Leaves[index];
   const BezierPatch& patch = model.Patches[leaf.Patch];
-  const LeafDomain domain = DomainOf(patch, index);
+  const PartDomain domain = DomainOf(patch, index);
   const Vec3 d = p - leaf.Center;
-  const double x = leaf.X.cast<double>().dot(d), y = leaf.Y.cast<double>().dot(d);
-  const double s = 0.5 * (domain.S0 + domain.S1) + leaf.Inverse[0] * x + leaf.Inverse[1] * y;
-  const double t = 0.5 * (domain.T0 + domain.T1) + leaf.Inverse[2] * x + leaf.Inverse[3] * y;
-  return InvertPoint(patch, model.Net(patch), p, s, t, domain);
+  const Vec2 start =
+    leaf.ParametersAt(leaf.X.cast<double>().dot(d), leaf.Y.cast<double>().dot(d), domain);
+  return InvertPoint(patch, model.Net(patch), p, start.x(), start.y(), domain);
 }
 
 namespace

@@ -28,8 +28,7 @@ bool IsFree(
   }
   const std::vector<Sector> sectors = FindSectors(model, y, gap);
   const FaceData& data = model.Data[sector.Face];
-  const Vec2 size(data.SpansU.Breaks.back() - data.SpansU.Breaks.front(),
-    data.SpansV.Breaks.back() - data.SpansV.Breaks.front());
+  const Vec2 size = data.High() - data.Low();
   for (const Sector& self : sectors)
   {
     if (self.Face == sector.Face &&

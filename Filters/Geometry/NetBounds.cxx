@@ -1,5 +1,7 @@
 #include "NetBounds.h"
 
+#include "BezierPatch.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #ifndef NetBounds_h
 #define NetBounds_h
 
-#include "BezierPatch.h"
+#include "NurbsSurface.h"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #ifndef PartAlong_h
 #define PartAlong_h
 
-#include "BezierPatch.h"
+#include "NurbsSurface.h"
 
 #include <cmath>
 

@@ -28,8 +28,7 @@ int TileAlongU(const std::vector<PatchShape>& shapes, int first, int count)
 void AddTiles(
   const FaceData& face, const std::vector<PatchShape>& shapes, int first, PatchTiles& tiles)
 {
-  const int countU = static_cast<int>(face.SpansU.Breaks.size()) - 1;
-  const int countV = static_cast<int>(face.SpansV.Breaks.size()) - 1;
+  const int countU = face.SpansU.Count(), countV = face.SpansV.Count();
   const int stepU = TileAlongU(shapes, first, countU * countV), stepV = PatchesOfTile / stepU;
   for (int v = 0; v < countV; v += stepV)
   {

@@ -2,6 +2,7 @@
 
 #include "BezierEvaluation.h"
 #include "BezierRestriction.h"
+#include "NetBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace nurbs
 {
 
-LeafDomain DomainOf(const BezierPatch& patch, int leaf)
+PartDomain DomainOf(const BezierPatch& patch, int leaf)
 {
   const int cell = leaf - patch.FirstLeaf;
   const int i = cell % patch.GridU, j = cell / patch.GridU;
@@ -19,7 +20,7 @@ LeafDomain DomainOf(const BezierPatch& patch, int leaf)
 }
 
 const Vec4* NetOfPart(
-  const BezierPatch& patch, const Vec4* net, const LeafDomain& domain, Vec4* part)
+  const BezierPatch& patch, const Vec4* net, const PartDomain& domain, Vec4* part)
 {
   if (domain.S0 == 0 && domain.S1 == 1 && domain.T0 == 0 && domain.T1 == 1)
   {
@@ -112,7 +113,7 @@ void MeasureOrientedBox(const Vec3& center, const Frame& frame, const Vec4* part
  *
  * @param weight at the centre: the means are derivatives of w S.
  */
-void InvertMeans(const NetBounds& b, double weight, const Frame& frame, const LeafDomain& domain,
+void InvertMeans(const NetBounds& b, double weight, const Frame& frame, const PartDomain& domain,
   bool curve, Leaf& leaf)
 {
   const double sizeS = domain.S1 - domain.S0, sizeT = domain.T1 - domain.T0;
@@ -132,7 +133,7 @@ void InvertMeans(const NetBounds& b, double weight, const Frame& frame, const Le
 
 }
 
-void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
+void MeasureLeaf(const BezierPatch& patch, const PartDomain& domain, const Vec4* part, Leaf& leaf,
   LeafBox& oriented)
 {
   const int p = patch.DegreeU, q = patch.DegreeV, size = (p + 1) * (q + 1);

@@ -7,16 +7,19 @@
 
 #include "BezierPatch.h"
 #include "BoxTree.h"
-#include "NetBounds.h"
 #include "PageVector.h"
 #include "PatchShape.h"
-#include "TrimLoops.h"
 
 #include <atomic>
-#include <vector>
 
 namespace nurbs
 {
+/// A rectangle in the parameters of a patch: that of a part of it.
+struct PartDomain
+{
+  double S0, S1, T0, T1;
+};
+
 /**
  * One cell of the uniform grid laid over a patch. The costs and Deviation are certificates
  * drawn from the control net; they make one Newton run per leaf sufficient.
@@ -30,6 +33,14 @@ struct Leaf
   float HeightCost; ///< if SideCost side + HeightCost height < 1
   float Deviation;  ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
   int Patch;
+
+  /// Where a place in the plane of the box is in the parameters of the patch, about.
+  Vec2 ParametersAt(double x, double y, const PartDomain& domain) const
+  {
+    const float* m = this->Inverse;
+    return Vec2(0.5 * (domain.S0 + domain.S1) + m[0] * x + m[1] * y,
+      0.5 * (domain.T0 + domain.T1) + m[2] * x + m[3] * y);
+  }
 };
 
 /**
@@ -46,16 +57,12 @@ struct alignas(CacheLine) LeafBox
 };
 static_assert(sizeof(LeafBox) == CacheLine, "one line");
 
-/// Parameter rectangle of a leaf.
-struct LeafDomain
-{
-  double S0, S1, T0, T1;
-};
-LeafDomain DomainOf(const BezierPatch& patch, int leaf);
+/// That of a leaf.
+PartDomain DomainOf(const BezierPatch& patch, int leaf);
 
 /// The net of a part of a patch: in `part`, or as it is where the part is the whole.
 const Vec4* NetOfPart(
-  const BezierPatch& patch, const Vec4* net, const LeafDomain& domain, Vec4* part);
+  const BezierPatch& patch, const Vec4* net, const PartDomain& domain, Vec4* part);
 
 /// How long a leaf or block may be against its width: where it is askew little is certain of one
 /// that is more slender, and the boxes of such leaves are full of each other.
@@ -76,7 +83,7 @@ void ChooseGrid(const PatchShape& shape, const LeafLimits& limits, BezierPatch& 
  *
  * @param part the net restricted to it.
  */
-void MeasureLeaf(const BezierPatch& patch, const LeafDomain& domain, const Vec4* part, Leaf& leaf,
+void MeasureLeaf(const BezierPatch& patch, const PartDomain& domain, const Vec4* part, Leaf& leaf,
   LeafBox& oriented);
 
 }

@@ -75,7 +75,7 @@ Step NewtonStep(const SurfaceJet& jet, const Vec3& r, bool heldS, bool heldT)
 
 /// A step that would leave through a bound where the point already lies slides along it.
 Step BoundedStep(
-  const SurfaceJet& jet, const Vec3& r, const LocalFoot& foot, const LeafDomain& domain, bool curve)
+  const SurfaceJet& jet, const Vec3& r, const LocalFoot& foot, const PartDomain& domain, bool curve)
 {
   const double f = jet.Su.dot(r), g = jet.Sv.dot(r);
   bool heldS = (foot.S <= domain.S0 && f >= 0) || (foot.S >= domain.S1 && f <= 0);
@@ -97,7 +97,7 @@ Step BoundedStep(
 }
 
 /// How much of a step fits before the first bound it meets.
-double FractionWithin(const LocalFoot& foot, const Step& step, const LeafDomain& domain)
+double FractionWithin(const LocalFoot& foot, const Step& step, const PartDomain& domain)
 {
   double fraction = 1.0;
   const auto cut = [&fraction](double x, double dx, double low, double high)
@@ -122,7 +122,7 @@ double FractionWithin(const LocalFoot& foot, const Step& step, const LeafDomain&
  * @param fraction of the step to begin with; what was taken of it.
  * @return false if nothing of it does.
  */
-bool Descend(const BezierPatch& patch, const Vec4* net, const Vec3& p, const LeafDomain& domain,
+bool Descend(const BezierPatch& patch, const Vec4* net, const Vec3& p, const PartDomain& domain,
   const Step& step, double& fraction, LocalFoot& foot, SurfaceJet& jet)
 {
   for (int halving = 0; halving < 40; ++halving, fraction *= 0.5)
@@ -151,7 +151,7 @@ bool Descend(const BezierPatch& patch, const Vec4* net, const Vec3& p, const Lea
 }
 
 LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, double s, double t,
-  const LeafDomain& domain)
+  const PartDomain& domain)
 {
   constexpr int MaximumSteps = 60;
   constexpr double Small = 2e-8; // the step after one this small is below rounding

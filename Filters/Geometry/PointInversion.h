@@ -22,7 +22,7 @@ struct LocalFoot
  * conditions to rounding; never farther than the start.
  */
 LocalFoot InvertPoint(const BezierPatch& patch, const Vec4* net, const Vec3& p, double s, double t,
-  const LeafDomain& domain);
+  const PartDomain& domain);
 
 }
 

@@ -134,14 +134,14 @@ LocalFoot SectorFinder::FootOn(int index) const
 {
   const SurfaceModel& model = this->Model;
   const BezierPatch& patch = model.Patches[model.Leaves[index].Patch];
-  const LeafDomain domain = DomainOf(patch, index);
+  const PartDomain domain = DomainOf(patch, index);
   LocalFoot foot = FootOnLeaf(model, index, this->X);
   const double ends[4] = { domain.S0, domain.S1, domain.T0, domain.T1 };
   for (int side = 0; side < 4 && !patch.Curve; ++side)
   {
     if (patch.Sides[side] == SideKind::Sharp && ends[side] == side % 2)
     {
-      LeafDomain line = domain;
+      PartDomain line = domain;
       (side < 2 ? line.S0 : line.T0) = (side < 2 ? line.S1 : line.T1) = side % 2;
       const double s = std::clamp(foot.S, line.S0, line.S1);
       const double t = std::clamp(foot.T, line.T0, line.T1);
@@ -185,8 +185,8 @@ void SectorFinder::FindContacts()
 bool SectorFinder::SamePlace(int face, const Vec2& a, const Vec2& b) const
 {
   const FaceData& data = this->Model.Data[face];
-  return std::abs(a.x() - b.x()) < 0.1 * (data.SpansU.Breaks.back() - data.SpansU.Breaks.front()) &&
-    std::abs(a.y() - b.y()) < 0.1 * (data.SpansV.Breaks.back() - data.SpansV.Breaks.front());
+  const Vec2 size = data.High() - data.Low();
+  return std::abs(a.x() - b.x()) < 0.1 * size.x() && std::abs(a.y() - b.y()) < 0.1 * size.y();
 }
 
 /// Whether one of the first sectors is of the same face and place.
@@ -222,8 +222,9 @@ LoopPlace SectorFinder::PlaceOnLoop(const Contact& contact, const Vec2& foot) co
     place.Forward = data.Loops.LoopEdge(curve.Loop, curve.LoopEdge + 1).To;
     place.Straight = false;
   }
-  place.At.x() = std::clamp(place.At.x(), data.SpansU.Breaks.front(), data.SpansU.Breaks.back());
-  place.At.y() = std::clamp(place.At.y(), data.SpansV.Breaks.front(), data.SpansV.Breaks.back());
+  const Vec2 low = data.Low(), high = data.High();
+  place.At.x() = std::clamp(place.At.x(), low.x(), high.x());
+  place.At.y() = std::clamp(place.At.y(), low.y(), high.y());
   return place;
 }
 

@@ -261,14 +261,11 @@ void VoteAt(const SurfaceModel& model, const Vec3& x, int face, double weight, V
 /// Length of a border of a patch, by side, or of a loop's curve: of its control polygon.
 double MeasureBorder(const BezierPatch& patch, const Vec4* net, int kind)
 {
-  const int row = patch.DegreeU + 1, across = patch.DegreeV + 1;
-  const int first[] = { 0, row - 1, 0, (across - 1) * row, 0 };
-  const int step = kind < 2 ? row : 1, count = kind < 2 ? across : row;
+  const NetSide points(patch, patch.Curve ? 2 : kind);
   double length = 0;
-  for (int k = 1; k < count; ++k)
+  for (int k = 1; k <= points.Degree; ++k)
   {
-    const Vec4* point = net + first[kind] + k * step;
-    length += (CartesianPoint(point[0]) - CartesianPoint(point[-step])).norm();
+    length += (CartesianPoint(net[points.At(k)]) - CartesianPoint(net[points.At(k - 1)])).norm();
   }
   return length;
 }

@@ -8,7 +8,7 @@
 #ifndef SquaredDistanceForm_h
 #define SquaredDistanceForm_h
 
-#include "BezierPatch.h"
+#include "NurbsSurface.h"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 
 #include "BezierEvaluation.h"
 #include "BlockDirection.h"
-#include "ClosestPoint.h"
 #include "SurfaceModel.h"
 
 #include <algorithm>
@@ -23,7 +22,7 @@ void SurfaceBlocks::AddGrid(const SurfaceModel& model, int face,
   {
     for (int i = 0; i < u.NumberOfSpans(); ++i)
     {
-      const int patch = data.FirstPatch + j * u.NumberOfSpans() + i;
+      const int patch = data.PatchOf(i, j);
       u.Bend[i] = std::max(u.Bend[i], shapes[patch].Bend.x());
       v.Bend[j] = std::max(v.Bend[j], shapes[patch].Bend.y());
       u.Length[i] += shapes[patch].Size.x() / v.NumberOfSpans();
@@ -142,7 +141,6 @@ void SurfaceBlocks::ForPieces(
 {
   const FaceData& data = model.Data[face];
   const Grid& grid = this->Grids[face];
-  const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
   const auto spans = [](const std::vector<int>& first, int block)
   {
     int low = static_cast<int>(std::upper_bound(first.begin(), first.end(), block) - first.begin());
@@ -159,11 +157,11 @@ void SurfaceBlocks::ForPieces(
   {
     for (int spanU = rangeU.first; spanU < rangeU.second; ++spanU)
     {
-      const BezierPatch& patch = model.Patches[data.FirstPatch + spanV * countU + spanU];
+      const BezierPatch& patch = model.Patches[data.PatchOf(spanU, spanV)];
       const int nu = grid.DivisionsU[spanU], nv = grid.DivisionsV[spanV];
       const int cellU = nu == 1 ? 0 : i - grid.BlockU[spanU];
       const int cellV = nv == 1 ? 0 : j - grid.BlockV[spanV];
-      const LeafDomain domain{ double(cellU) / nu, double(cellU + 1) / nu, double(cellV) / nv,
+      const PartDomain domain{ double(cellU) / nu, double(cellU + 1) / nu, double(cellV) / nv,
         double(cellV + 1) / nv };
       visit(patch, NetOfPart(patch, model.Net(patch), domain, part), domain);
     }
@@ -175,7 +173,7 @@ Eigen::AlignedBox3f SurfaceBlocks::BoxOfBlock(
 {
   Eigen::AlignedBox3f box;
   this->ForPieces(model, face, i, j,
-    [&](const BezierPatch& patch, const Vec4* net, const LeafDomain&)
+    [&](const BezierPatch& patch, const Vec4* net, const PartDomain&)
     {
       box.extend(net == model.Net(patch)
           ? shapes[&patch - model.Patches.data()].Box
@@ -265,7 +263,7 @@ void SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int index, SurfaceBl
     [](int number, const Grid& grid) { return number < grid.First; });
   const Grid& grid = *(next - 1);
   const int face = static_cast<int>(&grid - this->Grids.data());
-  const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
+  const int i = grid.ColumnOf(index), j = grid.RowOf(index);
   block.Face = face;
   block.Width = Vec2(grid.BreaksU[i + 1] - grid.BreaksU[i], grid.BreaksV[j + 1] - grid.BreaksV[j]);
   block.Middle = Vec2(grid.BreaksU[i], grid.BreaksV[j]) + 0.5 * block.Width;
@@ -279,7 +277,7 @@ void SurfaceBlocks::MeasureBlock(const SurfaceModel& model, int index, SurfaceBl
     { jet.S, a * jet.Su, b * jet.Sv, a * a * jet.Suu, a * b * jet.Suv, b * b * jet.Svv }, block);
   SkewBounds bounds(jet.S, block);
   this->ForPieces(model, face, i, j,
-    [&](const BezierPatch& piece, const Vec4* net, const LeafDomain&)
+    [&](const BezierPatch& piece, const Vec4* net, const PartDomain&)
     {
       const int size = (piece.DegreeU + 1) * (piece.DegreeV + 1);
       std::for_each(net, net + size, [&](const Vec4& c) { bounds.Add(CartesianPoint(c)); });
@@ -291,7 +289,7 @@ BlockReach SurfaceBlocks::MeasureReach(const SurfaceModel& model, int index) con
 {
   const SurfaceBlock& block = this->BlockOf(model, index);
   const Grid& grid = this->Grids[block.Face];
-  const int i = (index - grid.First) % grid.CountU, j = (index - grid.First) / grid.CountU;
+  const int i = grid.ColumnOf(index), j = grid.RowOf(index);
   const BezierPatch& middle =
     model.Patches[model.PatchAt(block.Face, block.Middle.x(), block.Middle.y())];
   const Vec2 local = middle.Local(block.Middle);
@@ -304,7 +302,7 @@ BlockReach SurfaceBlocks::MeasureReach(const SurfaceModel& model, int index) con
     block.Center, axes, weight * Vec3(block.Xu, 0, 0), weight * Vec3(block.Xv, block.Yv, 0));
   bool mixed = false;
   this->ForPieces(model, block.Face, i, j,
-    [&](const BezierPatch& patch, const Vec4* net, const LeafDomain& domain)
+    [&](const BezierPatch& patch, const Vec4* net, const PartDomain& domain)
     {
       mixed = mixed || patch.Rational != middle.Rational;
       bounds.Add(patch.DegreeU, patch.DegreeV, net,

@@ -1,5 +1,6 @@
 #include "SurfaceModel.h"
 
+#include "BezierDecomposition.h"
 #include "BezierEvaluation.h"
 #include "CurveOnPatch.h"
 #include "PatchTiles.h"
@@ -41,8 +42,7 @@ SurfaceModel::SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance,
 int SurfaceModel::PatchAt(int face, double u, double v) const
 {
   const FaceData& data = this->Data[face];
-  const int countU = static_cast<int>(data.SpansU.Breaks.size()) - 1;
-  return data.FirstPatch + data.SpansV.Find(v) * countU + data.SpansU.Find(u);
+  return data.PatchOf(data.SpansU.Find(u), data.SpansV.Find(v));
 }
 
 int SurfaceModel::LeafAt(const BezierPatch& patch, double s, double t) const
@@ -94,8 +94,7 @@ void CutAtKnots(const FaceData& data, const TrimLoops::Edge& edge, double t0, do
 void SurfaceModel::AddTrimCurves(int face, Shapes& shapes)
 {
   const FaceData& data = this->Data[face];
-  const Vec2 low(data.SpansU.Breaks.front(), data.SpansV.Breaks.front());
-  const Vec2 high(data.SpansU.Breaks.back(), data.SpansV.Breaks.back());
+  const Vec2 low = data.Low(), high = data.High();
   // Points a rounding error outside the rectangle are meant to be on its border.
   const Vec2 slack = 1e-9 * (high - low);
   std::vector<double> cuts;
@@ -236,7 +235,7 @@ int SurfaceModel::MeasureBox(int index, LeafBox& box) const
   const auto next = std::upper_bound(this->Patches.begin(), this->Patches.end(), number,
     [](int leaf, const BezierPatch& patch) { return leaf < patch.FirstLeaf; });
   const BezierPatch& patch = *(next - 1);
-  const LeafDomain domain = DomainOf(patch, number);
+  const PartDomain domain = DomainOf(patch, number);
   Vec4 part[(MaximumDegree + 1) * (MaximumDegree + 1)];
   Leaf& leaf = this->Leaves[number];
   leaf.Patch = static_cast<int>(&patch - this->Patches.data());
@@ -289,9 +288,8 @@ void SurfaceModel::RefineTrimmedGrids()
                e = BezierPoint(patch, net, 0.5, 1);
     const double lengthU = (b - a).norm() + (c - b).norm();
     const double lengthV = (b - d).norm() + (e - b).norm();
-    const double cell = std::max(lengthU * (data.SpansU.Breaks.size() - 1),
-                          lengthV * (data.SpansV.Breaks.size() - 1)) /
-      CellsAcross;
+    const double cell =
+      std::max(lengthU * data.SpansU.Count(), lengthV * data.SpansV.Count()) / CellsAcross;
     const auto divisions = [=](double length)
     { return std::clamp(static_cast<int>(std::ceil(length / cell)), 1, Finest); };
     patch.GridU = std::max(patch.GridU, divisions(lengthU));
@@ -346,7 +344,7 @@ void SurfaceModel::FindTrimStates()
 void SurfaceModel::FindTrimState(const BezierPatch& patch, int leaf)
 {
   FaceData& data = this->Data[patch.Face];
-  const LeafDomain d = DomainOf(patch, leaf);
+  const PartDomain d = DomainOf(patch, leaf);
   const double s = 0.5 * (d.S0 + d.S1), t = 0.5 * (d.T0 + d.T1);
   double share = 1.0;
   if (this->TrimStates[leaf] == TrimState::Crossed)

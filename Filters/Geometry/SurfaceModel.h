@@ -7,7 +7,7 @@
 #ifndef SurfaceModel_h
 #define SurfaceModel_h
 
-#include "BezierDecomposition.h"
+#include "KnotSpans.h"
 #include "MeasuringTurns.h"
 #include "PatchTree.h"
 #include "SurfaceBlocks.h"
@@ -16,16 +16,26 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace nurbs
 {
 struct FaceData
 {
   KnotSpans SpansU, SpansV;
-  int FirstPatch = 0;
+  int FirstPatch = 0; ///< of those of the spans, row by row; pieces of its loops follow
   TrimLoops Loops;
   double Sign = 1.0; ///< of S_u x S_v, so that the shell is oriented alike
   double Area = 0.0; ///< of one of several faces
+
+  /// The patch of two spans.
+  int PatchOf(int spanU, int spanV) const
+  {
+    return this->FirstPatch + spanV * this->SpansU.Count() + spanU;
+  }
+  /// The corners of its domain in (u, v).
+  Vec2 Low() const { return Vec2(this->SpansU.Breaks.front(), this->SpansV.Breaks.front()); }
+  Vec2 High() const { return Vec2(this->SpansU.Breaks.back(), this->SpansV.Breaks.back()); }
 };
 
 struct SurfaceModel
