@@ -34,14 +34,14 @@ struct BezierPatch
   int Face = -1;
   int DegreeU = 1, DegreeV = 1;
   bool Rational = false;
-  bool Curve = false;  ///< a piece of a trim loop: (U0, V0) to (U1, V1) over s
-  std::size_t Net = 0; ///< index of the first control point in the pool of nets
-  double U0 = 0, U1 = 1, V0 = 0, V1 = 1;
-  SideKind Sides[4] = {};       ///< at s = 0, s = 1, t = 0, t = 1
-  bool Collapsed[4] = {};       ///< the side is one point (a pole)
-  int GridU = 1, GridV = 1;     ///< leaves along s and t
-  int FirstLeaf = -1;           ///< of these, by row; the others follow
-  int Loop = -1, LoopEdge = -1; ///< of a trim curve: which loop and which edge of it
+  bool Curve = false;                    ///< a piece of a trim loop: (U0, V0) to (U1, V1) over s
+  std::size_t Net = 0;                   ///< index of the first control point in the pool of nets
+  double U0 = 0, U1 = 1, V0 = 0, V1 = 1; ///< in (u, v) of the face
+  SideKind Sides[4] = {};                ///< at s = 0, s = 1, t = 0, t = 1
+  bool Collapsed[4] = {};                ///< the side is one point (a pole)
+  int GridU = 1, GridV = 1;              ///< leaves along s and t
+  int FirstLeaf = -1;                    ///< of these, by row; the others follow
+  int Loop = -1, LoopEdge = -1;          ///< of a trim curve: which loop and which edge of it
 
   double U(double s, double) const { return this->U0 + (this->U1 - this->U0) * s; }
   double V(double s, double t) const

@@ -32,7 +32,7 @@ struct Leaf
   float SideCost;   ///< a point at (side, height) above Center has one closest point in the leaf
   float HeightCost; ///< if SideCost side + HeightCost height < 1
   float Deviation;  ///< bound on |J0^-1 (J - J0)| over the leaf; 2 if there is none
-  int Patch;
+  int Patch;        ///< that it is a part of
 
   /// Where a place in the plane of the box is in the parameters of the patch, about.
   Vec2 ParametersAt(double x, double y, const PartDomain& domain) const

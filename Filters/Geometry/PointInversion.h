@@ -11,9 +11,9 @@ namespace nurbs
 {
 struct LocalFoot
 {
-  double S = 0, T = 0;
-  Vec3 Point = Vec3::Zero();
-  double Squared = 0; ///< squared distance
+  double S = 0, T = 0;       ///< parameters of the patch
+  Vec3 Point = Vec3::Zero(); ///< about the local origin
+  double Squared = 0;        ///< squared distance
 };
 
 /**

@@ -33,9 +33,9 @@ enum class FootKind : unsigned char
 struct Foot
 {
   FootKind Kind = FootKind::None;
-  int Face = -1;
-  double U = 0, V = 0;
-  Vec3 Point = Vec3::Zero();
+  int Face = -1;             ///< see TrimmingSurface::Face
+  double U = 0, V = 0;       ///< in the face's domain
+  Vec3 Point = Vec3::Zero(); ///< S(U, V)
   /// Unit normal S_u x S_v, oriented alike over all faces (eq. 15); on a shared edge or
   /// corner the angle-weighted mean of the normals that meet there. Points to the side that
   /// is eliminated.
@@ -48,9 +48,9 @@ struct Foot
 /// One point where a line meets the surface.
 struct LineHit
 {
-  double K = 0; ///< A + K (B - A)
-  int Face = -1;
-  double U = 0, V = 0;
+  double K = 0;               ///< A + K (B - A)
+  int Face = -1;              ///< see TrimmingSurface::Face
+  double U = 0, V = 0;        ///< in the face's domain
   Vec3 Point = Vec3::Zero();  ///< S(U, V)
   Vec3 Normal = Vec3::Zero(); ///< as in Foot
 };
@@ -114,11 +114,13 @@ public:
    */
   bool NormalsLieWithin(const Box3& box, const Vec3& direction, double angle) const;
 
+  /// Of all that the loops leave, a little larger: of boxes round it.
   const Box3& Bounds() const;
 
   /// How wide a gap between faces may be where a border would be free otherwise.
   double WidestGap() const;
   int NumberOfFaces() const;
+  /// In an order of their own; of shells that are there twice one.
   const NurbsSurface& Face(int i) const;
 
 private:

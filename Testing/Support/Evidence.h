@@ -52,10 +52,10 @@ public:
   bool Usable = false;
 
   const Trial& Case;
-  Model In;
-  Model Out;
-  Exterior Border;
-  double Diagonal;
+  Model In;                ///< the input, its wedges in the order that they have in the output
+  Model Out;               ///< port 0
+  Exterior Border;         ///< of the input
+  double Diagonal;         ///< of the input's box
   double Rounding;         ///< of coordinates
   double Exact;            ///< absolute limit for positions: 1e-9 of the diagonal and rounding
   std::vector<Id> PointOf; ///< of port 0, in the input

@@ -20,8 +20,8 @@ namespace judge
 struct FacetTable
 {
   std::vector<Facet> Exterior;
-  std::map<std::array<Id, 4>, int> Uses;
-  int OverUsed = 0;
+  std::map<std::array<Id, 4>, int> Uses; ///< by FacetKey: elements that have it
+  int OverUsed = 0;                      ///< facets of more than two
 
   explicit FacetTable(const Model& model);
 };

@@ -23,7 +23,7 @@ struct Frame
   Vec3 Centre = Vec3::Zero();
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
   double HalfX = 1, HalfY = 1, HalfZ = 1;
-  double ElementSize = 1;
+  double ElementSize = 1;    ///< the longest edge in the plane of the first two axes, about
   double LayerThickness = 0; ///< of one element of a sheet; 0: no thickness direction
 };
 
@@ -75,6 +75,10 @@ void FoldElements(vtkPointSet* sheet);
 /// Arrays of several types, components and attributes on points, cells and the grid.
 void AddData(vtkUnstructuredGrid* grid, unsigned seed);
 
+// Where nothing else is said elements are 1 x 1 in the plane, of sheets 0.4 thick and of blocks 1;
+// n is the number of elements along an edge, nz that of layers.
+
+/// @param element sides of an element.
 Mesh Sheet(int nx, int ny, int nz, const Vec3& element, const MeshOptions& options = {});
 Mesh Block(int nx, int ny, int nz, const MeshOptions& options = {});
 /// Sheets of nx x ny x nz elements of 1 x 1 x `layer`, each shifted as it is said, without data or
@@ -84,16 +88,23 @@ Mesh Sheets(int nx, int ny, int nz, double layer, const std::vector<Vec3>& shift
 Mesh TwoSheets(int nx, int ny, int nz, double layer, const Vec3& shift);
 /// Eight blocks of n^3 elements that have nodes in common at their edges alone, not on their faces.
 Mesh BlocksJoinedAtEdges(int n);
+/// What is left of a square without one of its quarters, about.
 Mesh LShape(int n, int nz, const MeshOptions& options = {});
+/// The hole is a square off the middle.
 Mesh PlateWithHole(int n, int nz, const MeshOptions& options = {});
+/// Three squares side by side, an element's width apart.
 Mesh Islands(int n, int nz, const MeshOptions& options = {});
+/// A fourth of the elements, drawn at random, are two wedges each.
 Mesh SheetWithWedges(int nx, int ny, int nz, const MeshOptions& options = {});
 /// Triangles split into three quadrilaterals each, extruded.
 Mesh Irregular(int n, int nz, const MeshOptions& options = {});
 /// Round blank (a square grid blown up to a polygon of 4 n sides).
 Mesh Blank(int n, int rings, int nz, const MeshOptions& options = {});
+/// A profile of bottom, walls and flanges with round bends between, n long.
 Mesh Channel(int n, int nz, const MeshOptions& options = {});
+/// A round blank bent to a part of a sphere.
 Mesh Dome(int n, int nz, const MeshOptions& options = {});
+/// A round blank drawn to bottom, wall and flange.
 Mesh Cup(int n, int nz, const MeshOptions& options = {});
 
 /// A sheet with a patch on one half of it: its columns have nz layers here and twice as many there.

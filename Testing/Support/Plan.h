@@ -30,14 +30,17 @@ struct Plan
   double Radius() const;
 };
 
+/// Rectangles of dx x dy, in the first quadrant.
 Plan GridPlan(int nx, int ny, double dx, double dy);
 /// n x n core of elements of size about 1 with rings round it, out to a circle of 4 n sides.
 Plan BlankPlan(int n, int rings);
+/// n x n squares of 2 x 2, perturbed, each of two triangles and these of three quadrilaterals each.
 Plan TriangleQuadPlan(int n, unsigned seed);
 
 /// From a plan position and a height (measured from the middle surface) to space.
 using Fold = std::function<Vec3(const Vec2& p, double z)>;
 Fold Flat();
+/// nz layers, `thickness` in all, half of it to either side of the plan.
 RawMesh Extrude(const Plan& plan, int nz, double thickness, const Fold& fold);
 
 /// A plane profile of straight and circular pieces, starting at the origin along x.

@@ -34,9 +34,9 @@ struct Surface
   std::string Name;
   vtkSmartPointer<vtkDataObject> Data;
   std::shared_ptr<Oracle> Truth;
-  double Sign = 1;
-  double MinimumRadius = std::numeric_limits<double>::infinity();
-  bool HasPlane = false; ///< the surface is a plane
+  double Sign = 1;                                                ///< of the oracle's distance
+  double MinimumRadius = std::numeric_limits<double>::infinity(); ///< of curvature, in the grid
+  bool HasPlane = false;                                          ///< the surface is a plane
   Vec3 PlanePoint = Vec3::Zero(), PlaneNormal = Vec3::UnitX();
 
   double Signed(const Vec3& p) const { return this->Sign * this->Truth->Signed(p); }
