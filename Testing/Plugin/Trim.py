@@ -50,7 +50,7 @@ def check_told():
     the manual and on the help page."""
     project = os.path.dirname(DATA_DIRECTORY)
     with open(os.path.join(project, "Plugin", "Window", "TrimSummary.cxx")) as file:
-        rows = re.findall(r'\{ "(\w+)", "', file.read())
+        rows = re.findall(r"\{ names::(\w+),", file.read())  # as ArrayNames.h names them
     with open(os.path.join(project, "Plugin", "Documentation", "Manual.md")) as file:
         manual = file.read()
     entries = set(summary(trim(sheet(), plane_at(10.3))))
