@@ -16,13 +16,6 @@ constexpr int MostFaces = 6;
 /// In place of a number: the face has that of its first side.
 constexpr int IsTwin = -2;
 
-/// The other ends of the three edges at each node of an element.
-using NeighbourNodes = std::array<std::array<int, 3>, 8>;
-constexpr NeighbourNodes HexahedronNeighbours = { { { 1, 3, 4 }, { 0, 2, 5 }, { 1, 3, 6 },
-  { 0, 2, 7 }, { 0, 5, 7 }, { 1, 4, 6 }, { 2, 5, 7 }, { 3, 4, 6 } } };
-constexpr NeighbourNodes WedgeNeighbours = { { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 0, 4, 5 },
-  { 1, 3, 5 }, { 2, 3, 4 } } };
-
 /// The nodes of a face in ascending order: the same from both its elements.
 std::array<int, 4> FaceKey(const BandElement& element, int slot)
 {
@@ -273,11 +266,11 @@ void Band::ListEdges(int node, std::vector<BandEdge>& edges) const
   for (const int e : this->ElementsOfNode(node))
   {
     const auto& element = this->Elements[e];
-    const auto corner = std::find(element.Node.begin(), element.Node.end(), node);
-    const auto& neighbours = element.Count == 8 ? HexahedronNeighbours : WedgeNeighbours;
-    for (const int i : neighbours[corner - element.Node.begin()])
+    const auto corner = std::find(element.begin(), element.end(), node) - element.begin();
+    const int* const ends = CornerEnds(static_cast<int>(corner), element.Count);
+    for (int k = 0; k < 3; ++k)
     {
-      const BandEdge edge{ node, element.Node[i] };
+      const BandEdge edge{ node, element.Node[ends[k]] };
       const auto isSame = [&edge](const BandEdge& other) { return other.Second == edge.Second; };
       if (edge.Second > node && std::none_of(edges.begin() + first, edges.end(), isSame))
       {

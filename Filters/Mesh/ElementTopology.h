@@ -59,6 +59,18 @@ inline constexpr ElementTopology WedgeTopology = { 6, 5, 9, 1,
 inline constexpr int AxisEnds[3][2][4] = { { { 0, 3, 7, 4 }, { 1, 2, 6, 5 } },
   { { 0, 4, 5, 1 }, { 3, 7, 6, 2 } }, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } } };
 
+inline constexpr int HexahedronCorners[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
+  { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
+inline constexpr int WedgeCorners[6][3] = { { 1, 2, 3 }, { 2, 0, 4 }, { 0, 1, 5 }, { 5, 4, 0 },
+  { 3, 5, 1 }, { 4, 3, 2 } };
+
+/// The other ends of the three edges from a corner of an element of 8 or 6 nodes, positively
+/// oriented; a wedge's third is its axis.
+inline const int* CornerEnds(int corner, int numberOfNodes)
+{
+  return numberOfNodes == 8 ? HexahedronCorners[corner] : WedgeCorners[corner];
+}
+
 /// The topology of an element of 8 or 6 nodes.
 inline const ElementTopology& TopologyOf(int numberOfNodes)
 {

@@ -1,5 +1,7 @@
 #include "Jacobian.h"
 
+#include "ElementTopology.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -204,12 +206,6 @@ double SmallestHexahedronCorner(const ElementPoints& p, double limit, EdgeSquare
   return smallest;
 }
 
-/// The three neighbours of each corner, positively oriented.
-constexpr int HexahedronCorners[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
-  { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
-constexpr int WedgeCorners[6][3] = { { 1, 2, 3 }, { 2, 0, 4 }, { 0, 1, 5 }, { 5, 4, 0 },
-  { 3, 5, 1 }, { 4, 3, 2 } };
-
 double UnitDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const double lengths = a.norm() * b.norm() * c.norm();
@@ -221,7 +217,7 @@ double SmallestWedgeCorner(const ElementPoints& p)
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 6; ++i)
   {
-    const int* corner = WedgeCorners[i];
+    const int* corner = CornerEnds(i, 6);
     smallest = std::min(
       smallest, UnitDeterminant(p[corner[0]] - p[i], p[corner[1]] - p[i], p[corner[2]] - p[i]));
   }
@@ -352,11 +348,6 @@ double ScaledJacobian(const ElementPoints& p, int count, double limit, EdgeSquar
   }
   const auto [r, s, t] = PrincipalAxes(p);
   return std::min(smallest, UnitDeterminant(r, s, t));
-}
-
-const int* CornerEnds(int corner, int count)
-{
-  return count == 8 ? HexahedronCorners[corner] : WedgeCorners[corner];
 }
 
 double ScaledJacobianBound(const ElementPoints& p, int count, unsigned moving)

@@ -71,10 +71,6 @@ double ScaledJacobian(const ElementPoints& points, int count,
 /// @param moving one bit for each node, the lowest for the first.
 double ScaledJacobianBound(const ElementPoints& points, int count, unsigned moving);
 
-/// The other ends of the three edges from a corner, positively oriented; a wedge's third is its
-/// axis.
-const int* CornerEnds(int corner, int count);
-
 /// One of the determinants that the scaled Jacobian is the smallest of, and how it changes with
 /// the element's nodes.
 struct ScaledDeterminant
