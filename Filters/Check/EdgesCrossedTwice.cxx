@@ -51,8 +51,8 @@ bool SeeTwo(const HexMesh& mesh, Id a, Id b, const nurbs::Foot& footOfA, const n
     DoubledShare * (mesh.Point(a) - mesh.Point(b)).norm();
 }
 
-/// Appends the edges of a cell that are near enough to the surface to be crossed twice: it is
-/// nowhere nearer to a node than its foot.
+/// Appends the edges of a cell that are near enough to the surface to be crossed otherwise than
+/// once: it is nowhere nearer to a node than its foot.
 /// @param flat see FindFlat.
 void AddNearEdges(const HexMesh& mesh, const NodeClassification& nodes, Id cell, bool flat,
   std::vector<MeshEdge>& edges)
@@ -72,8 +72,8 @@ void AddNearEdges(const HexMesh& mesh, const NodeClassification& nodes, Id cell,
     const bool within = nodes.Status[a] == NodeOnSurface && nodes.Status[b] == NodeOnSurface;
     const nurbs::Foot& footOfA = *foot[edge.First];
     const nurbs::Foot& footOfB = *foot[edge.Second];
-    if (!within && footOfA.Distance + footOfB.Distance <= (mesh.Point(a) - mesh.Point(b)).norm() &&
-      (!flat || SeeTwo(mesh, a, b, footOfA, footOfB)))
+    if (footOfA.Distance + footOfB.Distance <= (mesh.Point(a) - mesh.Point(b)).norm() &&
+      (flat ? SeeTwo(mesh, a, b, footOfA, footOfB) : !within))
     {
       edges.push_back({ std::min(a, b), std::max(a, b) });
     }
@@ -93,20 +93,30 @@ std::vector<MeshEdge> FindNearEdges(
   return edges;
 }
 
-/// From the end that comes first by its place, so that the numbering has no say; without those at
-/// which the surface runs along the edge, as a side of a contour on a line of the mesh does.
-std::vector<nurbs::LineHit> Crossings(
-  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& edge)
+/// From the end that comes first by its place, so that the numbering has no say.
+struct WayAlong
 {
-  const Vec3 a = mesh.Point(edge[0]);
-  const Vec3 b = mesh.Point(edge[1]);
-  auto hits = LiesBefore(a, b) ? surface.Intersect(a, b) : surface.Intersect(b, a);
-  const Vec3 way = (b - a).normalized();
+  WayAlong(const HexMesh& mesh, const MeshEdge& edge)
+    : Ends(
+        LiesBefore(mesh.Point(edge[0]), mesh.Point(edge[1])) ? edge : MeshEdge{ edge[1], edge[0] })
+    , From(mesh.Point(this->Ends[0]))
+    , To(mesh.Point(this->Ends[1]))
+  {
+  }
+
+  MeshEdge Ends;
+  Vec3 From, To;
+};
+
+/// Takes away the crossings at which the surface runs along the edge, as a side of a contour on a
+/// line of the mesh does.
+void RemoveAlong(const WayAlong& edge, std::vector<nurbs::LineHit>& hits)
+{
+  const Vec3 way = (edge.To - edge.From).normalized();
   hits.erase(
     std::remove_if(hits.begin(), hits.end(),
       [&way](const nurbs::LineHit& hit) { return std::abs(hit.Normal.dot(way)) < AlongCosine; }),
     hits.end());
-  return hits;
 }
 
 bool TurnsBetween(const nurbs::LineHit& one, const nurbs::LineHit& next)
@@ -123,41 +133,97 @@ bool IsDoubled(const nurbs::LineHit& one, const nurbs::LineHit& next, const Vec3
     (next.Point - one.Point).norm() > gap;
 }
 
-bool IsCrossedTwice(
-  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& edge)
+/// Whether next to the crossing before a node lies the side that the node does not have: of two
+/// cuts that face the same way the other one has it.
+/// @param crossing with none between it and the node.
+bool IsAgainstSide(const nurbs::TrimmingSurface& surface, const Vec3& crossing, const Vec3& node,
+  unsigned char sideOfNode, double length)
 {
-  const auto hits = Crossings(mesh, surface, edge);
-  const Vec3 way = mesh.Point(edge[1]) - mesh.Point(edge[0]);
+  if (sideOfNode == NodeOnSurface)
+  {
+    return false;
+  }
+  const Vec3 way = node - crossing;
+  const double away = std::min(0.5 * way.norm(), DoubledShare * length);
+  const nurbs::Foot foot = surface.ClosestPoint(crossing + away * way.stableNormalized());
+  const unsigned char side = foot.SignedDistance < 0.0 ? NodeKeep : NodeEliminate;
+  return foot.Kind == nurbs::FootKind::Interior && side != sideOfNode &&
+    foot.Distance > AlongCosine * away;
+}
+
+/// @param hits all of them.
+bool IsAgainstSides(const nurbs::TrimmingSurface& surface, const NodeClassification& nodes,
+  const WayAlong& edge, const std::vector<nurbs::LineHit>& hits)
+{
+  const unsigned char first = nodes.Status[edge.Ends[0]];
+  const unsigned char last = nodes.Status[edge.Ends[1]];
+  if (hits.empty() && first != NodeOnSurface && last != NodeOnSurface)
+  {
+    return false;
+  }
+  // A node that is on the surface may not be hit, but for rounding.
+  const Vec3 firstCrossing = hits.empty() ? edge.To : hits.front().Point;
+  const Vec3 lastCrossing = hits.empty() ? edge.From : hits.back().Point;
+  const double length = (edge.To - edge.From).norm();
+  return IsAgainstSide(surface, firstCrossing, edge.From, first, length) ||
+    IsAgainstSide(surface, lastCrossing, edge.To, last, length);
+}
+
+enum Crossed : char
+{
+  CrossedOnce, ///< or not at all
+  CrossedTwice,
+  CrossedAgainstSides
+};
+
+Crossed HowCrossed(const HexMesh& mesh, const nurbs::TrimmingSurface& surface,
+  const NodeClassification& nodes, const MeshEdge& ends)
+{
+  const WayAlong edge(mesh, ends);
+  auto hits = surface.Intersect(edge.From, edge.To);
+  if (IsAgainstSides(surface, nodes, edge, hits))
+  {
+    return CrossedAgainstSides;
+  }
+  RemoveAlong(edge, hits);
+  const Vec3 way = edge.To - edge.From;
   const double gap = surface.WidestGap();
-  return std::adjacent_find(hits.begin(), hits.end(),
-           [&](const nurbs::LineHit& one, const nurbs::LineHit& next)
-           { return TurnsBetween(one, next) || IsDoubled(one, next, way, gap); }) != hits.end();
+  if (std::adjacent_find(hits.begin(), hits.end(),
+        [&](const nurbs::LineHit& one, const nurbs::LineHit& next)
+        { return IsDoubled(one, next, way, gap); }) != hits.end())
+  {
+    return CrossedAgainstSides;
+  }
+  return std::adjacent_find(hits.begin(), hits.end(), TurnsBetween) != hits.end() ? CrossedTwice
+                                                                                  : CrossedOnce;
 }
 
 }
 
-std::vector<MeshEdge> FindEdgesCrossedTwice(
+CrossedEdges FindCrossedEdges(
   const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const NodeClassification& nodes)
 {
   const std::vector<MeshEdge> edges = FindNearEdges(mesh, surface, nodes);
-  std::vector<char> twice(edges.size());
+  std::vector<char> crossed(edges.size());
   ForAll(static_cast<int>(edges.size()),
-    [&](int i) { twice[i] = IsCrossedTwice(mesh, surface, edges[i]); });
-  std::vector<MeshEdge> found;
+    [&](int i) { crossed[i] = HowCrossed(mesh, surface, nodes, edges[i]); });
+  CrossedEdges found;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    if (twice[i])
+    if (crossed[i] != CrossedOnce)
     {
-      found.push_back(edges[i]);
+      (crossed[i] == CrossedTwice ? found.Twice : found.AgainstSides).push_back(edges[i]);
     }
   }
   return found;
 }
 
 std::vector<Vec3> PlacesBetweenCrossings(
-  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& edge)
+  const HexMesh& mesh, const nurbs::TrimmingSurface& surface, const MeshEdge& ends)
 {
-  const auto hits = Crossings(mesh, surface, edge);
+  const WayAlong edge(mesh, ends);
+  auto hits = surface.Intersect(edge.From, edge.To);
+  RemoveAlong(edge, hits);
   std::vector<Vec3> places;
   for (std::size_t i = 1; i < hits.size(); ++i)
   {

@@ -54,7 +54,7 @@ public:
     , All(ranks)
     , Surface(surface)
     , Result(result)
-    , CrossedTwice(FindEdgesCrossedTwice(mesh, surface, result.Nodes))
+    , Crossed(FindCrossedEdges(mesh, surface, result.Nodes))
   {
   }
 
@@ -140,6 +140,10 @@ private:
     if (!MakeProbe(this->Mesh, this->Result, cell, probe))
     {
       return Feasibility::Fine;
+    }
+    if (HasEdge(probe, this->Crossed.AgainstSides))
+    {
+      return Feasibility::CrossedTwice;
     }
     const bool cut = this->Result.ElementStatus[cell] == ElementToTreat;
     const bool hidden = !cut && probe.HoldsNearestFoot();
@@ -435,17 +439,19 @@ private:
 
   bool IsCrossedTwice(const ElementProbe& probe) const
   {
-    if (this->HasMixedFace(probe))
-    {
-      return true;
-    }
+    return this->HasMixedFace(probe) || HasEdge(probe, this->Crossed.Twice);
+  }
+
+  /// @param edges ascending.
+  static bool HasEdge(const ElementProbe& probe, const std::vector<MeshEdge>& edges)
+  {
     const auto& topology = TopologyOf(probe.Count);
-    for (int i = 0; i < topology.NumberOfEdges && !this->CrossedTwice.empty(); ++i)
+    for (int i = 0; i < topology.NumberOfEdges && !edges.empty(); ++i)
     {
       const Id a = probe.Node[topology.Edges[i].First];
       const Id b = probe.Node[topology.Edges[i].Second];
-      if (std::binary_search(this->CrossedTwice.begin(), this->CrossedTwice.end(),
-            MeshEdge{ std::min(a, b), std::max(a, b) }))
+      if (std::binary_search(
+            edges.begin(), edges.end(), MeshEdge{ std::min(a, b), std::max(a, b) }))
       {
         return true;
       }
@@ -457,7 +463,7 @@ private:
   const Ranks& All;
   const nurbs::TrimmingSurface& Surface;
   const TrimResult& Result;
-  std::vector<MeshEdge> CrossedTwice;          ///< ascending
+  CrossedEdges Crossed;
   std::vector<Id> CellsAtSeams, CellsOfStrips; ///< ascending
 };
 

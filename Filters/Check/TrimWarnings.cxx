@@ -46,9 +46,10 @@ constexpr Text<Feasibility> FeasibilityTexts[] = {
     " a cut-out, or a part of one, that is smaller than an element and is not "
     "opened: refine the mesh there." },
   { Feasibility::CrossedTwice, " element has", " elements have",
-    " an edge or face that the surface crosses more than once, or a place in a strip "
-    "between two cuts that is too narrow for elements of its own: what lies between is lost. "
-    "Refine the mesh there or straighten the surface." },
+    " an edge or face that the surface crosses more than once, or once with a second cut beside "
+    "it that faces the same way, or a place in a strip between two cuts that is too narrow for "
+    "elements of its own: what lies between is lost, or stays. Refine the mesh there, straighten "
+    "the surface, or leave one of two such cuts." },
   { Feasibility::Narrow, " element lies", " elements lie",
     " at a hole or slot narrower than three elements, which comes out coarse: refine "
     "the mesh there." },

@@ -78,6 +78,37 @@ void TestDoubled()
   }
 }
 
+// The same with nodes between the two that all are nearer to one of them: the other one is crossed
+// once, and does not part the mesh.
+void TestBesideEachOther()
+{
+  const Mesh sheet = Sheet(40, 30, 2, Vec3(1, 1, 0.4));
+  const Mesh block = Block(10, 10, 10);
+  struct Beside
+  {
+    double At, Distance;
+  };
+  for (const Beside& beside : { Beside{ 0.3, 0.9 }, Beside{ 0.3, 1.1 }, Beside{ 0.3, 1.6 },
+         Beside{ 0.0, 1.0 }, Beside{ 0.0, 1.2 }, Beside{ 0.0, 2.0 }, Beside{ 0.8, 1.2 } })
+  {
+    for (const double sign : { 1.0, -1.0 })
+    {
+      const auto both = [&](const Vec3& corner)
+      {
+        const auto plane = [&](double shift) {
+          return PlaneThrough(corner + Vec3(beside.At + shift, 0.3, 0.1), sign * Vec3::UnitX(), 60);
+        };
+        return Together(plane(0).Data, plane(beside.Distance).Data);
+      };
+      const std::string name = "planes at " + std::to_string(beside.At) + ", " +
+        std::to_string(sign * beside.Distance) + " beside each other";
+      ExpectOnly(name, sheet, both(Vec3(20, 15, 0)), CrossedTwice, 60);
+      const Vec3 corner = block.Box.Centre - Vec3::Constant(1);
+      ExpectOnly(name + ", block", block, both(corner), CrossedTwice, 100);
+    }
+  }
+}
+
 void TestInclined()
 {
   const Mesh sheet = Sheet(40, 30, 2, Vec3(1, 1, 0.4));
@@ -594,6 +625,7 @@ int main()
 {
   TestOrdinary();
   TestDoubled();
+  TestBesideEachOther();
   TestInclined();
   TestSmallHoles();
   TestAligned();
