@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
 
 namespace trim
 {
@@ -46,46 +49,47 @@ struct FaultyElements
   std::vector<int> Loose;
 };
 
+/// Whether a shortfall is told of though its element has a graver one: that of an invalid element
+/// says that it is below the floor, too, and DistanceLeft tells of nodes left.
+bool IsToldBesideGraver(Shortfall value)
+{
+  return value == Shortfall::LoosePart || value == Shortfall::ShortEdge;
+}
+
 /// @param isIn whether an element of the band belongs to the part.
 template <typename IsIn>
 std::vector<std::pair<int, Shortfall>> ListShortfalls(const TrimBand& near,
   const FaultyElements& faulty, const std::vector<std::pair<int, float>>& left, const IsIn& isIn)
 {
-  std::vector<Shortfall> values(near.Mesh.NumberOfElements(), Shortfall::None);
-  for (const int e : faulty.ShortEdged)
+  std::vector<std::pair<int, Shortfall>> all;
+  const auto add = [&all](const std::vector<int>& elements, Shortfall value)
   {
-    values[e] = Shortfall::ShortEdge;
-  }
-  for (const int e : faulty.Loose)
-  {
-    values[e] = Shortfall::LoosePart;
-  }
+    std::transform(elements.begin(), elements.end(), std::back_inserter(all),
+      [value](int e) { return std::make_pair(e, value); });
+  };
+  add(faulty.BelowFloor, Shortfall::BelowFloor);
+  add(faulty.Invalid, Shortfall::Invalid);
+  add(faulty.CameInvalid, Shortfall::CameInvalid);
+  add(faulty.ShortEdged, Shortfall::ShortEdge);
+  add(faulty.Loose, Shortfall::LoosePart);
   for (const auto& node : left)
   {
     for (const int e : near.Mesh.ElementsOfNode(node.first))
     {
-      values[e] = isIn(e) ? Shortfall::LeftOff : values[e];
+      if (isIn(e))
+      {
+        all.emplace_back(e, Shortfall::LeftOff);
+      }
     }
   }
-  // The nodes left are told of by their distances; nothing else tells of these.
-  for (const int e : faulty.BelowFloor)
-  {
-    values[e] = Shortfall::BelowFloor;
-  }
-  for (const int e : faulty.Invalid)
-  {
-    values[e] = Shortfall::Invalid;
-  }
-  for (const int e : faulty.CameInvalid)
-  {
-    values[e] = Shortfall::CameInvalid;
-  }
+  std::sort(all.begin(), all.end(), ComesBefore<int>);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   std::vector<std::pair<int, Shortfall>> found;
-  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
-    if (values[e] != Shortfall::None)
+    if (i == 0 || all[i - 1].first != all[i].first || IsToldBesideGraver(all[i].second))
     {
-      found.emplace_back(e, values[e]);
+      found.push_back(all[i]);
     }
   }
   return found;

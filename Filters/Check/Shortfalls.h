@@ -24,7 +24,8 @@ std::vector<std::pair<int, float>> FindNodesBeside(
   const TrimBand& near, const nurbs::TrimmingSurface& surface);
 
 /**
- * By ascending band element.
+ * By ascending band element; of those of one element the gravest first, and behind it what nothing
+ * else tells of.
  *
  * @param left the nodes found before.
  * @param loose see FindLooseParts.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 #include <string>
 
@@ -160,17 +161,28 @@ void WarnOfShortfalls(const Piece& piece, const std::vector<std::pair<int, Short
   for (const auto& text : texts)
   {
     Count count;
-    for (const auto& item : list)
+    Id besideGraver = 0;
+    for (auto item = list.begin(); item != list.end(); ++item)
     {
-      if (item.second == text.Value && count.Number++ == 0)
+      if (item->second != text.Value)
+      {
+        continue;
+      }
+      besideGraver += item != list.begin() && std::prev(item)->first == item->first ? 1 : 0;
+      if (count.Number++ == 0)
       {
         const Band& band = result.Near->Mesh;
-        const auto& element = band.Elements[item.first];
-        count.Cell = piece.All.Alone() ? piece.InputCell(CellOf(band, item.first)) : Id(-1);
+        const auto& element = band.Elements[item->first];
+        count.Cell = piece.All.Alone() ? piece.InputCell(CellOf(band, item->first)) : Id(-1);
         count.At = ToPlace(band.Point[element.Node[0]]);
       }
     }
     Warn(count, text, result.Warnings);
+    if (besideGraver > 0)
+    {
+      result.Warnings.back() +=
+        " Shortfall has what is graver for " + std::to_string(besideGraver) + " of them.";
+    }
   }
 }
 

@@ -30,8 +30,8 @@ enum class Feasibility : unsigned char
   OpenSeam = 6   ///< a face of the element lies on another without common nodes
 };
 
-/// The values of the cell array Shortfall: the gravest for each kept element. Below the floor comes
-/// before a node left off, as DistanceLeft tells of that too.
+/// The values of the cell array Shortfall: the gravest for each kept element. All come before a
+/// node left off, as DistanceLeft tells of that too.
 enum class Shortfall : unsigned char
 {
   None = 0,
@@ -45,8 +45,15 @@ enum class Shortfall : unsigned char
 
 inline bool IsGraver(Shortfall a, Shortfall b)
 {
-  constexpr int gravity[] = { 0, 4, 3, 5, 6, 1, 2 };
+  constexpr int gravity[] = { 0, 4, 1, 5, 6, 2, 3 };
   return gravity[static_cast<int>(a)] > gravity[static_cast<int>(b)];
+}
+
+/// By element, or place, and the gravest of each first.
+template <typename Index>
+bool ComesBefore(const std::pair<Index, Shortfall>& a, const std::pair<Index, Shortfall>& b)
+{
+  return a.first != b.first ? a.first < b.first : IsGraver(a.second, b.second);
 }
 
 /// Lists by ascending id in the input; whoever is not listed has the value zero.

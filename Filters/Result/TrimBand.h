@@ -43,7 +43,7 @@ struct TrimBand : BandTrim
   /// Thickness axis of each element as the mesh has it, -1: none; also where the surface leans so
   /// far that the sheet is treated as a block.
   std::vector<signed char> SheetAxis;
-  std::vector<std::pair<int, Shortfall>> Shortfalls; ///< by ascending element
+  std::vector<std::pair<int, Shortfall>> Shortfalls; ///< see FindShortfalls
   std::vector<std::pair<int, float>> NodesBeside;    ///< see FindNodesBeside
 
   // What follows is empty unless the offcut is asked for.

@@ -64,11 +64,8 @@ void AddCellFindings(const Findings& findings, const Selection& ids, vtkCellData
 
 void AddShortfalls(std::vector<std::pair<Id, Shortfall>> found, Id cells, vtkCellData* cellData)
 {
-  // The gravest of each place first.
-  const auto isBefore = [](const auto& a, const auto& b)
-  { return a.first != b.first ? a.first < b.first : IsGraver(a.second, b.second); };
   const auto atOnePlace = [](const auto& a, const auto& b) { return a.first == b.first; };
-  std::sort(found.begin(), found.end(), isBefore);
+  std::sort(found.begin(), found.end(), ComesBefore<Id>);
   found.erase(std::unique(found.begin(), found.end(), atOnePlace), found.end());
   std::vector<Id> places;
   std::vector<unsigned char> values;

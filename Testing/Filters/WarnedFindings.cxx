@@ -76,7 +76,8 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
   }
   for (const int value : { 1, 3, 4, 5, 6 })
   {
-    Expect(CountWarned(outcome, ShortfallPhrases[value]) == shortfall[value],
+    Expect(CountWarned(outcome, ShortfallPhrases[value]) ==
+        shortfall[value] + CountBesideGraver(outcome, ShortfallPhrases[value]),
       name + ": Shortfall " + std::to_string(value));
   }
   int left = 0, leftOfBoundary = 0;
@@ -93,7 +94,8 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
         outcome, left == 1 ? "node of the new boundary was" : "nodes of the new boundary were")
     : NumberAfter(std::to_string(left) + (left == 1 ? " node, " : " nodes, "), outcome);
   Expect(told == leftOfBoundary, name + ": nodes of the new boundary left");
-  Expect((left > 0) == (shortfall[2] > 0), name + ": elements with nodes left");
+  // Any other value comes before it.
+  Expect(left > 0 || shortfall[2] == 0, name + ": elements with nodes left");
   auto corners = CountValues(outcome.Case.Whole->GetPointData()->GetArray("CornerLost"));
   Expect(CountWarned(outcome, CornerPhrase) == corners[1], name + ": corners lost");
   for (int value = 1; value <= 6; ++value)
@@ -117,6 +119,20 @@ void ExpectNothing(
     Expect(outcome.Warnings.empty(),
       name + ": " + (outcome.Warnings.empty() ? "" : outcome.Warnings.front()));
   }
+}
+
+int CountBesideGraver(const Outcome& outcome, const std::string& phrase)
+{
+  const std::string words = "what is graver for ";
+  for (const std::string& warning : outcome.Warnings)
+  {
+    const std::size_t start = warning.find(words);
+    if (start != std::string::npos && warning.find(phrase) != std::string::npos)
+    {
+      return std::atoi(&warning[start + words.size()]);
+    }
+  }
+  return 0;
 }
 
 int NumberAfter(const std::string& words, const Outcome& outcome)

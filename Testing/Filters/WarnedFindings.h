@@ -44,6 +44,9 @@ std::map<int, int> ExpectWarned(const std::string& name, const Outcome& outcome)
 void ExpectNothing(
   const std::string& name, const Mesh& mesh, const Surface& surface, TrimOptions options);
 
+/// How many of the elements of the warning with a phrase have a graver Shortfall in the array.
+int CountBesideGraver(const Outcome& outcome, const std::string& phrase);
+
 /// Number that a warning gives after these words; 0 without it.
 int NumberAfter(const std::string& words, const Outcome& outcome);
 

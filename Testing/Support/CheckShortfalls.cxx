@@ -114,13 +114,18 @@ std::vector<Loose> FindLooseElements(const Evidence& e)
   return found;
 }
 
+/// Whether an element is as asked but for what is less grave than a loose part.
+bool IsLessThanLoose(int value)
+{
+  return value == None || value == ShortEdge || value == LeftOff;
+}
+
 void CheckLeftOff(const Evidence& e, Id c, vtkDataArray* left, int value, Report& report)
 {
   const auto& element = e.Out.Elements[c];
   const bool hasLeft = std::any_of(element.Node.begin(), element.Node.begin() + element.Size,
     [left](Id p) { return left->GetComponent(p, 0) > 0; });
-  const bool tells = value != None && value != ShortEdge && value != LoosePart;
-  if (hasLeft ? !tells : value == LeftOff)
+  if (hasLeft ? value == None : value == LeftOff)
   {
     report.Fail("Shortfall", Cell(c), value, hasLeft ? LeftOff : None);
   }
@@ -142,14 +147,14 @@ void CheckShortfalls(const Evidence& e, Report& report)
     const int value = static_cast<int>(shortfall->GetComponent(c, 0));
     CheckLeftOff(e, c, left, value, report);
     // What follows is told of elements that are as asked otherwise.
-    if (loose[c] == Loose::Yes ? value == None || value == ShortEdge
+    if (loose[c] == Loose::Yes ? IsLessThanLoose(value)
                                : loose[c] == Loose::No && value == LoosePart)
     {
       report.Fail("Shortfall, loose part", Cell(c), value, LoosePart);
     }
     const double share = ShortestEdgeShare(e, c);
     const bool isShort = share < LeastShare && hasFloor && e.Touched(c);
-    if ((value == None || value == ShortEdge) && std::abs(share - LeastShare) > 1e-6 * LeastShare &&
+    if (IsLessThanLoose(value) && std::abs(share - LeastShare) > 1e-6 * LeastShare &&
       isShort != (value == ShortEdge))
     {
       report.Fail("Shortfall, short edge", Cell(c), value, isShort ? ShortEdge : None);
