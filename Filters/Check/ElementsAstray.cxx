@@ -58,10 +58,15 @@ std::array<std::vector<char>, 2> NodesByFate(const TrimBand& near)
   return has;
 }
 
+double VolumeBefore(const Band& band, int e)
+{
+  return std::abs(VolumeOf(PointsOf(band, e), band.Elements[e].Count));
+}
+
 double ExcessOf(const TrimBand& near, int e)
 {
   const bool inserted = near.Mesh.IsInserted(e);
-  const double whole = near.Shares.Volume[e];
+  const double whole = VolumeBefore(near.Mesh, e);
   const double due = inserted ? 0.0 : whole * (1.0 - near.Shares.Element[e]);
   if (!near.Trimmed.Kept[e])
   {
@@ -87,7 +92,7 @@ ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>
     }
     if (band.ElementStatus[e] == ElementToTreat && !band.IsInserted(e))
     {
-      cut += near.Shares.Volume[e];
+      cut += VolumeBefore(band, e);
       ++astray.Cut;
     }
     excess += ExcessOf(near, e);

@@ -48,6 +48,10 @@ struct ElementsAstray
   static constexpr double LargestMiss = 0.1;
 };
 
+/// Of an element as the mesh came, measured as it is after the trim: the six tetrahedra of the
+/// shares have other volumes where its faces are warped, as those of an earlier trim are.
+double VolumeBefore(const Band& band, int e);
+
 /// How much more than what lies on the kept side is kept of an element. Nothing is due of an
 /// inserted one, whose share is that of the element it stands on.
 double ExcessOf(const TrimBand& near, int e);

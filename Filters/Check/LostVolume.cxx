@@ -74,9 +74,10 @@ std::vector<Balance> BalanceByPlace(const TrimBand& near, const std::vector<char
   std::vector<Balance> balances(near.Mesh.NumberOfElements());
   for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
   {
-    if (unreached[e] && near.Shares.Volume[e] > 0.0)
+    const double volume = unreached[e] ? VolumeBefore(near.Mesh, e) : 0.0;
+    if (volume > 0.0)
     {
-      const double excess = excessOf(e) / near.Shares.Volume[e];
+      const double excess = excessOf(e) / volume;
       Balance& balance = balances[places.Find(e)];
       balance.Excess += excess;
       const double due = near.Mesh.IsInserted(e) ? 0.0 : 1.0 - near.Shares.Element[e];
@@ -109,7 +110,7 @@ std::vector<double> FindVolumesTaken(const TrimBand& near)
     const FinalElement shape = FinalShape(near.Mesh, near.Trimmed, e);
     if (!shape.Touched && !near.Mesh.IsInserted(e))
     {
-      taken[start] += near.Shares.Volume[e];
+      taken[start] += VolumeBefore(band, start);
       continue;
     }
     ForVolumes<3>(shape.Points, shape.Count,
@@ -165,7 +166,7 @@ LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
   found = balance(
     [&](int e)
     {
-      const double due = near.Shares.Volume[e] * (1.0 - near.Shares.Element[e]);
+      const double due = VolumeBefore(near.Mesh, e) * (1.0 - near.Shares.Element[e]);
       // An inserted one counts with that on which it stands.
       return near.Mesh.IsInserted(e) ? 0.0 : taken[ElementWithoutLayer(near.Mesh, e)] - due;
     });

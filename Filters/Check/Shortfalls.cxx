@@ -3,6 +3,7 @@
 #include "BandQuality.h"
 #include "BorderCorners.h"
 #include "BorderSearch.h"
+#include "ElementsAstray.h"
 #include "Jacobian.h"
 #include "NodeConstraint.h"
 #include "NodeMover.h"
@@ -213,18 +214,6 @@ std::vector<std::pair<int, Shortfall>> FindShortfallsOfOffcut(
     }
   }
   return ListShortfalls(near, faulty, left, [&inOffcut](int e) { return inOffcut[e] != 0; });
-}
-
-namespace
-{
-
-/// As the parts are measured: the six tetrahedra of the shares have other volumes where the faces
-/// of an element are warped, as those of an earlier trim are.
-double VolumeBefore(const Band& band, int e)
-{
-  return std::abs(VolumeOf(PointsOf(band, e), band.Elements[e].Count));
-}
-
 }
 
 double MeasureMissing(const TrimBand& near)
