@@ -60,7 +60,8 @@ std::array<std::vector<char>, 2> NodesByFate(const TrimBand& near)
 
 double VolumeBefore(const Band& band, int e)
 {
-  return std::abs(VolumeOf(PointsOf(band, e), band.Elements[e].Count));
+  const ElementShape shape = ShapeBefore(band, e);
+  return std::abs(VolumeOf(shape.Points, shape.Count));
 }
 
 double ExcessOf(const TrimBand& near, int e)

@@ -49,7 +49,8 @@ struct ElementsAstray
 };
 
 /// Of an element as the mesh came, measured as it is after the trim: the six tetrahedra of the
-/// shares have other volumes where its faces are warped, as those of an earlier trim are.
+/// shares have other volumes where its faces are warped, as those of an earlier trim are. With a
+/// layer: of one that was not inserted, without it.
 double VolumeBefore(const Band& band, int e);
 
 /// How much more than what lies on the kept side is kept of an element. Nothing is due of an

@@ -110,7 +110,7 @@ std::vector<double> FindVolumesTaken(const TrimBand& near)
     const FinalElement shape = FinalShape(near.Mesh, near.Trimmed, e);
     if (!shape.Touched && !near.Mesh.IsInserted(e))
     {
-      taken[start] += VolumeBefore(band, start);
+      taken[start] += VolumeBefore(near.Mesh, e);
       continue;
     }
     ForVolumes<3>(shape.Points, shape.Count,

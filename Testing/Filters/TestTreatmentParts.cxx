@@ -8,7 +8,9 @@
  */
 #include "CutBlock.h"
 #include "EdgeCrossing.h"
+#include "ElementTetrahedra.h"
 #include "ElementWorth.h"
+#include "ElementsAstray.h"
 #include "Expect.h"
 #include "Facet.h"
 #include "FindingArrays.h"
@@ -20,6 +22,7 @@
 #include "NodeMover.h"
 #include "SampleSurfaces.h"
 #include "Status.h"
+#include "TrimBand.h"
 #include "ValidityLadder.h"
 
 #include <Eigen/LU>
@@ -497,6 +500,46 @@ Band WedgesRoundAxis(int count)
   return Band(std::move(cells), 1, false);
 }
 
+/// An element whose faces are warped, and which is kept as it is, has no volume too much or too
+/// little, whatever its six tetrahedra have.
+void CheckExcess()
+{
+  BandCells cells;
+  for (int i = 0; i < 8; ++i)
+  {
+    BandCells::Node node;
+    node.Global = i;
+    node.Point = Vec3(i % 4 == 1 || i % 4 == 2, i % 4 > 1, i / 4);
+    cells.Nodes.push_back(node);
+  }
+  cells.Nodes[6].Point += Vec3(0.3, 0.2, 0.4);
+  BandCells::Cell cell;
+  cell.Global = 0;
+  cell.Count = 8;
+  std::iota(cell.Node.begin(), cell.Node.end(), 0);
+  cells.Cells.push_back(cell);
+  TrimBand near(Band(std::move(cells), 1, false));
+  const Band& band = near.Mesh;
+  const auto order = OrderForTetrahedra(band.Elements[0]);
+  double six = 0.0;
+  for (const Tetrahedron& t : HexahedronTetrahedra)
+  {
+    const auto at = [&](int i) -> const Vec3& { return band.Point[order[t[i]]]; };
+    six += (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) / 6.0;
+  }
+  Expect(std::abs(six - VolumeBefore(band, 0)) > 0.01, "excess: the faces are not warped enough");
+  near.Shares.Volume = { six };
+  near.Shares.Element = { 0.0 };
+  near.Trimmed.Kept = { 1 };
+  near.Trimmed.NodeMoves.Position = band.Point;
+  for (const Correction applied : { Correction::None, Correction::Project })
+  {
+    near.Trimmed.NodeMoves.Applied.assign(8, applied);
+    Expect(std::abs(ExcessOf(near, 0)) < 1e-12,
+      "excess of a warped element: " + std::to_string(ExcessOf(near, 0)));
+  }
+}
+
 /// What is kept of thousands of wedges round an axis is a manifold there if it is one sector, which
 /// takes hardly any time to be found.
 void CheckAxis()
@@ -556,6 +599,7 @@ int main()
 {
   CheckFlatFacets();
   CheckAxis();
+  CheckExcess();
   CheckNodeGrid();
   CheckDecisionAgain();
   CheckPromise();
