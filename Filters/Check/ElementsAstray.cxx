@@ -64,10 +64,9 @@ double VolumeBefore(const Band& band, int e)
   return std::abs(VolumeOf(shape.Points, shape.Count));
 }
 
-double ExcessOf(const TrimBand& near, int e)
+double ExcessOf(const TrimBand& near, int e, double whole)
 {
   const bool inserted = near.Mesh.IsInserted(e);
-  const double whole = VolumeBefore(near.Mesh, e);
   const double due = inserted ? 0.0 : whole * (1.0 - near.Shares.Element[e]);
   if (!near.Trimmed.Kept[e])
   {
@@ -79,7 +78,8 @@ double ExcessOf(const TrimBand& near, int e)
   return (changed ? std::abs(VolumeOf(shape.Points, shape.Count)) : whole) - due;
 }
 
-ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>& without)
+ElementsAstray MeasureVolumeAstray(
+  const TrimBand& near, const std::vector<double>& volumes, const std::vector<char>& without)
 {
   ElementsAstray astray;
   const Band& band = near.Mesh;
@@ -93,10 +93,10 @@ ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>
     }
     if (band.ElementStatus[e] == ElementToTreat && !band.IsInserted(e))
     {
-      cut += VolumeBefore(band, e);
+      cut += volumes[e];
       ++astray.Cut;
     }
-    excess += ExcessOf(near, e);
+    excess += ExcessOf(near, e, volumes[e]);
   }
   astray.Volume = cut > 0.0 ? std::abs(excess) / cut * static_cast<double>(astray.Cut) : 0.0;
   return astray;
@@ -108,7 +108,9 @@ ElementsAstray FindElementsAstray(
   const Band& band = near.Mesh;
   const auto has = NodesByFate(near);
   // By type I the border is no surface.
-  ElementsAstray sum = type == Correction::Eliminate ? ElementsAstray() : MeasureVolumeAstray(near);
+  ElementsAstray sum = type == Correction::Eliminate
+    ? ElementsAstray()
+    : MeasureVolumeAstray(near, near.Shares.Volume);
   for (int e = 0; e < band.NumberOfElements(); ++e)
   {
     const unsigned char side = near.Trimmed.Kept[e] ? ElementEliminate : ElementKeep;

@@ -55,15 +55,19 @@ double VolumeBefore(const Band& band, int e);
 
 /// How much more than what lies on the kept side is kept of an element. Nothing is due of an
 /// inserted one, whose share is that of the element it stands on.
-double ExcessOf(const TrimBand& near, int e);
+/// @param whole its volume before.
+double ExcessOf(const TrimBand& near, int e, double whole);
 
 /// The volume alone, of a trim whose border is the surface.
+/// @param volumes of the elements before.
 /// @param without by element those that do not count; empty: all count.
-ElementsAstray MeasureVolumeAstray(const TrimBand& near, const std::vector<char>& without = {});
+ElementsAstray MeasureVolumeAstray(
+  const TrimBand& near, const std::vector<double>& volumes, const std::vector<char>& without = {});
 
 /// Of each node, whether an eliminated element has it, and whether a kept one.
 std::array<std::vector<char>, 2> NodesByFate(const TrimBand& near);
 
+/// By the volumes of the shares, as the decision is made.
 ElementsAstray FindElementsAstray(
   const TrimBand& near, const nurbs::TrimmingSurface& surface, Correction type);
 

@@ -155,7 +155,8 @@ LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
   nurbs::DisjointSets<int> places = JoinPlaces(near.Mesh, unreached);
   const auto balance = [&](const auto& excessOf)
   { return BalanceByPlace(near, unreached, told, places, excessOf); };
-  std::vector<Balance> found = balance([&near](int e) { return ExcessOf(near, e); });
+  std::vector<Balance> found =
+    balance([&near](int e) { return ExcessOf(near, e, VolumeBefore(near.Mesh, e)); });
   if (std::none_of(found.begin(), found.end(), [](const Balance& b) { return b.IsLarge(); }))
   {
     return {};
@@ -190,7 +191,12 @@ LostVolume FindLostVolume(const TrimBand& near, const std::vector<int>& told, do
   {
     toldNearby[e] = 1;
   }
-  const ElementsAstray astray = MeasureVolumeAstray(near, toldNearby);
+  std::vector<double> volumes(near.Mesh.NumberOfElements());
+  for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
+  {
+    volumes[e] = VolumeBefore(near.Mesh, e);
+  }
+  const ElementsAstray astray = MeasureVolumeAstray(near, volumes, toldNearby);
   if (!astray.MissesWhole(share))
   {
     return FindLostPlaces(near, toldNearby);

@@ -535,8 +535,8 @@ void CheckExcess()
   for (const Correction applied : { Correction::None, Correction::Project })
   {
     near.Trimmed.NodeMoves.Applied.assign(8, applied);
-    Expect(std::abs(ExcessOf(near, 0)) < 1e-12,
-      "excess of a warped element: " + std::to_string(ExcessOf(near, 0)));
+    Expect(std::abs(ExcessOf(near, 0, VolumeBefore(band, 0))) < 1e-12,
+      "excess of a warped element: " + std::to_string(ExcessOf(near, 0, VolumeBefore(band, 0))));
   }
 }
 
