@@ -330,6 +330,23 @@ void TestFates()
   Expect(gone > 0, "fates: all columns went by their volume");
 }
 
+/// Elements of the layer stay below the floor whatever is left: more and more of it made others of
+/// them so, and ten nodes stayed off the surface.
+void TestFewest()
+{
+  const Mesh block = Sheet(4, 5, 7, Vec3(1, 1, 1));
+  const Vec3 middle = Vec3(block.Grid->GetCenter());
+  TrimOptions options;
+  options.InsertLayer = true;
+  options.MinimumScaledJacobian = 0.5;
+  Report report("layer with the fewest faulty elements");
+  const Outcome outcome = RunAndJudge(block,
+    PlaneThrough(middle + Vec3(-0.23, -0.1, 0.05), Vec3(-0.88, 0.66, 0.9), 40), options, report);
+  Wrong += report.Failures();
+  const int left = CountLeft(outcome.Case.Trimmed);
+  Expect(left <= 5, "fewest: " + std::to_string(left) + " nodes left off");
+}
+
 /// Values that are linear in space stay so where they are mapped; else what was inserted has those
 /// of what it stands on.
 void TestValues()
@@ -449,8 +466,9 @@ int main(int argc, char** argv)
   const std::vector<std::pair<std::string, void (*)()>> trials = { { "aslant", &TestAslant },
     { "edges", &TestInnerEdges }, { "bent", &TestBent }, { "diagonal", &TestDiagonal },
     { "tilted", &TestTilted }, { "divided", &TestDivided }, { "behind", &TestBehindCut },
-    { "fates", &TestFates }, { "values", &TestValues }, { "sequence", &TestSequence },
-    { "beneath", &TestBeneathNodesLeft }, { "thickness", &TestThickness } };
+    { "fates", &TestFates }, { "fewest", &TestFewest }, { "values", &TestValues },
+    { "sequence", &TestSequence }, { "beneath", &TestBeneathNodesLeft },
+    { "thickness", &TestThickness } };
   const std::string chosen = argc > 1 ? argv[1] : "all";
   int run = 0;
   for (const auto& [name, trial] : trials)
