@@ -83,7 +83,7 @@ add_library(NURBSTrimStages STATIC
   Treat/TrimmedBand.cxx
   Treat/ValidityLadder.cxx
   Check/BorderChords.cxx
-  Check/EdgesCrossedTwice.cxx
+  Check/CrossedEdges.cxx
   Check/ElementProbe.cxx
   Check/ElementsAstray.cxx
   Check/FeasibilityCheck.cxx

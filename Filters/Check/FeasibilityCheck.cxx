@@ -2,8 +2,8 @@
 
 #include "BorderBridges.h"
 #include "BorderChords.h"
+#include "CrossedEdges.h"
 #include "Curvature.h"
-#include "EdgesCrossedTwice.h"
 #include "ElementProbe.h"
 #include "ElementTopology.h"
 #include "NodeMover.h"

@@ -66,18 +66,19 @@ struct Balance
 };
 
 /// By the smallest element of each place; nothing where a finding tells of it.
+/// @param volumes of the elements before.
 /// @param excessOf the volume that an element has too much.
 template <typename Excess>
-std::vector<Balance> BalanceByPlace(const TrimBand& near, const std::vector<char>& unreached,
-  const std::vector<char>& told, nurbs::DisjointSets<int>& places, const Excess& excessOf)
+std::vector<Balance> BalanceByPlace(const TrimBand& near, const std::vector<double>& volumes,
+  const std::vector<char>& unreached, const std::vector<char>& told,
+  nurbs::DisjointSets<int>& places, const Excess& excessOf)
 {
   std::vector<Balance> balances(near.Mesh.NumberOfElements());
   for (int e = 0; e < near.Mesh.NumberOfElements(); ++e)
   {
-    const double volume = unreached[e] ? VolumeBefore(near.Mesh, e) : 0.0;
-    if (volume > 0.0)
+    if (unreached[e] && volumes[e] > 0.0)
     {
-      const double excess = excessOf(e) / volume;
+      const double excess = excessOf(e) / volumes[e];
       Balance& balance = balances[places.Find(e)];
       balance.Excess += excess;
       const double due = near.Mesh.IsInserted(e) ? 0.0 : 1.0 - near.Shares.Element[e];
@@ -96,7 +97,8 @@ std::vector<Balance> BalanceByPlace(const TrimBand& near, const std::vector<char
 
 /// How much of the place of each element, as the mesh came, the trimmed mesh takes, in whatever
 /// element; of WithoutLayer(near.Mesh).
-std::vector<double> FindVolumesTaken(const TrimBand& near)
+/// @param volumes of the elements before.
+std::vector<double> FindVolumesTaken(const TrimBand& near, const std::vector<double>& volumes)
 {
   const Band& band = WithoutLayer(near.Mesh);
   std::vector<double> taken(band.NumberOfElements(), 0.0);
@@ -110,7 +112,7 @@ std::vector<double> FindVolumesTaken(const TrimBand& near)
     const FinalElement shape = FinalShape(near.Mesh, near.Trimmed, e);
     if (!shape.Touched && !near.Mesh.IsInserted(e))
     {
-      taken[start] += VolumeBefore(near.Mesh, e);
+      taken[start] += volumes[e];
       continue;
     }
     ForVolumes<3>(shape.Points, shape.Count,
@@ -145,7 +147,9 @@ int FindMostAstray(const TrimBand& near, const Test& test)
 }
 
 /// What is lost at places of which nothing is told.
-LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
+/// @param volumes of the elements before.
+LostVolume FindLostPlaces(
+  const TrimBand& near, const std::vector<double>& volumes, const std::vector<char>& told)
 {
   const std::vector<char> unreached = FindUnreached(near);
   if (std::find(unreached.begin(), unreached.end(), 1) == unreached.end())
@@ -154,20 +158,19 @@ LostVolume FindLostPlaces(const TrimBand& near, const std::vector<char>& told)
   }
   nurbs::DisjointSets<int> places = JoinPlaces(near.Mesh, unreached);
   const auto balance = [&](const auto& excessOf)
-  { return BalanceByPlace(near, unreached, told, places, excessOf); };
-  std::vector<Balance> found =
-    balance([&near](int e) { return ExcessOf(near, e, VolumeBefore(near.Mesh, e)); });
+  { return BalanceByPlace(near, volumes, unreached, told, places, excessOf); };
+  std::vector<Balance> found = balance([&](int e) { return ExcessOf(near, e, volumes[e]); });
   if (std::none_of(found.begin(), found.end(), [](const Balance& b) { return b.IsLarge(); }))
   {
     return {};
   }
   // Nodes that move by several elements, as those of columns do along a surface that leans, carry
   // kept elements to where others went, or from where they stay.
-  const std::vector<double> taken = FindVolumesTaken(near);
+  const std::vector<double> taken = FindVolumesTaken(near, volumes);
   found = balance(
     [&](int e)
     {
-      const double due = VolumeBefore(near.Mesh, e) * (1.0 - near.Shares.Element[e]);
+      const double due = volumes[e] * (1.0 - near.Shares.Element[e]);
       // An inserted one counts with that on which it stands.
       return near.Mesh.IsInserted(e) ? 0.0 : taken[ElementWithoutLayer(near.Mesh, e)] - due;
     });
@@ -199,7 +202,7 @@ LostVolume FindLostVolume(const TrimBand& near, const std::vector<int>& told, do
   const ElementsAstray astray = MeasureVolumeAstray(near, volumes, toldNearby);
   if (!astray.MissesWhole(share))
   {
-    return FindLostPlaces(near, toldNearby);
+    return FindLostPlaces(near, volumes, toldNearby);
   }
   LostVolume lost;
   lost.Elements = astray.Volume;

@@ -237,4 +237,14 @@ std::string FindDefect(const NurbsSurface& surface)
   return defect.empty() ? ToleranceDefect(surface) : defect;
 }
 
+Box3 BoxOf(const NurbsSurface& surface)
+{
+  Box3 box;
+  for (const Vec4& point : surface.ControlPoints)
+  {
+    box.extend(Vec3(point.head<3>()));
+  }
+  return box;
+}
+
 }

@@ -11,7 +11,7 @@
 #ifndef NurbsSurface_h
 #define NurbsSurface_h
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <string>
 #include <vector>
@@ -21,6 +21,7 @@ namespace nurbs
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Vec4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+using Box3 = Eigen::AlignedBox3d;
 
 /// Highest degree the kernel evaluates; fixed-size work arrays are bounded by it.
 constexpr int MaximumDegree = 25;
@@ -60,6 +61,9 @@ struct NurbsSurface
  * do; empty: valid.
  */
 std::string FindDefect(const NurbsSurface& surface);
+
+/// The box of its control points, which holds all of it.
+Box3 BoxOf(const NurbsSurface& surface);
 
 /// S and its partial derivatives up to second order at one (u, v) (eqs. 1-5).
 struct SurfaceJet

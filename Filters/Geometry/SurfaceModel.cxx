@@ -18,10 +18,7 @@ SurfaceModel::SurfaceModel(std::vector<NurbsSurface> faces, double gapTolerance,
   Box3 hull;
   for (const NurbsSurface& face : this->Faces)
   {
-    for (const Vec4& point : face.ControlPoints)
-    {
-      hull.extend(Vec3(point.head<3>()));
-    }
+    hull.extend(BoxOf(face));
   }
   this->Origin = hull.center();
   this->Scale = std::max(hull.diagonal().norm(), 1e-300);

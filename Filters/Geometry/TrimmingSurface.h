@@ -19,7 +19,6 @@
 
 namespace nurbs
 {
-using Box3 = Eigen::AlignedBox3d;
 
 /// Where on the trimming surface a closest point lies; decides whether it has a side.
 enum class FootKind : unsigned char

@@ -24,7 +24,7 @@ enum class Feasibility : unsigned char
   Inclined = 2, ///< the surface and the skin meet under less than 45 degrees
   Narrow = 3,   ///< a hole or slot narrower than three elements
   /// The surface crosses an edge or face of the element more than once, or against the sides of its
-  /// nodes (see EdgesCrossedTwice.h), or leaves too narrow a strip there (see PartedStrips.h).
+  /// nodes (see CrossedEdges.h), or leaves too narrow a strip there (see PartedStrips.h).
   CrossedTwice = 4,
   NotOpened = 5, ///< a cut-out that is too small to be opened: the element stays whole
   OpenSeam = 6   ///< a face of the element lies on another without common nodes

@@ -56,7 +56,6 @@ class JointRelaxation : private RelaxedMesh
 public:
   JointRelaxation(const RelaxationCase& given, const RelaxationGoal& goal, Moves& moves)
     : RelaxedMesh(given, moves)
-    , Aborted(given.Aborted)
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
     , EndsEarly(goal.Effort.EndsEarly)
@@ -549,7 +548,6 @@ private:
     }
   }
 
-  const AbortCheck& Aborted;
   double Floor;
   double Goal;
   bool EndsEarly;

@@ -37,7 +37,6 @@ public:
     , Floor(goal.Floor)
     , Goal(GoalMargin * goal.Quality)
     , Effort(goal.Effort)
-    , Aborted(given.Aborted)
     , IsRelaxed(given.TheBand.NumberOfNodes(), 0)
     , WorthTrying(given.TheBand.NumberOfNodes())
     , KnownWorth(given.TheBand.NumberOfElements(), Unknown)
@@ -573,7 +572,6 @@ private:
   double Floor;
   double Goal;
   RelaxationEffort Effort;
-  const AbortCheck& Aborted;
   std::vector<char> IsRelaxed; ///< by node
   /// By pillar. Two that do not meet may both tell one between them.
   std::vector<std::atomic<char>> WorthTrying;

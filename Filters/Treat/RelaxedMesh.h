@@ -53,6 +53,7 @@ public:
     , Mover(given.Mover)
     , Elements(given.Elements)
     , OnCut(given.OnCut)
+    , Aborted(given.Aborted)
     , TheMoves(moves)
     , Fixed(given.Fixed)
     , Freedoms(given.TheBand.NumberOfNodes())
@@ -63,6 +64,7 @@ public:
   const NodeMover& Mover;
   const std::vector<RelaxedElement>& Elements;
   const std::vector<char>& OnCut;
+  const AbortCheck& Aborted;
   Moves& TheMoves;
 
   ElementPoints PointsOf(int element) const;

@@ -71,7 +71,6 @@ public:
     const RelaxationCase& given, const std::vector<int>& active, double goal, Moves& moves)
     : RelaxedMesh(given, moves)
     , Goal(goal)
-    , Aborted(given.Aborted)
     , Directions(*this)
     , Nodes(this->NodesRound(active, DescentRings))
     , Around(this->ElementsAt(this->Nodes))
@@ -316,7 +315,6 @@ private:
   }
 
   double Goal;
-  const AbortCheck& Aborted;
   StepDirections Directions;
   std::vector<int> Nodes, Around; ///< that move, and elements at them
   std::vector<int> Slot;          ///< by node: its place in Nodes, or -1

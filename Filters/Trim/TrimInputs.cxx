@@ -215,10 +215,7 @@ double SizeOf(const std::vector<nurbs::NurbsSurface>& faces)
   nurbs::Box3 box;
   for (const auto& face : faces)
   {
-    for (const auto& point : face.ControlPoints)
-    {
-      box.extend(nurbs::Vec3(point[0], point[1], point[2]));
-    }
+    box.extend(nurbs::BoxOf(face));
   }
   return box.diagonal().norm();
 }

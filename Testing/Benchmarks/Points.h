@@ -55,11 +55,7 @@ inline std::vector<NearPoint> PointsNear(
 /// Anywhere in the box of the surface, widened by a fifth of its diagonal.
 inline std::vector<NearPoint> PointsAround(const NurbsSurface& surface, int count)
 {
-  Eigen::AlignedBox3d box;
-  for (const nurbs::Vec4& point : surface.ControlPoints)
-  {
-    box.extend(Vec3(point.head<3>()));
-  }
+  const nurbs::Box3 box = nurbs::BoxOf(surface);
   const Vec3 half = 0.5 * box.sizes() + Vec3::Constant(0.2 * box.diagonal().norm());
   std::mt19937 random(4);
   std::uniform_real_distribution<double> draw(-1, 1);

@@ -376,31 +376,21 @@ void ExpectHinges(
 void TestHinges()
 {
   const Mesh sheet = MakeMesh("irregular");
-  Placement at;
-  at.X = 0.095;
-  at.Y = 0.380;
-  at.Angle = 3.632;
-  at.Lean = 0.106;
-  at.Size = 0.627;
-  at.Seed = 764339;
+  const Placement along{ 0.095, 0.380, 3.632, 0.106, 0.627, 764339 };
   TrimOptions options;
   options.Optimization = 1;
   options.MinimumScaledJacobian = 0;
   options.EliminationFraction = 0.709;
   options.InvertSide = true;
   options.ProduceOffcut = true;
-  ExpectHinges("hinges", sheet, MakeSurface("scurve", sheet.Box, at), options);
+  ExpectHinges("hinges", sheet, MakeSurface("scurve", sheet.Box, along), options);
   // All of them are below the floor as well.
-  at.X = 0.65416738727866419;
-  at.Y = 0.31951888415069685;
-  at.Angle = 1.6352089169925486;
-  at.Lean = 0.15152881569682466;
-  at.Size = 0.60651034268603077;
-  at.Seed = 210;
+  const Placement about{ 0.65416738727866419, 0.31951888415069685, 1.6352089169925486,
+    0.15152881569682466, 0.60651034268603077, 210 };
   TrimOptions simple;
   simple.Optimization = 0;
   simple.ProduceOffcut = true;
-  ExpectHinges("hinges below the floor", sheet, MakeSurface("cone", sheet.Box, at), simple);
+  ExpectHinges("hinges below the floor", sheet, MakeSurface("cone", sheet.Box, about), simple);
 }
 }
 

@@ -65,16 +65,6 @@ bool IsOneLine(const std::string& message)
   return colon != std::string::npos && message.find('\n', colon) + 2 >= message.size();
 }
 
-nurbs::Box3 BoxOf(const NurbsSurface& surface)
-{
-  nurbs::Box3 box;
-  for (const nurbs::Vec4& point : surface.ControlPoints)
-  {
-    box.extend(Vec3(point.head<3>()));
-  }
-  return box;
-}
-
 /// Of all faces' sizes the middle one.
 double MiddleSize(const std::vector<NurbsSurface>& surfaces)
 {

@@ -139,15 +139,9 @@ private:
   double Tolerance;
 };
 
-/// Diagonal of the box of points of a surface.
 double SizeOf(const NurbsSurface& surface)
 {
-  Eigen::AlignedBox3d box;
-  for (const Vec4& point : surface.ControlPoints)
-  {
-    box.extend(Vec3(point.head<3>()));
-  }
-  return box.diagonal().norm();
+  return BoxOf(surface).diagonal().norm();
 }
 
 /// Drops points that repeat the one before.

@@ -1,10 +1,10 @@
 /**
- * @file EdgesCrossedTwice.h
+ * @file CrossedEdges.h
  * @brief Finds the edges of elements that the surface crosses more than once, or against their
  * sides.
  */
-#ifndef EdgesCrossedTwice_h
-#define EdgesCrossedTwice_h
+#ifndef CrossedEdges_h
+#define CrossedEdges_h
 
 #include "HexMesh.h"
 #include "NodeClassification.h"

@@ -1,4 +1,4 @@
-#include "EdgesCrossedTwice.h"
+#include "CrossedEdges.h"
 
 #include "BandCells.h"
 #include "ElementTopology.h"
